@@ -15,8 +15,12 @@ from tracker.hand.holding import Holding
 from tracker.hand.poses import BETWEEN, HELD, POSES
 
 SLACK = 0.4  # s for which a pose may look badly held before it counts as let go
-PATIENCE = 12.0  # s without a pose being held after which it is left out
+PATIENCE = 12.0  # s of a hand that is seen and does not hold the pose, which is left out then
 LONGEST_STEP = 0.25  # s between two looks that count as held; a stalled window proves nothing
+NOTHING_ARRIVES = "nothing"
+"""In place of a joint: the glove is silent."""
+UNSEEN = ("", NOTHING_ARRIVES)
+"""In place of a joint where there is no hand to be judged."""
 Judge = Callable[[str], Holding]
 """How the pose of that name is held at this instant."""
 
@@ -44,7 +48,7 @@ class GuidedRun:
         self.held: dict[str, bool] = {}
         self.insisted = False  # the wearer says that it is held
         self.late = False  # the pose could be held by now, and is not
-        self._asked = self._well = self._last = 0.0
+        self._asked = self._well = self._last = self._missed = 0.0
 
     @property
     def pose(self) -> str:
@@ -107,10 +111,12 @@ class GuidedRun:
         self.holding = self._judge(self.pose)
         self.late = self.phase == Phase.REACHING and self.may_begin(t)
         if self.phase == Phase.REACHING:
-            if self.holding.is_held and self.may_begin(t):
+            if self.late and self.holding.is_held:
                 self._begin(t)
-            elif t - self._asked > BETWEEN + PATIENCE:
-                self.skip(t)
+            elif self.late and self.holding.joint not in UNSEEN:  # who is not seen is waited for
+                self._missed += step
+                if self._missed > PATIENCE:
+                    self.skip(t)
             return
         if self.insisted or self.holding.is_held:
             self._well = t
@@ -123,6 +129,7 @@ class GuidedRun:
     def _ask(self, number: int, t: float) -> None:
         self.number, self.phase, self.share = number, Phase.REACHING, 0.0
         self._asked, self._last, self.insisted, self.late = t, t, False, False
+        self._missed = 0.0
         self._guide.show(self.pose)
 
     def _begin(self, t: float) -> None:

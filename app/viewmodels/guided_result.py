@@ -1,7 +1,12 @@
-"""What guided poses have taught, in plain words and figures: before and after."""
+"""What guided poses have taught, in plain words and figures: before and after.
+
+Only what they tell of: an end joint of which nothing is known bends as its neighbours do. A change
+is worth a word where it is larger than what is left unsure.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -27,12 +32,24 @@ DIGITS = {
 
 class WearerNow(NamedTuple):
     """What an engine knows: gains (k, 2) ratio and offset (rad) of the hand's synergies, aside
-    (S,) rad; calibration; ``remembered``, by which it can be taken back."""
+    (S,) rad; ``ends``, by the digits of which poses tell, the covariance (3, 3) of ratio, offset
+    and aside; calibration; ``remembered``, by which it can be taken back. ``frozen``: nothing is
+    learned; ``learning``: of the last pose it is not decided yet what it tells."""
 
     gains: Array
     aside: Array
+    ends: Mapping[str, Array]
     calibration: Calibration
     remembered: Remembered
+    frozen: bool = False
+    learning: bool = False
+
+
+class Figure(NamedTuple):
+    """Something known, and its standard deviation in the same unit."""
+
+    value: float
+    sd: float
 
 
 class LearnedRow(NamedTuple):
@@ -58,7 +75,7 @@ def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> Learned:
     words: list[str] = []
     for digit in DIGITS:
         link = _link(hand, digit)
-        if link is None:
+        if link is None or digit not in after.ends or digit not in before.ends:
             continue
         name = tr(DIGITS[digit])
         bent = np.deg2rad(BENT_DEG.get(digit, FINGER_BENT_DEG))
@@ -66,9 +83,9 @@ def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> Learned:
             (tr("End joint of the {}, stretched"), 0.0),
             (tr("End joint of the {}, bent"), bent),
         ):
-            old, new = (_bend_deg(now, link, source) for now in (before, after))
+            old, new = (_bend_deg(now, digit, link, source) for now in (before, after))
             rows.append(_row(form.format(name), old, new, "°", CLEAR_DEG))
-        words += _bend_words(name, new - old)
+        words += _bend_words(name, old, new)
     rows += _stand(hand, before, after)
     rows += _size(before.calibration, after.calibration)
     words += _size_words(before.calibration, after.calibration)
@@ -82,14 +99,21 @@ def _link(hand: HandModel, digit: str) -> int | None:
     return next((k for k, s in enumerate(hand.synergies) if s.angle == name), None)
 
 
-def _bend_deg(now: WearerNow, link: int, source: float) -> float:
+def _bend_deg(now: WearerNow, digit: str, link: int, source: float) -> Figure:
     ratio, offset = now.gains[link]
-    return float(np.rad2deg(ratio * source + offset))
+    by = np.array([source, 1.0, 0.0])
+    sd = np.sqrt(by @ now.ends[digit] @ by)
+    return Figure(float(np.rad2deg(ratio * source + offset)), float(np.rad2deg(sd)))
 
 
-def _bend_words(name: str, change_deg: float) -> list[str]:
-    if abs(change_deg) < CLEAR_DEG:
+def _is_clear(old: Figure, new: Figure, least: float) -> bool:
+    return abs(new.value - old.value) >= np.nanmax([least, new.sd])
+
+
+def _bend_words(name: str, old: Figure, new: Figure) -> list[str]:
+    if not _is_clear(old, new, CLEAR_DEG):
         return []
+    change_deg = new.value - old.value
     more = tr("The end joint of your {} bends {:.0f}° more than was thought.")
     less = tr("The end joint of your {} bends {:.0f}° less than was thought.")
     return [(more if change_deg > 0 else less).format(name, abs(change_deg))]
@@ -98,29 +122,39 @@ def _bend_words(name: str, change_deg: float) -> list[str]:
 def _stand(hand: HandModel, before: WearerNow, after: WearerNow) -> list[LearnedRow]:
     """How far the thumb's end stands to the side."""
     row = hand.index.get(CHAINS["thumb"][-1], -1)
-    if row < 0:
+    if row < 0 or "thumb" not in after.ends or "thumb" not in before.ends:
         return []
-    old, new = (float(np.rad2deg(now.aside[row])) for now in (before, after))
+    old, new = (
+        Figure(*np.rad2deg([now.aside[row], np.sqrt(now.ends["thumb"][2, 2])]).tolist())
+        for now in (before, after)
+    )
     return [_row(tr("Tip of the thumb, to the side"), old, new, "°", CLEAR_DEG)]
 
 
 def _size(before: Calibration, after: Calibration) -> list[LearnedRow]:
-    old, new = before.hand_length * 1000, after.hand_length * 1000
-    if not (np.isfinite(old) and np.isfinite(new)):
+    old, new = _length_mm(before), _length_mm(after)
+    if not (np.isfinite(old.value) and np.isfinite(new.value)):
         return []
     return [_row(tr("Length of the hand"), old, new, " mm", CLEAR_MM)]
 
 
+def _length_mm(known: Calibration) -> Figure:
+    return Figure(known.hand_length * 1000, known.hand_length_sd * 1000)
+
+
 def _size_words(before: Calibration, after: Calibration) -> list[str]:
-    change_mm = (after.hand_length - before.hand_length) * 1000
-    if not np.isfinite(change_mm) or abs(change_mm) < CLEAR_MM:
+    old, new = _length_mm(before), _length_mm(after)
+    if not _is_clear(old, new, CLEAR_MM):
         return []
+    change_mm = new.value - old.value
     longer = tr("Your hand is {:.1f} mm longer than was thought.")
     shorter = tr("Your hand is {:.1f} mm shorter than was thought.")
     return [(longer if change_mm > 0 else shorter).format(abs(change_mm))]
 
 
-def _row(what: str, old: float, new: float, unit: str, clear: float) -> LearnedRow:
-    change = new - old
-    figures = (f"{old:.1f}{unit}", f"{new:.1f}{unit}", f"{change:+.1f}{unit}")
-    return LearnedRow(what, *figures, abs(change) >= clear)
+def _row(what: str, old: Figure, new: Figure, unit: str, least: float) -> LearnedRow:
+    before, after = (
+        f"{f.value:.1f}{unit}" + (f" ± {f.sd:.1f}" if np.isfinite(f.sd) else "") for f in (old, new)
+    )
+    change = f"{new.value - old.value:+.1f}{unit}"
+    return LearnedRow(what, before, after, change, _is_clear(old, new, least))

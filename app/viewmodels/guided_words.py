@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.viewmodels.guided import GuidedRun, Phase
+from app.viewmodels.guided import NOTHING_ARRIVES, GuidedRun, Phase
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY
 from app.words import mark, tr
 from tracker.hand.holding import Holding, how_held
@@ -49,8 +49,7 @@ BEND = {
     "ring": mark("Bend the ring finger more"),
     "little": mark("Bend the little finger more"),
 }
-NOTHING_ARRIVES = "nothing"
-"""In place of a joint: the glove is silent."""
+NOT_JUDGED = mark("Hold it: no sensor tells of this finger")
 
 
 class LiveJudge:
@@ -91,6 +90,8 @@ def amiss(holding: Holding) -> str:
 def word(run: GuidedRun, t: float) -> str:
     """The one large word at this instant."""
     if run.phase == Phase.HOLDING:
+        if run.holding.is_held and run.holding.joint and not run.insisted:
+            return tr(NOT_JUDGED)
         return tr("Hold it") if run.holding.is_held or run.insisted else amiss(run.holding)
     if run.phase == Phase.REACHING:
         return amiss(run.holding) if run.may_begin(t) else tr("Next")

@@ -213,6 +213,8 @@ class SetUpDialogs(QObject):
         """Close what is open; its jobs end with the window's."""
         for dialog in list(self.dialogs.values()):
             dialog.close()
+            if dialog.isVisible():  # it would have gone on with what came of it
+                dialog.done(int(QDialog.DialogCode.Rejected))
 
 
 def board_text(spec: BoardSpec) -> str:

@@ -3396,6 +3396,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
+      <source>Hold it: no sensor tells of this finger</source>
+      <translation>Halten: kein Sensor sieht diesen Finger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
       <source>Hand flat on the table, fingers together</source>
       <translation>Hand flach auf dem Tisch, Finger geschlossen</translation>
     </message>
@@ -5786,8 +5791,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
+      <source>Guided calibration, right hand</source>
+      <translation>Geführte Kalibrierung, rechte Hand</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
       <source>Guided calibration</source>
       <translation>Geführte Kalibrierung</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Guided calibration, left hand</source>
+      <translation>Geführte Kalibrierung, linke Hand</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>The calibration is frozen: unfreeze it, then hold the poses.</source>
+      <translation>Die Kalibrierung ist eingefroren: erst freigeben, dann die Posen halten.</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
@@ -5831,8 +5851,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
-      <source>The tracking knew you already: nothing has changed that you would see.</source>
-      <translation>Das Tracking kannte Sie schon: Nichts Sichtbares hat sich geändert.</translation>
+      <source>You bend your fingers as was thought, as far as these poses tell.</source>
+      <translation>Die Finger beugen sich wie angenommen, soweit diese Posen es zeigen.</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />

@@ -32,11 +32,16 @@ class Posed(ScriptedEngine):
         self.told: list[tuple[str, str, bool]] = []
         self.silent, self._t = False, 0.0
         self.tracking = Tracking.TRACKING
+        self.unsensed = ""  # a finger that nothing measures
 
     def latest_estimate(self):
         self._t += 0.0 if self.silent else 0.01
         hand = models()[0]
         R, p = hand.forward(self.angles, np.eye(3), np.array([0.4, 0.0, 0.1]))
+        sensed = np.full(len(self.angles), int(Validity.MEASURED), np.int64)
+        for name, column in hand.angle_index.items():
+            if self.unsensed and name.startswith(self.unsensed):
+                sensed[column] = int(Validity.INFERRED)
         return dataclasses.replace(
             super().latest_estimate(),
             t=self._t,
@@ -44,7 +49,7 @@ class Posed(ScriptedEngine):
             angles=self.angles,
             segment_R=R,
             segment_p=p,
-            angle_state=np.full(len(self.angles), int(Validity.MEASURED), np.int64),
+            angle_state=sensed,
         )
 
     def command(self, work) -> None:
@@ -246,14 +251,16 @@ def test_escape_after_poses_that_were_held_shows_what_they_taught(guided, clock,
     assert guided.outcome.heading.text() == "1 of 8 poses held"
 
 
-def teach(engine: ChainEngine, degrees: float) -> None:
-    """As if a pose had shown that the index finger's end joint bends further."""
+def teach(engine: ChainEngine, degrees: float, sure: float = 0.5) -> None:
+    """As if a pose had shown that the index finger's end joint bends further; its parameters are
+    ``sure`` times as unsure as before."""
     guided = engine.wearer.guided
     own = guided.synergies
     digit = next(k for k, d in enumerate(engine.wearer._distal.digits) if d.name == "index")
-    value = own.value.copy()
+    value, P = own.value.copy(), own.P.copy()
     value[digit, 1] += np.deg2rad(degrees)
-    guided.kept.synergies = dataclasses.replace(own, value=value)
+    P[3 * digit : 3 * digit + 3] *= sure**2  # it stands apart from the others
+    guided.kept.synergies = dataclasses.replace(own, value=value, P=P)
 
 
 def finished(guided, clock, engine, qtbot) -> None:
@@ -272,8 +279,14 @@ def test_what_was_learned_is_said_in_words_and_in_figures(guided, clock, engine,
     row = next(
         r for r in range(table.rowCount()) if "index finger, bent" in table.item(r, 0).text()
     )
-    before, after = (float(table.item(row, c).text().rstrip("°")) for c in (1, 2))
+    (before, sd_before), (after, sd_after) = (
+        (float(x) for x in table.item(row, c).text().split("° ± ")) for c in (1, 2)
+    )
     assert after - before == pytest.approx(6.0, abs=0.11)  # one decimal of each
+    p = ChainParams().synergy
+    bent = np.hypot(p.ratio * 90.0, p.offset_deg)  # what people differ by in a fist
+    assert sd_before == pytest.approx(bent, abs=0.06)
+    assert sd_after == pytest.approx(bent / 2, abs=0.06)
     assert table.item(row, 3).text() == "▲ +6.0°"
 
 
@@ -336,3 +349,136 @@ def test_without_an_engine_that_learns_it_is_not_begun(window, engine):
     window.run_command("guided")
     assert "guided" not in window.set_up.dialogs
     assert "chain" in window.banner.text()
+
+
+def told_of(dialog) -> dict[str, list[str]]:
+    table = dialog.outcome.table
+    texts = [[table.item(r, c).text() for c in range(4)] for r in range(table.rowCount())]
+    return {what: rest for what, *rest in texts}
+
+
+def test_a_change_within_what_is_left_unsure_is_no_sentence(guided, clock, engine, qtbot):
+    guided.start()
+    qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
+    through(guided, clock, engine)
+    teach(engine.inner, 6.0, sure=0.9)  # of 8.2° that people differ by in a fist
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    said = guided.outcome.words.text()
+    assert said == "You bend your fingers as was thought, as far as these poses tell."
+    assert told_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
+
+
+def test_nothing_is_claimed_of_fingers_without_sensors(guided, clock, engine, qtbot):
+    """They bend as index and middle finger do, and nobody has looked."""
+    finished(guided, clock, engine, qtbot)
+    assert not [what for what in told_of(guided) if "ring" in what or "little" in what]
+    assert "ring" not in guided.outcome.words.text()
+
+
+def test_a_finger_that_nothing_measures_is_not_said_to_be_held_well(guided, clock, engine):
+    guided.start()
+    engine.unsensed = "ring"
+    while guided.run.pose != "pinch_ring":
+        guided.run.skip(clock.now)
+    pass_time(guided, clock, 2.0)
+    assert guided.run.phase == Phase.HOLDING
+    assert guided.lead.word.text() == "Hold it: no sensor tells of this finger"
+
+
+def test_who_is_not_seen_is_waited_for(guided, clock, engine):
+    """Neither an unplugged glove nor a hand out of view is a pose that cannot be held."""
+    guided.start()
+    engine.silent = True
+    pass_time(guided, clock, 60.0, step=0.2)
+    assert guided.run.pose == "flat" and guided.run.held == {}
+    assert guided.lead.word.text() == "Nothing arrives from the glove"
+    engine.silent, engine.tracking = False, Tracking.SEARCHING
+    pass_time(guided, clock, 60.0, step=0.2)
+    assert guided.run.held == {}
+    assert guided.lead.word.text() == "Show the hand to the camera"
+    engine.tracking = Tracking.TRACKING
+    engine.take("flat")
+    pass_time(guided, clock, 4.0)
+    assert guided.run.held == {"flat": True}
+
+
+def test_it_ends_with_the_tracking_after_poses_that_were_held_too(guided, window, clock, engine):
+    """There is no engine any more that could say what they taught."""
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 6.0)
+    assert guided.run.held == {"flat": True}
+    window.host.stop()
+    assert not guided.isVisible() and "guided" not in window.set_up.dialogs
+
+
+def test_closing_the_window_in_the_middle_leaves_nothing_behind(guided, window, clock, engine):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 6.0)
+    window.close()
+    assert not guided.isVisible() and window.set_up.dialogs == {}
+    assert not guided.run.is_running
+
+
+def test_another_engine_ends_it(guided, window, clock, engine):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 6.0)
+    window.host.set_engine("vist")
+    assert not guided.isVisible()
+
+
+def test_a_frozen_calibration_says_that_poses_teach_nothing(guided, clock, engine, qtbot):
+    engine.inner.wearer.freeze(True)
+    guided.start()
+    qtbot.waitUntil(lambda: guided.pages.currentWidget() is guided.outcome, timeout=10_000)
+    assert "frozen" in guided.outcome.words.text() and not guided.run.is_running
+    engine.inner.wearer.freeze(False)
+    guided.outcome.again_button.click()
+    assert guided.leads and guided.run.is_running
+    qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
+
+
+def test_once_more_and_ended_at_once_still_shows_what_was_taught_before(
+    guided, clock, engine, qtbot
+):
+    finished(guided, clock, engine, qtbot)
+    guided.outcome.again_button.click()
+    while guided.run.is_running:
+        guided.run.skip(clock.now)
+    guided.tick()
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    assert guided.outcome.heading.text() == "0 of 8 poses held"
+    assert "index finger bends 6° more" in guided.outcome.words.text()
+
+
+@pytest.fixture
+def both(window, clock, qtbot, monkeypatch):
+    """The dialog for the right one of two hands, each with its own engine."""
+    right, left = Posed(), Posed()
+    setups = [
+        dataclasses.replace(scripted_setup(e), command=e.command, guide=WearersGuide(e), tracked=e)
+        for e in (right, left)
+    ]
+    glove = dataclasses.replace(setups[1].glove, side="left")
+    other = dataclasses.replace(setups[1], glove=glove, engine=right)
+    window.host.adopt(dataclasses.replace(setups[0], other=other))
+    window.run_command("guided")
+    dialog = window.set_up.dialogs["guided"]
+    dialog._timer.stop()
+    monkeypatch.setattr(dialog.lead.stage.view, "render_scene", lambda: None)
+    return dialog, right, left
+
+
+def test_of_two_hands_it_is_the_one_it_was_begun_with(both, window, clock, qtbot):
+    """Whichever the window shows by the time the poses are held, kept or taken back."""
+    dialog, right, left = both
+    assert dialog.windowTitle() == "Guided calibration, right hand"
+    before = right.inner.wearer.synergies[0].copy()
+    window.host.show_hand("left")
+    finished(dialog, clock, right, qtbot)
+    assert "index finger bends 6° more" in dialog.outcome.words.text()
+    assert left.told == []
+    dialog.outcome.undo_button.click()
+    np.testing.assert_array_equal(right.inner.wearer.synergies[0], before)

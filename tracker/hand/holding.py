@@ -22,7 +22,8 @@ NEAR = 0.025  # m between two fingertips' axes' ends that touch: radii and the t
 
 class Holding(NamedTuple):
     """``is_held``, and if not what is most amiss: ``joint`` (or the finger to be touched), ``off``
-    rad or m by which it is, ``word`` a short advice in the user's words."""
+    rad or m by which it is, ``word`` a short advice in the user's words. One that is taken to be
+    held because nothing measures it has the ``joint``, too."""
 
     is_held: bool
     joint: str = ""
@@ -38,7 +39,9 @@ def how_held(pose: GuidedPose, estimate: Estimate, hand: HandModel) -> Holding:
     if pose.touches:
         amiss.append(_touch(pose.touches, estimate, hand))
     worst = max((a for a in amiss if a is not None), key=lambda a: a[0], default=None)
-    if worst is None or worst[0] <= 1.0:
+    if worst is None:
+        return Holding(True, joint=pose.touches or pose.flexions[0].joint)
+    if worst[0] <= 1.0:
         return Holding(True)
     return worst[1]
 

@@ -20,6 +20,7 @@ from app.wizards.leading.dialog import LeadingDialog
 from tracker.clock import monotonic
 
 THINKING_MS = 1200  # after the last pose: the engine learns of it once images have come
+MOST_ANSWERS = 5  # that are asked for while it is still learning
 
 
 class GuidedDialog(LeadingDialog):
@@ -39,23 +40,33 @@ class GuidedDialog(LeadingDialog):
         lead, outcome = LeadPage(setup, background), GuidedResultPage()
         super().__init__(host, store, (lead, outcome), parent)
         self.lead, self.outcome = lead, outcome
-        self._setup = setup
+        self._host, self._setup = host, setup
         self._before: WearerNow | None = None
-        self._outcomes = 0
+        self._taught = False  # some pose was held since then
+        self._outcomes = self._answers = 0
         judge = LiveJudge(setup.tracked.latest_estimate, setup.hand, monotonic)
         self.run = GuidedRun(guide, judge)
-        self._commands = GuidedCommands(host, self)
+        self._commands = GuidedCommands(host, setup.side, self)
         self._thinking = QTimer(self)
         self._thinking.setSingleShot(True)
         self._thinking.setInterval(THINKING_MS)
-        self.setWindowTitle(self.tr("Guided calibration"))
+        self.setWindowTitle(self._title())
         self.setObjectName("guided")
         self._connect()
         self.begin()
 
+    def _title(self) -> str:
+        """With the side of the hand where there are two."""
+        if self._setup.other is None:
+            return self.tr("Guided calibration")
+        if self._setup.side == "left":
+            return self.tr("Guided calibration, left hand")
+        return self.tr("Guided calibration, right hand")
+
     def _connect(self) -> None:
         lead, outcome = self.lead, self.outcome
         self.due.connect(self._go_on)
+        self._host.engine_changed.connect(self.give_up)  # the new one knows of no pose
         lead.start.clicked.connect(self.start)
         lead.insist.clicked.connect(lambda: self.run.insist(monotonic()))
         lead.skip.clicked.connect(lambda: self.run.skip(monotonic()))
@@ -72,10 +83,10 @@ class GuidedDialog(LeadingDialog):
         """From the first pose; what was known before can be had again."""
         self._thinking.stop()
         self.pages.setCurrentWidget(self.lead)
+        self._outcomes = self._answers = 0
+        self.run.start(monotonic())
         if self._before is None:
             self._commands.ask()
-        self._outcomes = 0
-        self.run.start(monotonic())
 
     def _go_on(self) -> None:
         now = monotonic()
@@ -91,7 +102,8 @@ class GuidedDialog(LeadingDialog):
 
     def _finish(self) -> None:
         self.pages.setCurrentWidget(self.outcome)
-        if any(self.run.held.values()):
+        self._taught |= any(self.run.held.values())
+        if self._taught:
             self.outcome.show_waiting()
             self._thinking.start()
         else:
@@ -100,14 +112,29 @@ class GuidedDialog(LeadingDialog):
     # --- what comes of it
 
     def _known(self, known: WearerNow) -> None:
-        if self._before is None:
+        if known.frozen:
+            self._refuse()
+        elif self._before is None:
             self._before = known
+        elif not self.leads and known.learning and self._answers < MOST_ANSWERS:
+            self._answers += 1
+            self._thinking.start()
         elif not self.leads:
             held = sum(self.run.held.values())
             found = learned(self._setup.hand, self._before, known)
             self.outcome.show_learned(found, held, len(self.run.poses))
 
+    def _refuse(self) -> None:
+        """Poses would teach nothing."""
+        self._thinking.stop()
+        self.run.cancel()
+        self.pages.setCurrentWidget(self.outcome)
+        self.outcome.show_nothing(
+            self.tr("The calibration is frozen: unfreeze it, then hold the poses.")
+        )
+
     def _keep(self) -> None:
+        self._host.show_hand(self._setup.side)  # whose profile it belongs into
         self.kept.emit()
         self.close()
 

@@ -32,7 +32,7 @@ class GuidedResultPage(OutcomePage):
 
     def show_learned(self, learned: Learned, held: int, asked: int) -> None:
         """The engine's answer, after ``held`` of ``asked`` poses."""
-        nothing = self.tr("The tracking knew you already: nothing has changed that you would see.")
+        nothing = self.tr("You bend your fingers as was thought, as far as these poses tell.")
         rows = [
             (row.what, row.before, row.after, f"▲ {row.change}" if row.is_clear else row.change)
             for row in learned.rows

@@ -44,7 +44,7 @@ class LeadingDialog(QDialog):
         self._timer.setInterval(TICK_MS)
         self._timer.timeout.connect(self.tick)
         host.running_changed.connect(self._running_changed)
-        host.closed.connect(self.close)
+        host.closed.connect(self.give_up)
 
     @property
     def leads(self) -> bool:
@@ -67,7 +67,12 @@ class LeadingDialog(QDialog):
 
     def _running_changed(self, on: bool) -> None:
         if not on:
-            self.close()
+            self.give_up()
+
+    def give_up(self) -> None:
+        """Close without a question: there is nothing left that leads or learns."""
+        if self.isVisible():
+            self.done(int(QDialog.DialogCode.Rejected))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Words as large as the window allows: they are read from afar."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
-from tracker.fusion.chain.distal import DistalSegments
+from tracker.fusion.chain.distal import OWN, DistalSegments
 from tracker.fusion.chain.filter import ChainFilter
 from tracker.fusion.chain.guided.events import GuidedSaid
 from tracker.fusion.chain.guided.holds import Hold
@@ -98,6 +98,21 @@ class KnownWearer:
         """The wearer's: gains (k, 2) and aside (S,) rad, as `Completion.wear` takes them."""
         own = self.guided.synergies
         return self._distal.gains(own), self._distal.aside(own)
+
+    @property
+    def end_joints(self) -> dict[str, Array]:
+        """By the names of the digits whose end joint is not sensed, and whose way to bend is known
+        or may be told: covariance (3, 3) of its ratio, offset (rad) and aside (rad)."""
+        P, digits = self.guided.synergies.P, self._distal.digits
+        return {
+            d.name: P[OWN * k : OWN * (k + 1), OWN * k : OWN * (k + 1)]
+            for k, d in enumerate(digits)
+        }
+
+    @property
+    def is_learning(self) -> bool:
+        """Whether a pose was held of which it is not decided yet what it tells."""
+        return self._listens and self.guided.kept.over < len(self.holds)
 
     def show(self) -> None:
         """Show the hand with the wearer's own synergies, end joints as images show them."""
