@@ -11,14 +11,12 @@ from collections.abc import Callable, Sequence
 from enum import Enum
 
 from app.engines.guide import PoseGuide
-from tracker.hand.holding import Holding
+from tracker.hand.holding import NOTHING_ARRIVES, Holding
 from tracker.hand.poses import BETWEEN, HELD, POSES
 
 SLACK = 0.4  # s for which a pose may look badly held before it counts as let go
 PATIENCE = 12.0  # s of a hand that is seen and does not hold the pose, which is left out then
 LONGEST_STEP = 0.25  # s between two looks that count as held; a stalled window proves nothing
-NOTHING_ARRIVES = "nothing"
-"""In place of a joint: the glove is silent."""
 UNSEEN = ("", NOTHING_ARRIVES)
 """In place of a joint where there is no hand to be judged."""
 Judge = Callable[[str], Holding]
@@ -63,6 +61,16 @@ class GuidedRun:
         """Whether the wearer has had the time to come to the pose."""
         return t - self._asked >= BETWEEN
 
+    @property
+    def is_well(self) -> bool:
+        """Whether the pose is held by all that is known, or by the word of a wearer who is seen."""
+        return self.holding.is_held or (self.insisted and not self._is_unseen)
+
+    @property
+    def _is_unseen(self) -> bool:
+        """There is no hand to be judged, nor one to be learned from."""
+        return not self.holding.is_held and self.holding.joint in UNSEEN
+
     # --- what the wearer asks
 
     def start(self, t: float) -> None:
@@ -72,7 +80,7 @@ class GuidedRun:
 
     def insist(self, t: float) -> None:
         """It is held, whatever it looks like: the engine judges for itself what it believes."""
-        if self.phase == Phase.REACHING:
+        if self.phase == Phase.REACHING and not self._is_unseen:
             self.insisted = True
             self._begin(t)
 
@@ -113,12 +121,12 @@ class GuidedRun:
         if self.phase == Phase.REACHING:
             if self.late and self.holding.is_held:
                 self._begin(t)
-            elif self.late and self.holding.joint not in UNSEEN:  # who is not seen is waited for
+            elif self.late and not self._is_unseen:  # who is not seen is waited for
                 self._missed += step
                 if self._missed > PATIENCE:
                     self.skip(t)
             return
-        if self.insisted or self.holding.is_held:
+        if self.is_well:
             self._well = t
             self.share += step / HELD
         elif t - self._well > SLACK:

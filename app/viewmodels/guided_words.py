@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.viewmodels.guided import NOTHING_ARRIVES, GuidedRun, Phase
+from app.viewmodels.guided import GuidedRun, Phase
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY
 from app.words import mark, tr
-from tracker.hand.holding import Holding, how_held
+from tracker.hand.holding import NOTHING_ARRIVES, Holding, how_held
 from tracker.hand.model import HandModel
 from tracker.hand.poses import POSES
 from tracker.messages import Estimate
@@ -92,7 +92,7 @@ def word(run: GuidedRun, t: float) -> str:
     if run.phase == Phase.HOLDING:
         if run.holding.is_held and run.holding.joint and not run.insisted:
             return tr(NOT_JUDGED)
-        return tr("Hold it") if run.holding.is_held or run.insisted else amiss(run.holding)
+        return tr("Hold it") if run.is_well else amiss(run.holding)
     if run.phase == Phase.REACHING:
         return amiss(run.holding) if run.may_begin(t) else tr("Next")
     return ""
@@ -101,7 +101,7 @@ def word(run: GuidedRun, t: float) -> str:
 def colour(run: GuidedRun) -> str:
     """Of ring and word."""
     if run.phase == Phase.HOLDING:
-        return BLUISH_GREEN if run.holding.is_held or run.insisted else ORANGE
+        return BLUISH_GREEN if run.is_well else ORANGE
     return ORANGE if run.late else SKY
 
 

@@ -32,7 +32,7 @@ class Posed(ScriptedEngine):
         self.told: list[tuple[str, str, bool]] = []
         self.silent, self._t = False, 0.0
         self.tracking = Tracking.TRACKING
-        self.unsensed = ""  # a finger that nothing measures
+        self.unsensed: tuple[str, ...] = ()  # digits that nothing measures
 
     def latest_estimate(self):
         self._t += 0.0 if self.silent else 0.01
@@ -40,7 +40,7 @@ class Posed(ScriptedEngine):
         R, p = hand.forward(self.angles, np.eye(3), np.array([0.4, 0.0, 0.1]))
         sensed = np.full(len(self.angles), int(Validity.MEASURED), np.int64)
         for name, column in hand.angle_index.items():
-            if self.unsensed and name.startswith(self.unsensed):
+            if name.startswith(self.unsensed):
                 sensed[column] = int(Validity.INFERRED)
         return dataclasses.replace(
             super().latest_estimate(),
@@ -377,7 +377,7 @@ def test_nothing_is_claimed_of_fingers_without_sensors(guided, clock, engine, qt
 
 def test_a_finger_that_nothing_measures_is_not_said_to_be_held_well(guided, clock, engine):
     guided.start()
-    engine.unsensed = "ring"
+    engine.unsensed = ("ring",)
     while guided.run.pose != "pinch_ring":
         guided.run.skip(clock.now)
     pass_time(guided, clock, 2.0)
@@ -400,6 +400,26 @@ def test_who_is_not_seen_is_waited_for(guided, clock, engine):
     engine.take("flat")
     pass_time(guided, clock, 4.0)
     assert guided.run.held == {"flat": True}
+
+
+def test_who_insists_must_be_seen(guided, clock, engine, qtbot):
+    """The engine would learn from nothing: the glove is unplugged, its images go on."""
+    engine.take("fist")
+    guided.start()
+    pass_time(guided, clock, 2.0)
+    engine.unsensed = ("thumb", "index", "middle", "ring", "little", "wrist")
+    pass_time(guided, clock, 0.2)
+    assert guided.lead.word.text() == "Nothing arrives from the glove"
+    qtbot.keyClick(guided, Qt.Key.Key_Return)
+    pass_time(guided, clock, 20.0, step=0.2)
+    assert engine.told == [] and guided.run.held == {}
+    engine.unsensed = ()
+    pass_time(guided, clock, 0.2)
+    qtbot.keyClick(guided, Qt.Key.Key_Return)
+    pass_time(guided, clock, 1.0)
+    engine.unsensed = ("thumb", "index", "middle", "ring", "little", "wrist")
+    pass_time(guided, clock, 3.0)  # unplugged in the middle
+    assert guided.run.held == {} and engine.told[-1] == ("flat", "end", False)
 
 
 def test_it_ends_with_the_tracking_after_poses_that_were_held_too(guided, window, clock, engine):

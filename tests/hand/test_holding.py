@@ -1,9 +1,11 @@
 """How a guided pose is held: by an estimate alone."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
-from tracker.hand.holding import how_held
+from tracker.hand.holding import NOTHING_ARRIVES, how_held
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.hand.poses import POSES
@@ -65,8 +67,19 @@ def test_fingertips_apart_are_not_a_pinch(hand):
 
 def test_what_nothing_measures_is_not_held_against_the_wearer(hand):
     guessed = shown(hand, fist(), measured=False)
+    states = guessed.angle_state.copy()
+    states[hand.angle_index["thumb_cmc_flexion"]] = int(Validity.MEASURED)
+    guessed = dataclasses.replace(guessed, angle_state=states)
     for pose in ("flat", *(f"pinch_{f}" for f in FINGERS)):
-        assert how_held(POSES[pose], guessed, hand).is_held
+        held = how_held(POSES[pose], guessed, hand)
+        assert held.is_held and held.joint  # and says that it was not judged
+
+
+def test_a_hand_that_is_no_more_than_a_guess_holds_nothing(hand):
+    """The glove was unplugged: what is shown stands still, and its images may go on."""
+    for pose in POSES:
+        held = how_held(POSES[pose], shown(hand, {}, measured=False), hand)
+        assert (held.is_held, held.joint) == (False, NOTHING_ARRIVES)
 
 
 def test_a_hand_that_is_not_there_holds_nothing(hand):

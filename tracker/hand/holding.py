@@ -17,6 +17,8 @@ from tracker.messages import Estimate, Tracking, Validity
 
 ALLOWED = 2.5  # sds of a pose that a joint may be off, besides the tracker's own error
 OWN_ERROR = np.deg2rad(8.0)  # rad, of an angle that is shown
+NOTHING_ARRIVES = "nothing"
+"""In place of a joint: the hand that is shown is a guess, for no sensor tells of it any more."""
 NEAR = 0.025  # m between two fingertips' axes' ends that touch: radii and the tracker's error
 
 
@@ -35,6 +37,8 @@ def how_held(pose: GuidedPose, estimate: Estimate, hand: HandModel) -> Holding:
     """How ``pose`` is held in ``estimate``."""
     if estimate.tracking == Tracking.SEARCHING:
         return Holding(False, word="Show the hand to the camera")
+    if not (estimate.angle_state == int(Validity.MEASURED)).any():
+        return Holding(False, NOTHING_ARRIVES, word="Nothing arrives from the glove")
     amiss = [_joint(f, estimate, hand) for f in pose.flexions]
     if pose.touches:
         amiss.append(_touch(pose.touches, estimate, hand))
