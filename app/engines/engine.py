@@ -27,6 +27,7 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
+from tracker.sensors.camera import UnfitImages
 from tracker.sensors.camera_controls import Control, Locks
 from tracker.session.description import MAIN
 from tracker.vision.colours import ColourProfile
@@ -206,6 +207,7 @@ class EngineSetup:
     camera_calibrated: bool = True  # False: ``rig`` is an ideal one that stands for it
     firmware_advice: str = ""  # what to say of the glove's firmware, if anything
     missing: str = ""  # sentences that say what of the rig is not there, and why
+    unfit_images: Callable[[], UnfitImages | None] | None = None  # that come and have no use
     other: EngineSetup | None = None
 
     @property

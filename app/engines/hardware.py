@@ -94,7 +94,8 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     links: dict[str, GloveLink] = {w.side: w.link() for w in found.gloves}
     gloves: dict[str, GloveSource] = {w.side: links.get(w.side) or NoGlove() for w in worn}
     chosen = found.camera
-    camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
+    device = StereoCamera(chosen.source, found.rig) if chosen else None
+    camera: CameraSource = device or NoCamera()
     tracker = LiveTracker(hands, profile, make_detector, gloves, camera)
     info = _info(worn, pipeline, colours_text)
     recorders = RecorderProcesses()
@@ -118,6 +119,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         camera_calibrated=found.rig is not None,
         missing=" ".join(found.missing),
         image_rate=(lambda: chosen.source.fps) if chosen else None,
+        unfit_images=(lambda: device.unfit) if device else None,
     )
     return seen_from_main([_seen_from(w, shared, tracker, links.get(w.side)) for w in worn])
 

@@ -19,6 +19,7 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
 )
+from tracker.sensors.camera import UnfitImages
 
 AT_FRAME = 0.1  # s between an image and an estimate that is shown over it
 FEW_MISSED = 0.05  # share of images never searched that is no want of time yet
@@ -84,6 +85,11 @@ class Snapshot:
     def images_arrive(self) -> bool:
         """The camera gives images now."""
         return self.frame is not None and not self._silent(self.frame.t_arrival)
+
+    @property
+    def unfit(self) -> UnfitImages | None:
+        """Images that come now and that the camera's calibration is not for."""
+        return self.setup.unfit_images() if self.setup.unfit_images is not None else None
 
     def truth(self) -> ReferenceHand | None:
         """The simulated hand at the instant of the estimate; a millisecond's work, so on demand."""

@@ -20,6 +20,7 @@ from app.widgets.image_view import ImageView
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.more_button import MoreButton
 from app.widgets.one_line import OneLine
+from app.words import told
 from tracker.messages import Shed, StereoFrame
 
 BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
@@ -32,9 +33,9 @@ class CamerasPanel(Panel):
 
     def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
         super().__init__(host, parent)
-        waiting = self.tr("No image yet")
-        self.left = ImageView(self.tr("Left"), waiting)
-        self.right = ImageView(self.tr("Right"), waiting)
+        self._waiting = self.tr("No image yet")
+        self.left = ImageView(self.tr("Left"), self._waiting)
+        self.right = ImageView(self.tr("Right"), self._waiting)
         self._shown: object = None
         self._alone = False
         self._view: Snapshot | None = None  # what is shown, or held while frozen
@@ -129,9 +130,9 @@ class CamerasPanel(Panel):
             box.toggled.connect(self._redraw)
             self._controls.add(box)
         self._toggle_masks(self.masks.isChecked())
-        words = self.tr("No image yet") if setup.has_camera else self.tr("There is no camera")
-        for image in (self.left, self.right):
-            image.set_placeholder(words)
+        self._waiting = (
+            self.tr("No image yet") if setup.has_camera else self.tr("There is no camera")
+        )
         self._show_sides(one_camera(setup, None) or not setup.has_camera)
 
     def _toggle_masks(self, on: bool) -> None:
@@ -181,8 +182,10 @@ class CamerasPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or view.frame is None:
             self._view = self._shown = None
-            self.left.show_image(None)
-            self.right.show_image(None)
+            unfit = view.unfit if view is not None else None
+            for image in (self.left, self.right):
+                image.set_placeholder(told(unfit.why) if unfit is not None else self._waiting)
+                image.show_image(None)
             return
         if not self.freeze.isChecked() or self._view is None:
             self._view = view

@@ -153,6 +153,8 @@ def _camera(view: Snapshot | None) -> SetUpStep:
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
     if view is None:
         return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
+    if view.unfit is not None:
+        return SetUpStep(name, False, told(view.unfit.why), "stereo", tr("Calibrate"))
     return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Look again"))
 
 

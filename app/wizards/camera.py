@@ -28,10 +28,10 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.widgets.image_view import ImageView
 from app.wizards.form_dialog import FormDialog, beside, filler, labelled
-from app.words import mark, tr
+from app.words import mark, told, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
-from tracker.sensors.image_input import CameraName
+from tracker.sensors.image_input import CameraName, Image
 
 TICK_MS = 200
 NAMES = {"exposure": mark("Exposure"), "gain": mark("Gain"), "white_balance": mark("White balance")}
@@ -173,14 +173,17 @@ class CameraSetup(FormDialog):
     def _arriving(self) -> str:
         """Show the images that come now; their size and rate, empty where none do."""
         view = self._host.snapshot()
+        unfit = view.unfit if view is not None else None
+        if unfit is not None:
+            self._name_images(alone=unfit.pair[1] is None)
+            self._show_pair(unfit.pair)
+            return told(unfit.why)
         if view is None or view.frame is None or not view.images_arrive:
-            for widget in self.images:
-                widget.show_image(None)
+            self._show_pair((None, None))
             return ""
         alone = one_camera(view.setup, view.frame)
-        self.images[1].setHidden(alone)
-        for widget, each in zip(self.images, (view.frame.left, view.frame.right), strict=True):
-            widget.show_image(each)
+        self._name_images(alone)
+        self._show_pair((view.frame.left, view.frame.right))
         image = view.frame.left if view.frame.left is not None else view.frame.right
         rate = view.status.values.get("frame_rate_hz", 0.0) if view.status is not None else 0.0
         if image is None:
@@ -190,6 +193,15 @@ class CameraSetup(FormDialog):
         else:
             words = self.tr("Arriving: {} by {} px for each eye, {} images a second")
         return words.format(image.shape[1], image.shape[0], f"{rate:.0f}")
+
+    def _name_images(self, alone: bool) -> None:
+        """One camera's image is no left one."""
+        self.images[0].set_title(self.tr("Camera") if alone else self.tr("Left"))
+        self.images[1].setHidden(alone)
+
+    def _show_pair(self, pair: tuple[Image | None, Image | None]) -> None:
+        for widget, each in zip(self.images, pair, strict=True):
+            widget.show_image(each)
 
     def _lock(self, locks: Locks) -> None:
         self._store.update(camera_locks=locks_text(locks))

@@ -5,39 +5,47 @@ import threading
 from collections.abc import Iterator
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
 from tracker import library
+from tracker.calibration.stereo.board import BoardSpec
+from tracker.calibration.stereo.views import BoardFinder
 from tracker.cli import main
 from tracker.errors import FileError
-from tracker.messages import StereoFrame
 from tracker.offline.simulate import GLOVES
 from tracker.sensors.discovery import find_gloves
-from tracker.sensors.image_input import CaptureFormat, StreamInput, TwoCameraInput
+from tracker.sensors.image_input import CaptureFormat, Image, StreamInput, TwoCameraInput
 from tracker.simulation import rig_device
 from tracker.simulation.camera_device import NoSimulatedCamera
 from tracker.simulation.demo import DemoSpec, WornTexts
 from tracker.simulation.glove_process import GLOVE_IDS
-from tracker.simulation.rig_device import ImagePipe, SimulatedRig
+from tracker.simulation.rig_camera import HeldBoard, ImagePipe, RigCamera, smaller_right
+from tracker.simulation.rig_device import SimulatedRig
+from tracker.vision.rig import ideal_rig
 
 WIDTH, HEIGHT = 320, 240
 LEFT, RIGHT = 60, 180  # grey of the two images
 
 
-def pair() -> StereoFrame:
+def pair() -> tuple[Image, Image]:
     left, right = (np.full((HEIGHT, WIDTH, 3), grey, np.uint8) for grey in (LEFT, RIGHT))
-    return StereoFrame(0.0, 0.0, left, right, 0)
+    return left, right
+
+
+def beside() -> Image:
+    return np.hstack(pair())
 
 
 def test_images_without_a_reader_are_lost_and_with_one_come_in_two_halves(tmp_path: Path) -> None:
     pipe = ImagePipe(tmp_path / "camera.mjpeg")
-    assert not pipe.put(pair())
+    assert not pipe.put(beside())
     done = threading.Event()
 
     def send() -> None:
         while not done.wait(0.005):
-            pipe.put(pair())
+            pipe.put(beside())
 
     sender = threading.Thread(target=send)
     sender.start()
@@ -104,8 +112,64 @@ def test_a_glove_is_unplugged_and_plugged_by_words(both: SimulatedRig) -> None:
     (report,) = find_gloves([str(left)], patience=10.0)
     assert report.hello is not None and report.hello.glove_id == GLOVE_IDS["left"]
     assert both.heed("plug right") == "The right glove is plugged already."
-    for nonsense in ("", "plug", "pull left", "plug middle"):
-        assert both.heed(nonsense) == "Say plug or unplug, and left or right."
+    for nonsense in ("", "plug", "pull left", "plug middle", "board left"):
+        assert both.heed(nonsense) == "Say plug or unplug, and left or right; or board, or hand."
+
+
+def test_a_board_is_held_and_taken_away_by_words(both: SimulatedRig) -> None:
+    assert both.heed("board\n") == "The board is before the camera."
+    assert both.heed("hand") == "The hand is before the camera."
+
+
+def test_a_held_board_stands_still_and_then_is_elsewhere() -> None:
+    board, spec = HeldBoard(ideal_rig(), seed=2), BoardSpec()
+    first, again, later = (board.pair(t, k) for k, t in enumerate((0.0, 0.3, 1.0)))
+    assert (first[0] != again[0]).any()  # a camera's noise: no image comes twice
+    finder = BoardFinder(spec)
+    still = finder.look(*first).view, finder.look(*again).view
+    assert still[0] is not None and still[1] is not None
+    same = np.intersect1d(still[0].ids, still[1].ids)
+    off = [v.left[np.isin(v.ids, same)] for v in still if v is not None]
+    assert len(same) > 20 and np.abs(off[0] - off[1]).max() < 0.7  # px, at 2 grey levels of noise
+    assert np.abs(first[0].astype(float) - later[0]).mean() > 10
+
+
+def test_the_smaller_right_camera_is_that_of_its_images(tmp_path: Path) -> None:
+    """Corners found in what it sends are where its calibration has those of the whole image."""
+    rig = ideal_rig()
+    small, finder = smaller_right(rig), BoardFinder(BoardSpec())
+    left, right = HeldBoard(rig, seed=2).pair(0.0, 0)
+    camera = RigCamera(tmp_path, apart=True)
+    assert right is not None
+    source = TwoCameraInput(*(str(path) for path in camera.paths), CaptureFormat(timeout_ms=30_000))
+    done = threading.Event()
+
+    def send() -> None:
+        while not done.wait(0.02):
+            camera.put((left, right))
+
+    sender = threading.Thread(target=send)
+    sender.start()
+    try:
+        source.open()
+        read = source.read()
+    finally:
+        source.close()
+        done.set()
+        sender.join()
+        camera.close()
+    assert read is not None and read[1] is not None and read[0].shape == left.shape
+    assert read[1].shape[:2] == (small.right.height, small.right.width) == (540, 960)
+    whole, sent = (finder.look(image).view for image in (right, read[1]))
+    assert whole is not None and sent is not None
+    same = np.intersect1d(whole.ids, sent.ids)
+    rays = [
+        cv2.undistortPoints(view.left[np.isin(view.ids, same)], camera.K, camera.D)
+        for view, camera in ((whole, rig.right), (sent, small.right))
+    ]
+    assert len(same) > 20
+    # half a pixel's mistake about where pixels are would be 0.12 px of 480; noise is 0.3
+    assert abs((rays[0] - rays[1]).mean(axis=(0, 1)) * 480).max() < 0.05
 
 
 def test_two_webcams_with_images_of_their_own_sizes_are_one_input(tmp_path: Path) -> None:
@@ -117,7 +181,7 @@ def test_two_webcams_with_images_of_their_own_sizes_are_one_input(tmp_path: Path
     def send(pipe: ImagePipe, size: tuple[int, int], period: float) -> None:
         image = np.full((*size, 3), LEFT, np.uint8)
         while not done.wait(period):
-            pipe.put(StereoFrame(0.0, 0.0, image, None, 0))
+            pipe.put(image)
 
     senders = [
         threading.Thread(target=send, args=args)

@@ -28,11 +28,27 @@ def add_rig(parser: argparse.ArgumentParser) -> None:
         default="right",
         help="with gloves; of both they are glove_left and glove_right",
     )
-    parser.add_argument("--lenses", choices=("one", "both"), default="both", help="of the camera")
+    parser.add_argument(
+        "--lenses",
+        choices=("one", "both", "apart"),
+        default="both",
+        help="of the camera; apart: two cameras, camera_left.mjpeg and a smaller camera_right.mjpeg",
+    )
+    parser.add_argument(
+        "--right-late-ms",
+        type=float,
+        default=0.0,
+        metavar="MS",
+        help="the right one of two apart exposes so much later",
+    )
+    parser.add_argument("--board", action="store_true", help="a board is held before it first")
     parser.add_argument("--fps", type=float, default=30.0, help="of the camera")
     parser.add_argument("--seed", type=int, default=1, help="of the wearer")
     parser.add_argument("--duration", type=float, metavar="S", help="end by itself")
-    parser.epilog = "Lines of standard input such as 'unplug left' and 'plug left' are heeded."
+    parser.epilog = (
+        "Lines of standard input are heeded: 'unplug left', 'plug left' (or right), 'board' holds "
+        "a calibration board before the camera, 'hand' takes it away."
+    )
     parser.set_defaults(func=_rig)
 
 
@@ -41,14 +57,17 @@ def _rig(args: argparse.Namespace) -> int:
 
     args.folder.mkdir(parents=True, exist_ok=True)
     end = time.monotonic() + (args.duration or LASTS)
-    devices = SimulatedRig(_spec(args), args.folder)
+    devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart")
+    if args.board:
+        devices.hold_board(True)
     calibration = args.folder / CALIBRATION
     heard = _Lines(devices.heed)
 
     def ready(files: RigFiles) -> None:
         for side, path in files.gloves.items():
             print(f"{side + ' glove':<13}{path}")
-        print(f"camera       {files.camera}")
+        for path in files.cameras:
+            print(f"{path.stem.replace('_', ' '):<13}{path}")
         print(f"calibration  {calibration}")
         for side, length in devices.hand_lengths.items():
             print(f"{side + ' hand':<13}{1000 * length:.0f} mm long by a ruler", flush=True)
@@ -80,6 +99,7 @@ def _spec(args: argparse.Namespace) -> DemoSpec:
         args.fps,
         other=others[0] if others else None,
         one_camera=args.lenses == "one",
+        right_late=args.right_late_ms / 1000 if args.lenses == "apart" else 0.0,
     )
 
 

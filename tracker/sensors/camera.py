@@ -6,6 +6,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,12 +28,20 @@ class CameraParams:
     watch: WatchParams = field(default_factory=WatchParams)
 
 
+class UnfitImages(NamedTuple):
+    """Images that the calibration is not for, and a sentence that says why."""
+
+    pair: Pair
+    why: str
+
+
 class StereoCamera:
     """Opens its input when first read, and again whenever it went away.
 
     A dark side is None in the frame, and an image that is the last one again is left out: neither
     is passed off as a new exposure. Files are paced by their own frame rate. Without a ``rig``
     images of any size are taken. A device with one camera gives frames without a right image.
+    Images that the rig is not for are ``unfit``, and no frames.
     """
 
     def __init__(
@@ -53,6 +62,8 @@ class StereoCamera:
         self._arrivals: deque[float] = deque(maxlen=120)
         self._restart_watch()
         self._index = 0
+        self.unfit: UnfitImages | None = None
+        """What came last, where the rig is not for it: to be looked at, and calibrated for."""
         self.repeated = 0
         """Images left out because they were the one before again."""
         self.missed = 0
@@ -79,9 +90,13 @@ class StereoCamera:
                 self._gone()
                 return None
             pair = (in_colour(pair[0]), None if pair[1] is None else in_colour(pair[1]))
-            self._check_size(pair)
         except DeviceError as error:
             self._refuse(str(error))
+            return None
+        why = self._misfit(pair)
+        self.unfit = UnfitImages(pair, why) if why else None
+        if why:
+            self._say("link", why)
             return None
         return self._frame(pair)
 
@@ -94,7 +109,7 @@ class StereoCamera:
     def close(self) -> None:
         """Free the device; reading gives nothing from then on."""
         self._source.close()
-        self._open, self._ended = False, True
+        self._open, self._ended, self.unfit = False, True, None
 
     # ---- the device
 
@@ -136,24 +151,32 @@ class StereoCamera:
 
     def _refuse(self, why: str) -> None:
         self._source.close()
-        self._open, self._ended = False, not self._source.live  # a file is not tried again
+        self._open, self.unfit = False, None
+        self._ended = not self._source.live  # a file is not tried again
         self._next_attempt = self._clock() + self._params.retry
         self._say("link", why)
 
-    def _check_size(self, pair: Pair) -> None:
+    def _misfit(self, pair: Pair) -> str:
+        """Why the rig is not for these images; empty where it is."""
         if self.rig is None:
-            return
+            return ""
         if (pair[1] is None) != self.rig.one_camera:
-            raise DeviceError(ONE_FOR_TWO if pair[1] is None else TWO_FOR_ONE)
+            return ONE_FOR_TWO if pair[1] is None else TWO_FOR_ONE
         for image, camera, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
             if image is None:
                 continue
             height, width = image.shape[:2]
             if (width, height) != (camera.width, camera.height):
-                raise DeviceError(
+                if self.rig.one_camera:
+                    return (
+                        f"The camera gives images of {width} by {height} pixels, but its "
+                        f"calibration is for {camera.width} by {camera.height}."
+                    )
+                return (
                     f"The {side} camera gives images of {width} by {height} pixels, but the "
                     f"calibration is for {camera.width} by {camera.height}."
                 )
+        return ""
 
     # ---- the images
 

@@ -55,8 +55,8 @@ class BoardCamera:
         else:
             self._sleep(PERIOD)
         left, right = self._clean
-        noisy = _noisy(left, rng)
-        return noisy, None if right is None else _noisy(right, rng)
+        noisy = noisy(left, rng)
+        return noisy, None if right is None else noisy(right, rng)
 
     def close(self) -> None:
         self._renderer = None
@@ -68,6 +68,7 @@ def true_rig(rig: StereoRig) -> TrueRig:
     return TrueRig(cameras.left, cameras.right, cameras.R, cameras.T)
 
 
-def _noisy(image: Image, rng: np.random.Generator) -> Image:
+def noisy(image: Image, rng: np.random.Generator) -> Image:
+    """An image (h, w, 3) of greys as a sensor of some noise gives it."""
     grey = image[..., 0] + rng.normal(0, 2.0, image.shape[:2])
     return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=2)

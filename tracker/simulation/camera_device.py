@@ -197,7 +197,11 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
             else:
                 free.append(told)
         slot = free.pop(0)
-        sim.renderer.images(t, list(images[slot]))
+        if spec.right_late:
+            sim.renderer.images(t + spec.right_late, list(images[slot]))
+            images[slot][0] = sim.renderer.images(t)[0]
+        else:
+            sim.renderer.images(t, list(images[slot]))
         pipe.send(_Drawn(slot, index, t, arrival))
 
 

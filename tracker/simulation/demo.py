@@ -51,6 +51,7 @@ class DemoSpec:
     light: str = ""  # over a desk with things on it; before a plain wall if empty
     other: WornTexts | None = None
     one_camera: bool = False  # of two: the left one alone
+    right_late: float = 0.0  # s that the right camera exposes after the left one
 
     @property
     def rig(self) -> StereoRig:
@@ -72,7 +73,7 @@ def build(spec: DemoSpec) -> Simulation:
     render = replace(room.render, exposures=spec.exposures)
     if isinstance(render, DeskParams):
         render = replace(render, backgrounds=BACKGROUNDS)
-    params = SimulationParams(render=render)
+    params = SimulationParams(render=render, right_late=spec.right_late)
     return Simulation(
         hand, glove, motion, spec.seed, params, fps=spec.fps, rig=spec.rig, extras=room.extras
     )
@@ -87,7 +88,8 @@ def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
         hand = parse_hand(texts.hand)
         dressed[hand.side] = Dressed(hand, parse_glove(texts.glove, hand))
     room = room_of("plain", "", seed=spec.seed)
-    params = SimulationParams(render=replace(room.render, exposures=spec.exposures))
+    render = replace(room.render, exposures=spec.exposures)
+    params = SimulationParams(render=render, right_late=spec.right_late)
     return TwoHandsSimulation(dressed, spec.seed, spec.duration, spec.fps, params, spec.rig)
 
 

@@ -33,6 +33,7 @@ class SessionImages:
     name: str = field(default_factory=lambda: tr("camera in use"))
     fps: float = 0.0
     _last: int = -1
+    _unfit: Pair | None = None
 
     def open(self) -> None:
         """The session has opened it."""
@@ -41,6 +42,9 @@ class SessionImages:
         setup = self.host.setup
         if setup is None:
             raise DeviceError(tr("The camera in use was closed: start glove and camera again."))
+        unfit = setup.unfit_images() if setup.unfit_images is not None else None
+        if unfit is not None:  # a calibration of another camera: here it gets its own
+            return self._once(unfit.pair)
         latest = setup.tracked.latest_frame()
         if latest is None or latest[0].index == self._last:
             return None
@@ -50,8 +54,49 @@ class SessionImages:
             return None
         return frame.left, frame.right
 
+    def _once(self, pair: Pair) -> Pair | None:
+        before, self._unfit = self._unfit, pair
+        return None if before is pair else pair
+
     def close(self) -> None:
         """The session closes it."""
+
+
+class ChosenImages:
+    """An `ImageInput` that is opened here until the session opens the same camera: then it is the
+    session's, since a camera has one reader."""
+
+    def __init__(self, host: EngineHost, own: ImageInput) -> None:
+        self._own, self._used = own, SessionImages(host)
+        self._host, self._opened = host, False
+        self.name, self.live, self.fps = own.name, own.live, own.fps
+
+    def open(self) -> None:
+        if not camera_in_use(self._host):
+            self._own.open()
+            self._opened, self.live = True, self._own.live
+
+    def read(self) -> Pair | None:
+        if camera_in_use(self._host):
+            self.close()
+            self.live = True
+            return self._used.read()
+        if not self._opened:
+            self.open()
+        return self._own.read()
+
+    def close(self) -> None:
+        if self._opened:
+            self._own.close()
+            self._opened = False
+
+
+def camera_in_use(host: EngineHost) -> bool:
+    """Whether the open session has a real camera."""
+    setup = host.setup
+    if setup is None or setup.player is not None or setup.simulated:
+        return False
+    return setup.has_camera
 
 
 def image_choices(
@@ -75,12 +120,13 @@ def image_choices(
     ]
     if settings.camera:
         words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " + ")
-        found.insert(0, choice(tr("Chosen camera: {}").format(words), settings.camera))
-    if setup is None or setup.player is not None or not setup.has_camera:
-        return [*found, simulated]
-    if setup.simulated:
-        return [simulated, *found]
-    return [ImageChoice(tr("Camera in use"), lambda _spec: SessionImages(host)), simulated]
+        chosen = choice(tr("Chosen camera: {}").format(words), settings.camera)
+        make = chosen.make
+        found.insert(0, replace(chosen, make=lambda spec: ChosenImages(host, make(spec))))
+    if camera_in_use(host):
+        return [ImageChoice(tr("Camera in use"), lambda _spec: SessionImages(host)), simulated]
+    in_demo = setup is not None and setup.simulated and setup.has_camera
+    return [simulated, *found] if in_demo else [*found, simulated]
 
 
 def folder_choice(folder: Path) -> ImageChoice:

@@ -58,9 +58,14 @@ class ImagePair(QSplitter):
         for view in (self.left, self.right):
             self.addWidget(view)
 
+    def show_sides(self, alone: bool) -> None:
+        """Both, or the one image of a camera ``alone``, which is no left one."""
+        self.left.set_title(self.tr("Camera") if alone else self.tr("Left"))
+        self.right.setVisible(not alone)
+
     def show_pair(self, images: Pair, shapes: Sequence[Sequence[Shape]]) -> None:
         """Images with what is drawn over each."""
-        self.right.setVisible(images[1] is not None)
+        self.show_sides(alone=images[1] is None)
         for view, image, drawn in zip((self.left, self.right), images, shapes, strict=True):
             if image is not None:
                 view.show_image(image, drawn)
@@ -204,6 +209,7 @@ class CheckPage(QWidget):
         self._rig, self.found, self._seen = rig, None, None
         self._maps = tuple(_rectify_map(c) for c in (rig.left, rig.right))
         self._name_columns(rig.one_camera)
+        self.images.show_sides(rig.one_camera)
         self.show_views(())
 
     def _name_columns(self, one_camera: bool) -> None:
@@ -242,7 +248,6 @@ class CheckPage(QWidget):
         if seen.look.view is not None and not rig.one_camera:
             # the left image's rows on both: they must meet the same corners
             lines = row_lines(rig.left, seen.look.left, rig.left.width)
-        self.images.right.setVisible(not rig.one_camera)
         for widget, image, camera, maps in zip(
             (self.images.left, self.images.right),
             seen.pair,
