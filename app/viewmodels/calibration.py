@@ -27,7 +27,12 @@ ADVICE = {
     "gyro_bias": mark("Hold the hand still for three seconds: gyro biases settle."),
     "accel_bias": mark("Hold the hand at several slants: accelerometer biases settle."),
 }
+MEASURE = mark(
+    "One camera cannot tell how large the hand is: measure it with a ruler and enter it under "
+    "Hand length…"
+)
 SETTLED = 0.9
+MEASURED = 0.02  # of the hand's length: as sure as a ruler makes it
 
 
 @dataclass(frozen=True)
@@ -140,8 +145,11 @@ def _change(
     return CalibrationCell(text, tip, settled)
 
 
-def calibration_view(c: Calibration, reference: Calibration | None = None) -> CalibrationView:
-    """``reference``: an earlier fit that this one is compared with."""
+def calibration_view(
+    c: Calibration, reference: Calibration | None = None, one_camera: bool = False
+) -> CalibrationView:
+    """``reference``: an earlier fit that this one is compared with. ``one_camera``: what tells the
+    hand's size is a ruler or an earlier session, no motion."""
     kinds = tuple(RANGES)
     rows = tuple(
         CalibrationRow(spoken(segment), tuple(_cell(c, i, k, reference) for k in kinds))
@@ -150,7 +158,18 @@ def calibration_view(c: Calibration, reference: Calibration | None = None) -> Ca
     shares = {k: [r.cells[j].convergence for r in rows] for j, k in enumerate(kinds)}
     means = {k: _mean(v) for k, v in shares.items()}
     overall = _mean(list(means.values()))
-    return CalibrationView(rows, _length(c, reference), overall, _advice(rows, means, shares))
+    if one_camera and not is_measured(c):
+        advice = tr(MEASURE)
+    else:
+        if one_camera:
+            del means["scale"]  # is as settled as it can be
+        advice = _advice(rows, means, shares)
+    return CalibrationView(rows, _length(c, reference), overall, advice)
+
+
+def is_measured(c: Calibration) -> bool:
+    """Whether the hand's length is known as a ruler tells it, or better."""
+    return bool(c.hand_length_sd <= MEASURED * c.hand_length)
 
 
 def _advice(

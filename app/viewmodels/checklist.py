@@ -10,7 +10,7 @@ import numpy as np
 
 from app.engines.engine import one_camera
 from app.engines.snapshot import Snapshot
-from app.viewmodels.calibration import SETTLED, calibration_view
+from app.viewmodels.calibration import SETTLED, calibration_view, is_measured
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.names import spoken
@@ -259,11 +259,12 @@ def _calibration(view: Snapshot | None) -> SetUpStep:
         return SetUpStep(name, False, tr("Waits for tracking."))
     if view.status is not None and images_alone(view.status):
         return SetUpStep(name, False, tr("Waits for the glove."))
-    shown = calibration_view(view.calibration)
+    alone = view.setup.rig.one_camera
+    shown = calibration_view(view.calibration, one_camera=alone)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
     if share >= SETTLED:
         return SetUpStep(name, True, tr("hand length {}").format(shown.hand_length))
     reason = f"{100 * share:.0f} %. {shown.advice}"
-    if view.setup.guide is not None:
+    if view.setup.guide is not None and not (alone and not is_measured(view.calibration)):
         return SetUpStep(name, False, reason, "guided", tr("Hold poses"))
     return SetUpStep(name, False, reason, "show_calibration", tr("Show"))

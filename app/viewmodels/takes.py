@@ -97,15 +97,20 @@ class HandNow(NamedTuple):
     status: Status
     samples: Sequence[ImuSample]
     imus: Sequence[str]
+    has_glove: bool = True
 
 
-def missing_text(hands: Sequence[HandNow], image_rate: float) -> str:
-    """What a recording of these that begins now will lack; empty where everything comes.
+def missing_text(hands: Sequence[HandNow], image_rate: float | None) -> str:
+    """What a recording of these that begins now will lack; empty where everything comes that there
+    is.
 
-    ``image_rate``: images a second that the camera should give; 0 where that is not known.
+    ``image_rate``: images a second that the camera should give; 0 where that is not known, None
+    where there is no camera.
     """
-    missing = _missing_images(hands[0].status, image_rate)
+    missing = [] if image_rate is None else _missing_images(hands[0].status, image_rate)
     for hand in hands:
+        if not hand.has_glove:
+            continue
         words = _missing_imus(hand)
         missing += [of_hand(hand.side, w) for w in words] if len(hands) > 1 else words
     return tr("This recording lacks something: {}.").format("; ".join(missing)) if missing else ""

@@ -82,11 +82,13 @@ class WornCalibration:
         """The engine starts anew; what it knew can be compared with."""
         self._last_fit = self.latest or self._last_fit
 
-    def shown(self, comparing: bool, frozen: bool) -> CalibrationView | None:
+    def shown(
+        self, comparing: bool, frozen: bool, one_camera: bool = False
+    ) -> CalibrationView | None:
         """None before the first calibration."""
         if self.latest is None:
             return None
-        shown = calibration_view(self.latest, self._last_fit if comparing else None)
+        shown = calibration_view(self.latest, self._last_fit if comparing else None, one_camera)
         if comparing and self._last_fit is None:
             words = tr("There is nothing to compare with yet: save a profile, or reset.")
             return replace(shown, advice=words)

@@ -27,6 +27,7 @@ class Banner(QFrame):
         self._label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.buttons = [QPushButton() for _ in range(MOST_ACTIONS)]
         self._work: list[Callable[[], object]] = []
+        self._stays = False
         for i, button in enumerate(self.buttons):
             button.clicked.connect(lambda _on=False, i=i: self._act(i))
         close = QPushButton(self.tr("Dismiss"))
@@ -39,10 +40,13 @@ class Banner(QFrame):
             row.addWidget(button)
         row.addWidget(close)
 
-    def show_text(self, text: str, *actions: Action, good: bool = False) -> None:
-        """``actions``: the words of a button and what it does; it takes the banner away too.
-        ``good``: there is nothing wrong.
+    def show_text(
+        self, text: str, *actions: Action, good: bool = False, stays: bool = False
+    ) -> None:
+        """``actions``: the words of a button and what it does; it takes the banner away too, unless
+        that ``stays``. ``good``: there is nothing wrong.
         """
+        self._stays = stays
         self._sign.setText("✓" if good else "▲")
         self.setProperty("good", good)
         self.style().polish(self)
@@ -54,8 +58,10 @@ class Banner(QFrame):
             button.setVisible(i < len(actions))
 
     def _act(self, i: int) -> None:
-        self.dismissed.emit()
-        self._work[i]()
+        work = self._work[i]
+        if not self._stays:
+            self.dismissed.emit()
+        work()
 
     def text(self) -> str:
         return self._label.text()

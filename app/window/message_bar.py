@@ -38,15 +38,23 @@ class MessageBar(QWidget):
         window.installEventFilter(self)
         self.hide()
 
-    def say(self, text: str, *actions: Action, good: bool = False, about: str = "") -> None:
+    def say(
+        self,
+        text: str,
+        *actions: Action,
+        good: bool = False,
+        about: str = "",
+        stays: bool = False,
+    ) -> None:
         """Say it in the one place for it, with a button for each thing that can be done.
 
-        ``good``: there is nothing wrong. ``about`` names what it is about, for `no_longer`.
+        ``good``: there is nothing wrong. ``about`` names what it is about, for `no_longer`. What
+        ``stays`` is there until it is dismissed, whatever of it was done.
         """
         text = told(text)
         again = self.isVisible() and text == self.banner.text()
         self._about = about
-        self.banner.show_text(text, *actions, good=good)
+        self.banner.show_text(text, *actions, good=good, stays=stays)
         self.show()
         self._place()
         self.raise_()

@@ -68,7 +68,8 @@ class Takes(QObject):
         if self._running.isValid() and self._running.elapsed() < STARTING_MS:
             return
         rate = setup.image_rate() if setup.image_rate is not None else 0.0
-        text = missing_text([_now(hand) for hand in setup.hands], rate)
+        hands = [_now(hand) for hand in setup.hands]
+        text = missing_text(hands, rate if setup.has_camera else None)
         if not text:
             self._again.stop()
             self._messages.no_longer(ABOUT)
@@ -90,11 +91,16 @@ class Takes(QObject):
         path, ended_by = report.path, self._host.recording.ended_by
         self._messages.say(
             " ".join(filter(None, (told(ended_by), report_text(report)))),
-            (self.tr("Show it"), partial(self._library.replay.emit, path)),
+            (self.tr("Show it"), partial(self._show, path)),
             (self.tr("Export…"), partial(self._library.ask_export_of, [path])),
             (self.tr("Rename…"), partial(self._ask_name, report)),
             good=not report.problem and not ended_by,
+            stays=True,  # a dialog that is cancelled has changed nothing
         )
+
+    def _show(self, path: Path) -> None:
+        self._messages.hide()
+        self._library.replay.emit(path)
 
     # --- notes
 
@@ -128,4 +134,5 @@ class Takes(QObject):
 def _now(setup: EngineSetup) -> HandNow:
     """Of the hand that it is seen from."""
     hand = setup.tracked
-    return HandNow(setup.side, hand.status(), hand.recent_imu(), setup.glove.imu_names)
+    imus = setup.glove.imu_names
+    return HandNow(setup.side, hand.status(), hand.recent_imu(), imus, setup.has_glove)

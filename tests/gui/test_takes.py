@@ -350,6 +350,10 @@ def test_a_full_disk_is_named_beside_how_the_recording_is(recorded, qtbot, monke
 def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     [path] = recorded.plan.folder.glob("*.mcap")
     button(recorded, "Rename").click()
+    recorded.findChild(QInputDialog).reject()
+    assert recorded.messages.isVisible(), "who thinks better of it may still show it"
+    qtbot.waitUntil(lambda: recorded.findChild(QInputDialog) is None)
+    button(recorded, "Rename").click()
     dialog = recorded.findChild(QInputDialog)
     dialog.setTextValue("pinch of salt")
     dialog.accept()
@@ -360,6 +364,7 @@ def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     button(recorded, "Show it").click()
     qtbot.waitUntil(lambda: recorded.host.setup.player is not None, timeout=30_000)
     assert recorded.host.setup.player.path == path
+    assert not recorded.messages.isVisible()
 
 
 def test_a_name_that_is_taken_leaves_both_files(tmp_path):
@@ -406,6 +411,10 @@ def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
     window.run_command("record")
 
 
+def replace_status(hand: HandNow, values: dict[str, float]) -> HandNow:
+    return hand._replace(status=replace(hand.status, values=values))
+
+
 def test_what_is_missing_is_told_and_nothing_else():
     names = models()[1].imu_names
     samples = list(simulation().imu_samples())[:100]
@@ -414,6 +423,10 @@ def test_what_is_missing_is_told_and_nothing_else():
     right = HandNow("right", fine, samples, names)
     assert missing_text([right], 30.0) == ""
     assert missing_text([right], 0.0) == ""
+    blind = replace_status(right, {})
+    assert "no image comes" in missing_text([blind], 30.0)
+    assert missing_text([blind], None) == "", "there is no camera to miss"
+    assert missing_text([HandNow("right", fine, [], names, has_glove=False)], 30.0) == ""
     gone = Status(now + 5.0, Tracking.TRACKING, {})
     text = missing_text([HandNow("right", gone, samples, names)], 30.0)
     assert "no image comes" in text and ": no packet comes" not in text

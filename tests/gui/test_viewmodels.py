@@ -8,9 +8,11 @@ import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 
 from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
 from app.viewmodels.camera_overlay import Layers, overlay
+from app.viewmodels.checklist import steps
 from app.viewmodels.colour_images import hue_histogram, pixel_hsv
 from app.viewmodels.colour_tuning import ProfileHistory, Tuned, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
@@ -23,6 +25,7 @@ from app.widgets.view3d.orbit import Orbit
 from tracker import GRAVITY
 from tracker.messages import Status, Tracking, Validity
 from tracker.sensors.link_figures import LinkFigures
+from tracker.vision.lenses import with_one_camera
 
 
 @pytest.fixture
@@ -217,6 +220,22 @@ def test_calibration_in_peoples_units():
     assert gyro.text.endswith("°/s")
     assert accel.text == "" and np.isnan(accel.convergence)
     assert "Bend" in shown.advice  # the mounting is what is farthest from settled
+
+
+def test_with_one_camera_the_hands_length_is_asked_for_and_not_motion():
+    engine = ScriptedEngine()
+    stranger = dataclasses.replace(engine.calibration(), hand_length_sd=0.05 * 0.187)
+    stranger = dataclasses.replace(stranger, scale_sd=np.full_like(stranger.scale_sd, 0.05))
+    assert "Spread" in calibration_view(stranger).advice
+    assert "Hand length…" in calibration_view(stranger, one_camera=True).advice
+    setup = scripted_setup(engine)
+    setup = dataclasses.replace(setup, rig=with_one_camera(setup.rig))
+    view = Snapshot(setup, running=True, calibration=stranger)
+    step = next(s for s in steps(view) if s.name == "Calibration settled")
+    assert "ruler" in step.reason and step.command == "show_calibration"
+    ruler = dataclasses.replace(stranger, hand_length_sd=0.015 * 0.187)
+    ruler = dataclasses.replace(ruler, scale_sd=np.full_like(stranger.scale_sd, 0.015))
+    assert "Bend" in calibration_view(ruler, one_camera=True).advice
 
 
 def test_curves_end_now_and_are_in_degrees():

@@ -122,7 +122,9 @@ class CalibrationPanel(Panel):
     def _draw(self) -> None:
         comparing, frozen = self.wearer.comparing.isChecked(), self.wearer.frozen.isChecked()
         self._drawn_frozen = frozen
-        shown = self.profiles.worn.shown(comparing, frozen)
+        setup = self.host.setup
+        alone = setup is not None and setup.rig.one_camera
+        shown = self.profiles.worn.shown(comparing, frozen, alone)
         if shown is None:
             return
         self.length.setText(shown.hand_length)

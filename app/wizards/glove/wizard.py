@@ -57,8 +57,9 @@ class GloveSetup(QDialog):
         self._source: tuple[str, str, str, int] | None = None
         setup = host.setup
         real = setup is not None and not setup.simulated and setup.player is None
+        in_use = real and setup is not None and setup.has_glove
         self.choice = ChoicePage(
-            store.value, WearerStore(store.path.parent / "wearers").names(), real
+            store.value, WearerStore(store.path.parent / "wearers").names(), in_use
         )
         self.still, self.wiggle = StillPage(), WigglePage()
         self._lay_out()
