@@ -1,7 +1,8 @@
 """Which camera the user chose, as the settings hold it, and how it is opened.
 
 ``""`` the first camera; ``name:NAME`` a camera by its name, so that it is found on another port;
-``pair:LEFT|RIGHT`` two cameras by name; a number an index; ``driver://id`` a plug-in's camera;
+``pair:LEFT|RIGHT`` two cameras by name, or two addresses; a number an index; ``driver://id`` a
+plug-in's camera;
 anything else a file or an address. ``one:`` before it says that its images are one camera's,
 ``two:`` that they are two side by side; else the calibration tells, or their shape.
 """
@@ -71,6 +72,11 @@ def by_names(left: CameraName, right: CameraName) -> str:
     return f"{PAIR}{left.name}|{right.name}"
 
 
+def is_address(text: str) -> bool:
+    """Whether it is a file or a stream, and no camera's name or number."""
+    return "://" in text or Path(text).is_absolute()
+
+
 def told_count(camera: str) -> tuple[int, str]:
     """How many cameras' images the settings' text says that there are, 0 where it says nothing,
     and the text without that."""
@@ -87,15 +93,19 @@ def choose(
     fps: float,
     cameras: list[CameraName] | None = None,
     count: int = 0,
+    right_size: tuple[int, int] | None = None,
 ) -> ChosenCamera:
-    """The camera that the settings name, for images of ``width`` by ``height`` px each.
+    """The camera that the settings name, for images of ``width`` by ``height`` px each; of two
+    separate ones the right one's of ``right_size``, where that is another.
 
     ``count`` is how many cameras its calibration is for, 0 where there is none. Raises DeviceError
     where it is not there.
     """
     known = all_cameras() if cameras is None else cameras
     told, chosen = told_count(settings.camera)
-    wanted = _Wanted(CaptureFormat(width, height, fps), told or count)
+    each = CaptureFormat(width, height, fps)
+    right = replace(each, width=right_size[0], height=right_size[1]) if right_size else each
+    wanted = _Wanted(each, told or count, right)
     found = _choose(chosen, wanted, locks_from(settings.camera_locks), known)
     if not settings.camera_exchanged:
         return found
@@ -104,10 +114,12 @@ def choose(
 
 @dataclass(frozen=True)
 class _Wanted:
-    """The format of one camera's image, and how many cameras' images come: 0 for unknown."""
+    """The format of one camera's image, how many cameras' images come: 0 for unknown; and the
+    format of a right camera's that is a device of its own."""
 
     each: CaptureFormat
     count: int
+    right: CaptureFormat
 
     def stream(self, source: int | str, backend: int = 0, live: bool = True) -> StreamInput:
         """The input of a stream that holds them."""
@@ -119,9 +131,15 @@ class _Wanted:
 def _choose(chosen: str, wanted: _Wanted, locks: Locks, known: list[CameraName]) -> ChosenCamera:
     if chosen.startswith(PAIR):
         left, _, right = chosen.removeprefix(PAIR).partition("|")
+        if is_address(left):
+            streams = TwoCameraInput(left, right, wanted.each, wanted.right)
+            return ChosenCamera(streams, streams.name, None)
         pair = [_find(name, known) for name in (left, right)]
-        each = replace(wanted.each, backend=pair[0].backend)
-        two = TwoCameraInput(pair[0].index, pair[1].index, each)
+        formats = [
+            replace(want, backend=camera.backend)
+            for want, camera in zip((wanted.each, wanted.right), pair, strict=True)
+        ]
+        two = TwoCameraInput(pair[0].index, pair[1].index, *formats)
         controls = ControlledInput(two, locks)
         return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)
     if is_plugin(chosen):

@@ -159,7 +159,10 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
     width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
     count = len(rig.sides) if rig else 0
-    camera = _unless_missing(lambda: choose(settings, width, height, FPS, count=count), missing)
+    right = (rig.right.width, rig.right.height) if rig else None
+    camera = _unless_missing(
+        lambda: choose(settings, width, height, FPS, count=count, right_size=right), missing
+    )
     if not gloves and camera is None:
         raise DeviceError(" ".join(missing))
     if gloves and not (rig and camera):

@@ -211,3 +211,16 @@ def camera_time(status: Status | None) -> str:
     applied = tr("corrected") if taken_off else tr("not corrected")
     size = tr("{:.1f} ± {:.1f} ms").format(abs(late_ms), 2 * sd_ms)
     return tr("{} {}, {}").format(size, word, applied)
+
+
+def right_camera_time(status: Status | None) -> str:
+    """How much later the right one of two free cameras exposes; empty where they are in step, or
+    that is not known."""
+    v = status.values if status is not None else {}
+    late_ms, applied_ms = v.get("right_camera_late_ms"), v.get("right_camera_late_applied_ms")
+    if late_ms is None or not applied_ms:
+        return ""
+    word = tr("later") if late_ms >= 0 else tr("earlier")
+    return tr("both images arrive, the right one {:.1f} ms {}, which is taken off").format(
+        abs(late_ms), word
+    )

@@ -10,7 +10,12 @@ import numpy as np
 
 from app.engines.engine import one_camera
 from app.engines.snapshot import Snapshot
-from app.viewmodels.calibration import SETTLED, calibration_view, is_measured
+from app.viewmodels.calibration import (
+    SETTLED,
+    calibration_view,
+    is_measured,
+    right_camera_time,
+)
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.names import spoken
@@ -145,7 +150,7 @@ def _camera(view: Snapshot | None) -> SetUpStep:
         if view.frame.left is not None and one_camera(view.setup, view.frame):
             return SetUpStep(name, True, tr("images of one camera arrive"))
         if view.frame.left is not None and view.frame.right is not None:
-            return SetUpStep(name, True, tr("both images arrive"))
+            return SetUpStep(name, True, right_camera_time(view.status) or tr("both images arrive"))
         if view.frame.left is None:
             reason = tr("The left image is missing.")
         else:

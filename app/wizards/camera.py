@@ -21,7 +21,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.camera_choice import NAME, ONE, PAIR, TWO, by_name, by_names, told_count
+from app.engines.camera_choice import (
+    NAME,
+    ONE,
+    PAIR,
+    TWO,
+    by_name,
+    by_names,
+    is_address,
+    told_count,
+)
 from app.engines.engine import one_camera
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
@@ -57,6 +66,7 @@ class CameraSetup(FormDialog):
         self._cameras: list[CameraName] = []
         self.setWindowTitle(self.tr("Camera set-up"))
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
+        self.other_right = QLineEdit()
         self.exchanged = QCheckBox(self.tr("&Exchange left and right"))
         self.exchanged.setToolTip(self.tr("Where a stereo calibration finds the cameras exchanged"))
         self.exchanged.setChecked(store.value.camera_exchanged)
@@ -89,6 +99,8 @@ class CameraSetup(FormDialog):
         form.addRow(labelled(self.tr("&Camera"), self.left), beside(self.left, self.again))
         form.addRow(self.tr("&Right images from"), self.right)
         form.addRow(labelled(self.tr("&Or from"), self.other), beside(self.other, self.browse))
+        self.other_right.setPlaceholderText(self.tr("nothing, or another one for the right images"))
+        form.addRow(self.tr("&And from"), self.other_right)
         form.addRow("", self.exchanged)
         return form
 
@@ -127,6 +139,10 @@ class CameraSetup(FormDialog):
         self.right.setCurrentIndex(count)
         if chosen.startswith(PAIR):
             first, _, second = chosen.removeprefix(PAIR).partition("|")
+            if is_address(first):
+                self.other.setText(first)
+                self.other_right.setText(second)
+                return
             _select(self.left, first)
             _select(self.right, second)
         elif chosen.startswith(NAME) or chosen.isdigit():
@@ -144,8 +160,9 @@ class CameraSetup(FormDialog):
         """As the settings hold it."""
         left, right = self.left.currentData(), self.right.currentData()
         count = "" if isinstance(right, CameraName) else str(right or "")
-        if self.other.text().strip():
-            return count + self.other.text().strip()
+        address, beside = self.other.text().strip(), self.other_right.text().strip()
+        if address:
+            return f"{PAIR}{address}|{beside}" if beside else count + address
         if not isinstance(left, CameraName):
             return count
         return by_names(left, right) if isinstance(right, CameraName) else count + by_name(left)

@@ -14,6 +14,7 @@ import pytest
 from tracker.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.image_input import (
+    AT_ONCE,
     CaptureFormat,
     Image,
     Pair,
@@ -183,6 +184,57 @@ def test_two_captures_stay_apart(tmp_path: Path) -> None:
     source.close()
     with pytest.raises(DeviceError, match="cannot be opened"):
         TwoCameraInput(a, str(tmp_path / "none.avi")).open()
+
+
+class Webcam:
+    """A camera that runs freely on a clock that stands still but for waiting: four images wait in
+    its queue, and what comes then is lost, as Video4Linux has it."""
+
+    def __init__(self, clock: list[float], phase: float) -> None:
+        self.clock, self.next, self.queue, self.shown = clock, phase, [], -1.0
+
+    def grab(self) -> bool:
+        if not self._arrived() and not self.queue:
+            self.clock[0] = self.next
+            self._arrived()
+        self.shown = self.queue.pop(0)
+        return True
+
+    def _arrived(self) -> bool:
+        while self.next <= self.clock[0] + 1e-9:
+            self.queue = (self.queue + [self.next])[:4]
+            self.next += 1 / 30
+        return bool(self.queue)
+
+    def retrieve(self) -> tuple[bool, Image]:
+        return True, np.zeros((2, 2, 3), np.uint8)
+
+    def get(self, _what: int) -> float:
+        return 30.0
+
+    def release(self) -> None: ...
+
+
+@pytest.mark.parametrize("phase", [0.001, 0.007, 0.030])
+def test_two_webcams_do_not_lag_behind_one_another_for_good(phase, monkeypatch) -> None:
+    """The right one takes a second to start, in which the left one's queue fills."""
+    clock, cameras = [0.0], []
+
+    def start(_source: object, _want: object) -> Webcam:
+        clock[0] += 1.0
+        for camera in cameras:
+            camera._arrived()
+        cameras.append(Webcam(clock, clock[0] + len(cameras) * phase))
+        return cameras[-1]
+
+    monkeypatch.setattr("tracker.sensors.image_input.open_capture", start)
+    source = TwoCameraInput(0, 1, clock=lambda: clock[0])
+    source.open()
+    for _ in range(50):
+        assert source.read() is not None
+        # one that was waited for a moment counts as queued
+        assert abs(cameras[0].shown - cameras[1].shown) < 1 / 30 + AT_ONCE
+        assert clock[0] - cameras[0].shown < 2 / 30
 
 
 def test_opencv_is_not_asked_for_a_file_that_is_not_there(tmp_path: Path, monkeypatch) -> None:

@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.clock import monotonic
 from tracker.errors import DeviceError
 from tracker.sensors.camera_systems import CameraName as CameraName
 from tracker.sensors.camera_systems import exposure_switch, is_device_path
@@ -20,6 +21,8 @@ Image = NDArray[np.uint8]
 Pair = tuple[Image, Image | None]
 """Left and right; a device with one camera has no right one."""
 LEAST_PAIR = 1.9  # width over height
+AT_ONCE = 0.01  # s: an image that comes sooner has waited
+MOST_QUEUED = 20
 
 
 @dataclass(frozen=True)
@@ -100,30 +103,44 @@ class StreamInput:
 
 
 class TwoCameraInput:
-    """Two separate cameras. Both are grabbed before either is decoded, to be close in time."""
-
-    live = True
+    """Two separate cameras, or two streams. Both are grabbed before either is decoded, to be close
+    in time."""
 
     def __init__(
-        self, left: int | str, right: int | str, want: CaptureFormat | None = None
+        self,
+        left: int | str,
+        right: int | str,
+        want: CaptureFormat | None = None,
+        right_want: CaptureFormat | None = None,
+        clock: Callable[[], float] = monotonic,
     ) -> None:
+        """``right_want`` where the right camera's images shall be others than the left one's."""
         self.name = f"{left} and {right}"
-        self._sources, self._want = (left, right), want or CaptureFormat()
+        self.live = not all(isinstance(s, str) and Path(s).is_file() for s in (left, right))
+        left_want = want or CaptureFormat()
+        self._sources, self._wants = (left, right), (left_want, right_want or left_want)
         self._captures: list[cv2.VideoCapture] = []
-        self.fps = self._want.fps
+        self._clock = clock
+        self.fps = left_want.fps
 
     def open(self) -> None:
         try:
-            for source in self._sources:
-                self._captures.append(open_capture(source, self._want))
+            for source, want in zip(self._sources, self._wants, strict=True):
+                self._captures.append(open_capture(source, want))
         except DeviceError:
             self.close()
             raise
         granted = [
-            _rate(c, self._want.fps, True, s)
-            for c, s in zip(self._captures, self._sources, strict=True)
+            _rate(capture, want.fps, self.live, source)
+            for capture, want, source in zip(
+                self._captures, self._wants, self._sources, strict=True
+            )
         ]
         self.fps = min(granted)  # a pair is complete when the slower one has given its image
+        if self.live:
+            # while one starts, what the other one gives waits in its queue, and would do so for good
+            for k in (0, 1, 0):
+                _drain(self._captures[k], self._clock)
 
     def read(self) -> Pair | None:
         if len(self._captures) != 2 or not all(c.grab() for c in self._captures):
@@ -170,6 +187,14 @@ class SequenceInput:
 
     def close(self) -> None:
         self._next = len(self._pairs)
+
+
+def _drain(capture: cv2.VideoCapture, clock: Callable[[], float]) -> None:
+    """Let go what has waited in a camera's queue, until an image had to be waited for."""
+    for _ in range(MOST_QUEUED):
+        asked = clock()
+        if not capture.grab() or clock() - asked > AT_ONCE:
+            return
 
 
 def is_pair(image: Image) -> bool:
