@@ -146,6 +146,7 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 THREADS = {
     "app/engines/demo_guide.py": "finds how the simulated wearer touches his fingertips",
     "app/engines/replay/thread.py": "plays a session beside the window",
+    "tracker/simulation/rig_camera.py": "sends images as a device of its own does",
     "app/platform/tasks.py": "jobs of the window",
     "app/wizards/glove/feed.py": "reads the glove that is being set up",
     "app/wizards/stereo/board_watcher.py": "looks for the board beside the window",

@@ -2519,6 +2519,11 @@
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
+      <source>One camera cannot tell how large the hand is: measure it with a ruler and enter it under Hand length…</source>
+      <translation>Eine Kamera sieht nicht, wie groß die Hand ist: mit einem Lineal messen und unter Handlänge… eingeben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
       <source>Spread the fingers and turn the hand before the camera: sizes settle.</source>
       <translation>Finger spreizen und die Hand vor der Kamera drehen: Die Größen schwingen sich ein.</translation>
     </message>
@@ -2579,6 +2584,16 @@
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
+      <source>later</source>
+      <translation>später</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>earlier</source>
+      <translation>früher</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
       <source>now {}
 change {}: {}</source>
       <translation>jetzt {}
@@ -2598,6 +2613,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/calibration.py" />
       <source>{} {}, {}</source>
       <translation>{} {}, {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>both images arrive, the right one {:.1f} ms {}, which is taken off</source>
+      <translation>beide Bilder kommen, das rechte {:.1f} ms {}, was abgezogen wird</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2861,11 +2881,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>both images arrive</source>
-      <translation>beide Bilder kommen an</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/checklist.py" />
       <source>baseline {:.1f} mm</source>
       <translation>Basislänge {:.1f} mm</translation>
     </message>
@@ -2903,6 +2918,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/checklist.py" />
       <source>gyros known to {:.1f} °/s</source>
       <translation>Gyroskope auf {:.1f} °/s genau</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>both images arrive</source>
+      <translation>beide Bilder kommen an</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -5306,6 +5326,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>nothing, or another one for the right images</source>
+      <translation>nichts, oder ein weiterer für die rechten Bilder</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>&amp;And from</source>
+      <translation>&amp;Und von</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>The first one found</source>
       <translation>Die erste gefundene</translation>
     </message>
@@ -6031,11 +6061,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
-      <source>Camera in use</source>
-      <translation>Kamera in Gebrauch</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/image_choices.py" />
       <source>camera in use</source>
       <translation>Kamera in Gebrauch</translation>
     </message>
@@ -6043,6 +6068,11 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>The camera in use was closed: start glove and camera again.</source>
       <translation>Die Kamera in Gebrauch wurde geschlossen: Handschuh und Kamera neu starten.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>Camera in use</source>
+      <translation>Kamera in Gebrauch</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
@@ -7036,6 +7066,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/camera.py" />
+      <source>The {} camera gives images of {} by {} pixels, but the calibration is for {} by {}.</source>
+      <translation>Die Kamera {} gibt Bilder von {} mal {} Bildpunkten, die Kalibrierung gilt aber für {} mal {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
       <source>The {} camera's image is black: is the lens covered?</source>
       <translation>Das Bild der Kamera {} ist schwarz: ist das Objektiv verdeckt?</translation>
     </message>
@@ -7046,8 +7081,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/camera.py" />
-      <source>The {} camera gives images of {} by {} pixels, but the calibration is for {} by {}.</source>
-      <translation>Die Kamera {} gibt Bilder von {} mal {} Bildpunkten, die Kalibrierung gilt aber für {} mal {}.</translation>
+      <source>The camera gives images of {} by {} pixels, but its calibration is for {} by {}.</source>
+      <translation>Die Kamera liefert Bilder von {} mal {} Pixeln, ihre Kalibrierung ist aber für {} mal {}.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/camera.py" />

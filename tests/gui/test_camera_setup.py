@@ -124,6 +124,20 @@ def test_two_cameras_a_file_and_an_address_are_choices_too(store, dialog, tmp_pa
     assert not chosen(str(tmp_path / "film.mp4")).source.live
 
 
+def test_two_streams_are_two_cameras_each_asked_for_its_own_size(store, dialog, window, qtbot):
+    dialog.other.setText("rtsp://left/eye")
+    dialog.other_right.setText("rtsp://right/eye")
+    dialog.use.click()
+    assert store.value.camera == "pair:rtsp://left/eye|rtsp://right/eye"
+    pair = choose(store.value, 1280, 720, 30.0, [], 2, (640, 480))
+    assert pair.source.name == "rtsp://left/eye and rtsp://right/eye" and pair.source.live
+    assert [want.width for want in pair.source._wants] == [1280, 640]
+    again = CameraSetup(window.host, store, window.tasks, window, list)
+    qtbot.addWidget(again)
+    qtbot.waitUntil(lambda: again.other_right.text() == "rtsp://right/eye", timeout=30_000)
+    assert again.other.text() == "rtsp://left/eye"
+
+
 def test_images_can_be_exchanged(store, dialog, tmp_path):
     path = tmp_path / "film.avi"
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, (64, 32))

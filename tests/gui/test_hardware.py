@@ -13,12 +13,14 @@ from app.engines.engine import RecordingRequest
 from app.viewmodels.checklist import steps
 from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import IDLE
+from app.wizards.camera import CameraSetup
 from app.wizards.glove.choice import SESSION
 from app.wizards.stereo.image_choices import image_choices
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
 from tracker.messages import Event, Tracking, Validity
+from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
@@ -205,6 +207,27 @@ def test_the_board_wizard_takes_a_camera_that_is_not_calibrated(window, qtbot, s
     in_use = image_choices(window.host, store.value, [])[0]
     assert in_use.title == "Camera in use"
     assert in_use.make(BoardSpec()).read()[0].shape == (720, 1280, 3)
+
+
+def test_a_camera_that_does_not_fit_is_shown_and_calibrated(window, qtbot, store, film, tmp_path):
+    """Its calibration is another one's: it could neither be seen nor be calibrated."""
+    path = tmp_path / "small.yml"
+    K = np.array([[600.0, 0, 319.5], [0, 600.0, 239.5], [0, 0, 1]])
+    save_calibration(path, Intrinsics(640, 480, K, np.zeros(5)))
+    store.update(port="", camera=f"one:{film}", calibration=str(path))
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    why = "but its calibration is for 640 by 480."
+    qtbot.waitUntil(lambda: why in window.cameras.left._placeholder, timeout=30_000)
+    view = window.host.snapshot()
+    step = next(s for s in steps(view) if s.name == "Camera found")
+    assert why in step.reason and step.command == "stereo"
+    images = image_choices(window.host, store.value, [])[0].make(BoardSpec())
+    assert images.read()[0].shape[:2] == view.unfit.pair[0].shape[:2]
+    dialog = CameraSetup(window.host, store, window.tasks, window, list)
+    qtbot.addWidget(dialog)
+    dialog._tick()
+    assert why in dialog.arriving.text() and dialog.images[0]._array is not None
 
 
 def test_the_board_wizard_offers_no_camera_in_use_where_there_is_none(glove_alone, store):

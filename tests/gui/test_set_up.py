@@ -15,6 +15,7 @@ from app.viewmodels.stereo import split_fresh
 from app.window.set_up_dialogs import board_from, board_text
 from app.wizards.stereo.board import ImageChoice
 from app.wizards.stereo.image_choices import (
+    ChosenImages,
     SessionImages,
     folder_choice,
     folder_input,
@@ -246,6 +247,43 @@ def test_the_camera_in_use_gives_each_image_once(window):
     window.host.shut_down()
     with pytest.raises(DeviceError, match="was closed"):
         images.read()
+
+
+def test_a_camera_has_one_reader_the_wizard_or_the_session(window):
+    """Devices may be opened while the wizard looks at the camera that was chosen."""
+
+    class Own:
+        name, live, fps, opened = "own", True, 4.0, 0
+
+        def open(self):
+            self.opened += 1
+
+        def read(self):
+            return np.zeros((2, 2, 3), np.uint8), None
+
+        def close(self):
+            self.opened -= 1
+
+    own = Own()
+    images = ChosenImages(window.host, own)
+    images.open()
+    assert images.read()[0].shape == (2, 2, 3) and own.opened == 1
+    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    assert images.read()[0].shape == (720, 1280, 3) and own.opened == 0
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    assert images.read()[0].shape == (2, 2, 3) and own.opened == 1
+    images.close()
+    assert own.opened == 0
+
+
+def test_an_imported_lens_is_checked_in_one_image(wizard, tmp_path):
+    path = tmp_path / "one.yml"
+    K = np.array([[640.0, 0, 639.5], [0, 640.0, 359.5], [0, 0, 1]])
+    save_calibration(path, Intrinsics(1280, 720, K, np.zeros(5)))
+    dialog = wizard(StillBoard())
+    assert dialog.take_file(path)
+    images = dialog.check.images
+    assert images.right.isHidden() and images.left._title == "Camera"
 
 
 def test_an_import_asks_for_size_and_unit(qtbot, tmp_path):
