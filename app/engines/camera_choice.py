@@ -135,10 +135,10 @@ def _choose(chosen: str, wanted: _Wanted, locks: Locks, known: list[CameraName])
             streams = TwoCameraInput(left, right, wanted.each, wanted.right)
             return ChosenCamera(streams, streams.name, None)
         pair = [_find(name, known) for name in (left, right)]
-        formats = [
-            replace(want, backend=camera.backend)
-            for want, camera in zip((wanted.each, wanted.right), pair, strict=True)
-        ]
+        formats = (
+            replace(wanted.each, backend=pair[0].backend),
+            replace(wanted.right, backend=pair[1].backend),
+        )
         two = TwoCameraInput(pair[0].index, pair[1].index, *formats)
         controls = ControlledInput(two, locks)
         return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)

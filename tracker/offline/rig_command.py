@@ -32,7 +32,7 @@ def add_rig(parser: argparse.ArgumentParser) -> None:
         "--lenses",
         choices=("one", "both", "apart"),
         default="both",
-        help="of the camera; apart: two cameras, camera_left.mjpeg and a smaller camera_right.mjpeg",
+        help="of the camera; apart: camera_left.mjpeg and camera_right.mjpeg, which is smaller",
     )
     parser.add_argument(
         "--right-late-ms",

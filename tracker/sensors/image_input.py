@@ -138,7 +138,7 @@ class TwoCameraInput:
         ]
         self.fps = min(granted)  # a pair is complete when the slower one has given its image
         if self.live:
-            # while one starts, what the other one gives waits in its queue, and would do so for good
+            # what one gave while the other started would wait in its queue for good
             for k in (0, 1, 0):
                 _drain(self._captures[k], self._clock)
 

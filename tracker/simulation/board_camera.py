@@ -55,8 +55,7 @@ class BoardCamera:
         else:
             self._sleep(PERIOD)
         left, right = self._clean
-        noisy = noisy(left, rng)
-        return noisy, None if right is None else noisy(right, rng)
+        return noisy(left, rng), None if right is None else noisy(right, rng)
 
     def close(self) -> None:
         self._renderer = None

@@ -130,7 +130,7 @@ def _smaller(pixels: int) -> int:
 
 
 class HeldBoard:
-    """Images of a board that somebody holds still before the cameras of ``rig``, pose after pose."""
+    """Images of a board that somebody holds still before a rig, pose after pose."""
 
     def __init__(self, rig: StereoRig, seed: int, spec: BoardSpec | None = None) -> None:
         """Takes a second: every pixel's ray is found."""
