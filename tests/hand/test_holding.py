@@ -7,7 +7,7 @@ import pytest
 
 from tracker.hand.holding import NOTHING_ARRIVES, how_held
 from tracker.hand.model import HandModel
-from tracker.hand.names import FINGERS
+from tracker.hand.names import CHAINS, FINGERS
 from tracker.hand.poses import POSES
 from tracker.messages import Estimate, Tracking, Validity
 
@@ -63,6 +63,35 @@ def test_fingertips_apart_are_not_a_pinch(hand):
     assert (held.is_held, held.joint) == (False, "index")
     assert held.off > 0.05
     assert "thumb" in held.word
+
+
+def pinching(hand: HandModel, finger: str, apart: float, tracking: Tracking) -> Estimate:
+    """A straight hand whose thumb's end segment was moved to ``apart`` m before a fingertip."""
+    estimate = shown(hand, {})
+    thumb, other = (hand.index[CHAINS[d][-1]] for d in ("thumb", finger))
+    R, p = estimate.segment_R, estimate.segment_p.copy()
+    ends = [p[r] + R[r] @ [hand.segments[r].length, 0.0, 0.0] for r in (thumb, other)]
+    p[thumb] += ends[1] + R[hand.root] @ [0.0, 0.0, -apart] - ends[0]
+    return dataclasses.replace(estimate, segment_p=p, tracking=tracking)
+
+
+def test_tips_that_touch_are_told_from_those_that_do_not(hand):
+    """Of 8 pinches of 4 simulated people the tracker has axes' ends 15 to 31 mm apart, of their
+    other poses 46 and more; without a camera 17 to 45 mm."""
+    for apart, tracking, is_held in (
+        (0.031, Tracking.TRACKING, True),
+        (0.046, Tracking.TRACKING, False),
+        (0.045, Tracking.LOST, True),
+    ):
+        held = how_held(POSES["pinch_index"], pinching(hand, "index", apart, tracking), hand)
+        assert held.is_held == is_held
+
+
+def test_the_thumb_on_another_finger_is_not_on_the_one_asked_for(hand):
+    beside = pinching(hand, "middle", 0.015, Tracking.TRACKING)
+    assert how_held(POSES["pinch_middle"], beside, hand).is_held
+    held = how_held(POSES["pinch_index"], beside, hand)
+    assert (held.is_held, held.joint) == (False, "index")
 
 
 def test_what_nothing_measures_is_not_held_against_the_wearer(hand):

@@ -11,15 +11,18 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.hand.model import HandModel
-from tracker.hand.names import CHAINS
+from tracker.hand.names import CHAINS, FINGERS
 from tracker.hand.poses import GuidedPose, HeldFlexion
-from tracker.messages import Estimate, Tracking, Validity
+from tracker.messages import Array, Estimate, Tracking, Validity
 
 ALLOWED = 2.5  # sds of a pose that a joint may be off, besides the tracker's own error
 OWN_ERROR = np.deg2rad(8.0)  # rad, of an angle that is shown
 NOTHING_ARRIVES = "nothing"
 """In place of a joint: the hand that is shown is a guess, for no sensor tells of it any more."""
-NEAR = 0.025  # m between two fingertips' axes' ends that touch: radii and the tracker's error
+NEAR = (
+    0.038  # m between the ends of two fingertips' axes: radii, where pads meet, the tracker's error
+)
+UNPLACED = 0.010  # m more where no camera has told how the IMUs sit
 
 
 class Holding(NamedTuple):
@@ -63,19 +66,28 @@ def _joint(held: HeldFlexion, estimate: Estimate, hand: HandModel) -> tuple[floa
 
 
 def _touch(finger: str, estimate: Estimate, hand: HandModel) -> tuple[float, Holding] | None:
-    """The same of the distance between two fingertips."""
-    rows = [hand.index.get(CHAINS[digit][-1], -1) for digit in ("thumb", finger)]
-    if min(rows) < 0:
+    """The same of the distance between two fingertips; no other may be nearer to the thumb's."""
+    known = [f for f in FINGERS if _is_measured(f, estimate, hand)]
+    thumb = _tip("thumb", estimate, hand)
+    if thumb is None or finger not in known:
         return None
-    tips = [
-        estimate.segment_p[r] + estimate.segment_R[r] @ [hand.segments[r].length, 0.0, 0.0]
-        for r in rows
-    ]
-    apart = float(np.linalg.norm(tips[0] - tips[1]))
-    if not _is_measured(finger, estimate, hand):
+    tips = {f: tip for f in known if (tip := _tip(f, estimate, hand)) is not None}
+    if finger not in tips:
         return None
+    apart = {f: float(np.linalg.norm(thumb - tip)) for f, tip in tips.items()}
+    allowed = NEAR + UNPLACED * (estimate.tracking == Tracking.LOST)
     word = f"Bring thumb and {finger} fingertip together"
-    return apart / NEAR, Holding(False, finger, apart, word)
+    share = max(apart[finger] / allowed, apart[finger] / max(min(apart.values()), 1e-9))
+    return share, Holding(False, finger, apart[finger], word)
+
+
+def _tip(digit: str, estimate: Estimate, hand: HandModel) -> Array | None:
+    """(3,) m, the end of a digit's axis; None where the hand has none."""
+    row = hand.index.get(CHAINS[digit][-1], -1)
+    if row < 0:
+        return None
+    end = np.array([hand.segments[row].length, 0.0, 0.0])
+    return np.asarray(estimate.segment_p[row] + estimate.segment_R[row] @ end)
 
 
 def _is_measured(finger: str, estimate: Estimate, hand: HandModel) -> bool:
