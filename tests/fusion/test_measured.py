@@ -25,7 +25,10 @@ def test_the_length_is_the_rulers_and_as_sure(hand: HandModel, glove: GloveModel
     after = float(gain @ profile.P[lengths, lengths] @ gain) ** 0.5
     assert gain @ profile.scale[:, 0] == pytest.approx(0.170, abs=RULER_SD / 2)
     assert after == pytest.approx(1 / np.hypot(1 / before, 1 / RULER_SD), rel=1e-6)
-    assert np.array_equal(profile.scale[:, 1], np.ones(len(profile.scale)))  # girths: anybody's
+    # girths follow as far as long hands are broad ones: the regression on the length
+    p, length = PriorParams(), float(gain.sum())
+    expected = p.alike * p.common_length * p.common_girth * length / (before**2 + RULER_SD**2)
+    assert profile.scale[:, 1] == pytest.approx(1 + expected * (0.170 - length), rel=1e-9)
 
 
 def test_no_hand_is_a_metre_long(hand: HandModel, glove: GloveModel) -> None:

@@ -11,6 +11,7 @@ import copy
 from dataclasses import dataclass, field
 
 from tracker.fusion.ablations.variants import check_variant
+from tracker.fusion.chain.calibration.size import as_unsure
 from tracker.fusion.chain.guided.events import GuidedSaid
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
@@ -158,8 +159,9 @@ class ChainEngine:
         return found if size_sd == 0.0 else with_unsure_size(found, size_sd)
 
     def profile(self) -> WearerProfile:
-        """What has been learned of the wearer."""
-        return self.wearer.profile()
+        """What has been learned of the wearer; what one camera looked at is as large as it was
+        taken for at the start."""
+        return as_unsure(self.wearer.profile(), self.layout, self._tracker.size_sd)
 
     def put_on(self, profile: WearerProfile) -> None:
         """Take what is known of the wearer, now and at each new start."""

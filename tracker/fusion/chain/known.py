@@ -137,6 +137,8 @@ class KnownWearer:
         """Take what is known of the wearer, now and at each new start."""
         self.guided.put_on(profile.synergies)
         self.calibration.put_on(self._filter.state, profile)
+        if not self.calibration.is_frozen:
+            self._shows.hand.worn(self._filter.state)
         self.show()
         self.changed()
 

@@ -76,6 +76,7 @@ class PriorParams:
     accel_bias: float = 0.3  # m/s²
     common_length: float = 0.07
     common_girth: float = 0.07
+    alike: float = 0.6  # correlation of these two: long hands are mostly broad ones
     own_length: float = 0.015
     own_girth: float = 0.02
     joint: float = 0.001  # m

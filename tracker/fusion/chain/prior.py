@@ -10,7 +10,7 @@ from tracker.messages import Array
 
 
 def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
-    """(N, N). Hands differ as wholes: lengths share a common factor, and so do girths."""
+    """(N, N). Hands differ as wholes: lengths share a common factor, girths another one like it."""
     P = np.zeros((layout.blocks.size, layout.blocks.size))
     d = np.zeros(layout.blocks.size)
     d[0:3] = prior.position**2
@@ -27,6 +27,7 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     # eq. 19
     P[length, length] += prior.common_length**2
     P[girth, girth] += prior.common_girth**2
+    P[length, girth] = P[girth, length] = prior.alike * prior.common_length * prior.common_girth
     _put_markers(P, layout, prior)
     return P
 

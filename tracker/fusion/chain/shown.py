@@ -15,8 +15,10 @@ from tracker.fusion.chain.layout import ChainLayout, V, digit_of
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.start.mono_start import (
     KNOWN_SIZE_SD,
-    SIZE_SD,
+    MonoParams,
     measured_sd,
+    size_taken_for_granted,
+    size_unsure_by,
     with_unsure_distance,
 )
 from tracker.fusion.chain.state import ChainState
@@ -58,6 +60,7 @@ class ShownKept:
     most_sd: float = MEASURED_SD  # m, beyond which nothing is called measured
     heading_drift: float = 0.0  # rad by which the heading may be off since images held it
     heading_at: float = np.inf  # s until when that was added up
+    p_GC: Array = field(default_factory=lambda: np.zeros(0))  # (3,) m of the one camera, lately
 
 
 class ShownHand:
@@ -154,20 +157,25 @@ class ShownHand:
         """(A + d,) m, zeros before the first image."""
         return self.kept.tip_sd if len(self.kept.tip_sd) else np.zeros(self._rows)
 
-    def unsure(self, state: ChainState, pose: CameraPose, size_is_known: bool) -> None:
-        """Take how sure each segment's end is; one camera alone does not know the distance."""
+    def unsure(self, state: ChainState, pose: CameraPose, known_size_sd: float) -> None:
+        """Take how sure each segment's end is; one camera alone does not know the distance, but by
+        the hand's size, of which a share was unknown beforehand."""
         self.kept.tip_sd, self.kept.most_sd = self.ends(state), MEASURED_SD
         if self.kept.one_camera:
-            if not size_is_known:
-                self.kept.most_sd = min(measured_sd(state.p, pose), MEASURED_SD)
-            size_sd = self.size_sd(size_is_known)
+            self.kept.p_GC = pose.p_GC
+            size_sd = self.size_sd(known_size_sd)
+            if size_sd > KNOWN_SIZE_SD:
+                self.kept.most_sd = min(measured_sd(state.p, pose, size_sd), MEASURED_SD)
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
 
-    def size_sd(self, size_is_known: bool) -> float:
+    def worn(self, state: ChainState) -> None:
+        """The size is another one now: one camera shows it at another distance."""
+        if self.kept.one_camera and len(self.kept.p_GC):
+            size_taken_for_granted(state, self._layout, self.kept.p_GC, MonoParams().distance_sd)
+
+    def size_sd(self, known_size_sd: float) -> float:
         """Share by which the hand's size is unsure beyond its state; 0 once both cameras saw it."""
-        if not self.kept.one_camera:
-            return 0.0
-        return KNOWN_SIZE_SD if size_is_known else SIZE_SD
+        return size_unsure_by(known_size_sd) if self.kept.one_camera else 0.0
 
     def held(self, t: float) -> None:
         """An image has shown how the hand is turned."""

@@ -227,7 +227,7 @@ class ChainTracker:
         second_camera = self.shown.kept.one_camera and found.in_both
         if second_camera:
             self.shown.kept.one_camera = False
-        self.shown.unsure(self.state, image.pose, self._size_is_known)
+        self.shown.unsure(self.state, image.pose, self.wearer.calibration.known_size_sd)
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
         return self._recognition.finish(self.state, image, found, self.tracking)
@@ -235,11 +235,7 @@ class ChainTracker:
     @property
     def size_sd(self) -> float:
         """Share by which the hand's size is unknown for want of a second camera; 0 with one."""
-        return self.shown.size_sd(self._size_is_known)
-
-    @property
-    def _size_is_known(self) -> bool:
-        return self.wearer.calibration.is_known
+        return self.shown.size_sd(self.wearer.calibration.known_size_sd)
 
     # ---- saving
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
 from tracker.fusion.chain.bundle.solver import Beside, Bundle, BundleWork, adopt
 from tracker.fusion.chain.calibration import control
+from tracker.fusion.chain.calibration.size import as_unsure, size_sd
 from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
@@ -46,9 +47,10 @@ class WearerCalibration:
         return self.kept.held is not None
 
     @property
-    def is_known(self) -> bool:
-        """Whether a profile of the wearer was there beforehand."""
-        return self.kept.known is not None
+    def known_size_sd(self) -> float:
+        """Share by which the hand's size was unsure beforehand; infinite for a stranger's."""
+        known = self.kept.known
+        return size_sd(known, self._layout) if known is not None else float("inf")
 
     def shown(self, state: ChainState) -> Calibration:
         """What is known by now."""
@@ -81,8 +83,11 @@ class WearerCalibration:
         self.kept.work = BundleWork()
         names = self._layout.names if segments is None else segments
         control.reset_calibration(state, self._layout, self._params.prior, names)
-        known = segments is not None and self.is_known
-        self.kept.known = profile_of(state, self._layout) if known else None
+        if segments is None:
+            self.kept.known = None
+        elif self.kept.known is not None:  # a state may take a size for granted that nobody told
+            rest, sd = profile_of(state, self._layout), self.known_size_sd
+            self.kept.known = as_unsure(rest, self._layout, sd)
         self._keep_frozen(state)
 
     def freeze(self, state: ChainState, on: bool) -> None:

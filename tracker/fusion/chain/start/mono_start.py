@@ -26,9 +26,9 @@ from tracker.messages import Array, CameraPose, IntArray
 
 SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one camera
 SIZE_SD = 0.05  # share, among people: what the distance is unsure by after such a start
-KNOWN_SIZE_SD = 0.015  # the same with a wearer's profile
+KNOWN_SIZE_SD = 0.015  # the same at the least: with a ruler, and by two cameras
 WRONG = 0.05  # m that nothing measured may be wrong by
-SIZE_SHARE, POSE_SDS = 0.06, 4.0  # of the distance, and of a pose's standard deviation, within that
+SIZE_SDS, POSE_SDS = 1.2, 4.0  # standard deviations of the size and of a pose within that
 
 
 @dataclass(frozen=True)
@@ -81,10 +81,14 @@ def vote_mono(
     return best
 
 
-def along_the_ray(P: Array, p: Array, pose: CameraPose, share: float) -> None:
-    """Make the distance of p (3,) m in G unsure by ``share`` of it, in the covariance P (N, N)."""
-    ray = p - pose.p_GC
-    P[:3, :3] += share**2 * np.outer(ray, ray)  # eq. 43
+def size_taken_for_granted(
+    state: ChainState, layout: ChainLayout, p_GC: Array, share: float
+) -> None:
+    """The size is what it is, and the distance from the camera at p_GC (3,) m unsure by ``share``
+    of it."""
+    ray = state.p - p_GC
+    state.P[:3, :3] += share**2 * np.outer(ray, ray)  # eq. 43
+    keep_size(state.P, layout)
 
 
 def keep_size(P: Array, layout: ChainLayout) -> None:
@@ -110,16 +114,21 @@ def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) 
     return out
 
 
-def measured_sd(p: Array, pose: CameraPose) -> float:
-    """m, of what `with_unsure_distance` gives for a stranger's hand at p (3,) m in G: what is less
-    sure may be wrong by more than `WRONG`.
+def size_unsure_by(known_sd: float) -> float:
+    """Share by which a size is taken to be unsure that was known to the share ``known_sd``."""
+    return min(max(known_sd, KNOWN_SIZE_SD), SIZE_SD)
+
+
+def measured_sd(p: Array, pose: CameraPose, size_sd: float) -> float:
+    """m, of what `with_unsure_distance` gives for a hand at p (3,) m in G whose size is unsure by
+    the share ``size_sd``: what is less sure may be wrong by more than `WRONG`.
 
     A hand is another size for as long as it is looked at, and errors of its pose are along the ray,
     too, so they add up.
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
-    sd = max(WRONG - SIZE_SHARE * ray, 0.0) / POSE_SDS
-    return float(np.sqrt(sd**2 + (SIZE_SD * ray) ** 2 / 3)) if sd > 0.0 else 0.0
+    sd = max(WRONG - SIZE_SDS * size_sd * ray, 0.0) / POSE_SDS
+    return float(np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)) if sd > 0.0 else 0.0
 
 
 def _rank(pose: Pose) -> float:

@@ -16,8 +16,7 @@ from tracker.fusion.chain.profile import WearerProfile, wear
 from tracker.fusion.chain.start.mono_start import (
     MonoParams,
     Rays,
-    along_the_ray,
-    keep_size,
+    size_taken_for_granted,
     vote_mono,
 )
 from tracker.fusion.chain.start.search import (
@@ -87,8 +86,7 @@ class Starter:
             if all(len(s.uv) for s in seen):
                 moved.R_GB = spread(moved, self._layout, self.points(seen, pose))
             else:
-                along_the_ray(moved.P, moved.p, pose, self._mono.distance_sd)
-                keep_size(moved.P, self._layout)
+                size_taken_for_granted(moved, self._layout, pose.p_GC, self._mono.distance_sd)
             out.append(moved)
         return out
 

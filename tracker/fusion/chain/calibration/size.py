@@ -1,0 +1,35 @@
+"""How sure a wearer's profile is of the hand's size, which one camera cannot tell."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.profile import WearerProfile
+from tracker.fusion.chain.reports import length_gain
+
+
+def size_sd(profile: WearerProfile, layout: ChainLayout) -> float:
+    """The standard deviation of the hand's length, as a share of it."""
+    gain, first = length_gain(layout), layout.n_dynamic
+    rows = slice(layout.blocks.scale - first, layout.blocks.joint - first, 2)
+    variance = max(float(gain @ profile.P[rows, rows] @ gain), 0.0)
+    return float(np.sqrt(variance) / (gain @ profile.scale[:, 0]))
+
+
+def as_unsure(profile: WearerProfile, layout: ChainLayout, sd: float) -> WearerProfile:
+    """The same with a size that is not surer than ``sd``, a share.
+
+    What is added is common to all lengths and girths: in one camera's images a hand with another
+    size looks the same at another distance (docs/chain.md, eq. 43).
+    """
+    missing = sd**2 - size_sd(profile, layout) ** 2
+    if missing <= 0.0:
+        return profile
+    first = layout.n_dynamic
+    rows = slice(layout.blocks.scale - first, layout.blocks.joint - first)
+    P, scale = profile.P.copy(), profile.scale.ravel()
+    P[rows, rows] += missing * np.outer(scale, scale)
+    return replace(profile, P=P)
