@@ -28,7 +28,7 @@ SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one camera
 SIZE_SD = 0.05  # share, among people: what the distance is unsure by after such a start
 KNOWN_SIZE_SD = 0.015  # the same at the least: with a ruler, and by two cameras
 WRONG = 0.05  # m that nothing measured may be wrong by
-SIZE_SDS, POSE_SDS = 1.2, 4.0  # standard deviations of the size and of a pose within that
+SIZE_SDS, POSE_SDS = 1.8, 4.0  # standard deviations of the size and of a pose within that
 
 
 @dataclass(frozen=True)
