@@ -108,12 +108,20 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lenses", default="", choices=("left", "right"), help="use the images of one lens alone"
     )
-    parser.add_argument("--wearer", default="", metavar="FILE", help="the wearer's profile, .toml")
+    parser.add_argument(
+        "--wearer",
+        default="",
+        metavar="FILE",
+        help="the wearer's profile, .toml; of both hands two, parted by a comma",
+    )
     parser.add_argument(
         "--hand-length", type=float, default=0.0, metavar="MM", help="of the wearer, by a ruler"
     )
     parser.add_argument(
-        "--keep-wearer", default="", metavar="FILE", help="write what was learned of the wearer"
+        "--keep-wearer",
+        default="",
+        metavar="FILE",
+        help="write what was learned of the wearer; of both hands FILE_left and FILE_right",
     )
     parser.add_argument(
         "--no-guided", action="store_true", help="learn nothing from guided poses in the session"

@@ -54,7 +54,8 @@ class SessionRun(Protocol):
     """What `track` feeds; ``progress`` of `finish` hears the share of the rest that is done."""
 
     @property
-    def engine(self) -> Engine: ...
+    def engines(self) -> dict[str, Engine]:
+        """By the hand's side."""
 
     def feed(self, message: Fed | Sided) -> None: ...
 
@@ -198,8 +199,8 @@ class LiveRun:
         self._watch = ColourWatch(len(self._pipeline.glove.markers))
 
     @property
-    def engine(self) -> Engine:
-        return self._pipeline.engine
+    def engines(self) -> dict[str, Engine]:
+        return {self._pipeline.glove.side: self._pipeline.engine}
 
     def feed(self, message: Fed | Sided) -> None:
         message = message.sample if isinstance(message, Sided) else message
@@ -295,8 +296,8 @@ class SmoothRun:
         self._guide = guide
 
     @property
-    def engine(self) -> Engine:
-        return self._smoother.engine
+    def engines(self) -> dict[str, Engine]:
+        return {self._smoother.side: self._smoother.engine}
 
     def feed(self, message: Fed | Sided) -> None:
         message = message.sample if isinstance(message, Sided) else message
@@ -320,7 +321,8 @@ class SmoothRun:
     def finish(self, progress: Callable[[float], None]) -> None:
         calibration = self._smoother.calibration()
         for message, estimate in self._smoother.results(progress):
-            self._output.message(message)
+            if not isinstance(message, Event):  # written as they came
+                self._output.message(message)
             if isinstance(message, ImuSample) and estimate is not None:
                 self._output.estimate(message, estimate)
         if self._output.report.estimates:

@@ -40,13 +40,16 @@ class Smoother:
         if settings.engine != "chain":
             raise ConfigError(f"Smoothing is for the engine chain, not for {settings.engine}.")
         assert info.rig is not None
+        self.side = info.side
         layout, params = ChainLayout(info.hand, info.glove), smoothing_params(settings.chain)
         self._tape, self._size = ChainTape(layout), layout.blocks.size
         self._engine = ChainEngine(info.hand, info.glove, info.rig, params, self._tape)
-        self._blocks = _Shelf()  # (state at the start, messages)
+        self._blocks = Shelf()  # (state at the start, messages)
         self._state: Any = None
         self._fed: list[Fed] = []
         self._until = -np.inf
+        self._fresh: Any = None  # the state before anything was fed
+        self._anew: set[int] = set()  # blocks that begin with it
 
     @property
     def engine(self) -> ChainEngine:
@@ -59,10 +62,19 @@ class Smoother:
         if now > self._until and self._fed:
             self._close_block()
         if self._state is None:
-            self._state = self._engine.get_state()
+            self._state = self._fresh = self._engine.get_state()
         if not self._fed:
             self._until = now + BLOCK_S
         self._fed.append((message, _run(self._engine, message)))
+
+    def begin_anew(self) -> None:
+        """What was taken for the hand is none: what comes tells nothing of what was before."""
+        if self._fed:
+            self._close_block()
+        if self._state is not None:
+            self._anew.add(len(self._blocks))
+            self._engine.set_state(self._fresh)
+            self._state = self._fresh
 
     def _close_block(self) -> None:
         self._blocks.put((self._state, self._fed))
@@ -75,7 +87,7 @@ class Smoother:
     def results(self, progress: Callable[[float], None]) -> Iterator[Fed]:
         """All messages again, each packet with its smoothed estimate."""
         self._close_block()
-        smoothed = _Shelf()
+        smoothed = Shelf()
         self._tape.wear(*self._engine.wearer.synergies)
         adjoint = np.zeros(self._size)
         n = len(self._blocks)
@@ -85,14 +97,15 @@ class Smoother:
             self._tape.recording = True
             for message, _ in fed:
                 _run(self._engine, message)
-            if i == n - 1:
+            if i == n - 1 or i + 1 in self._anew:
                 self._engine.catch_up()
+                adjoint = np.zeros(self._size)
             estimates, adjoint = self._tape.back(adjoint)
             smoothed.put(estimates)
             progress((n - i) / n)
         yield from self._merged(smoothed)
 
-    def _merged(self, smoothed: _Shelf) -> Iterator[Fed]:
+    def _merged(self, smoothed: Shelf) -> Iterator[Fed]:
         """The filter lags, so a packet's estimate is in its own block or in the next one."""
         n, loaded = len(self._blocks), 0
         ready: dict[float, Estimate] = {}
@@ -122,7 +135,7 @@ def _run(engine: ChainEngine, message: Message) -> Estimate | None:
     return None if on_tape else estimate
 
 
-class _Shelf:
+class Shelf:
     """Objects in a temporary file, by number."""
 
     def __init__(self) -> None:

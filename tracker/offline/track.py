@@ -16,8 +16,9 @@ from tracker.config import from_toml, to_toml
 from tracker.errors import ConfigError, FileError
 from tracker.files import check_target, sha256
 from tracker.fusion.engine import Engine
-from tracker.fusion.worn import keep as keep_worn
 from tracker.fusion.worn import measure, put_on
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -27,6 +28,7 @@ from tracker.messages import (
     ImuSample,
     StereoFrame,
 )
+from tracker.offline import by_side
 from tracker.offline.detection import detected
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.own_colours import OwnColours
@@ -43,11 +45,12 @@ from tracker.offline.runs import (
     arrival,
 )
 from tracker.offline.smooth import Smoother
+from tracker.offline.smooth_two import GivingPipeline, SmoothTwoRun
 from tracker.offline.two_hands import TwoHandsRun, with_other
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
 from tracker.session.arithmetic import arithmetic
-from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
+from tracker.session.description import COLOURS, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 from tracker.session.writer import new_session
@@ -58,6 +61,8 @@ from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
 from tracker.workers import usable_cores
+
+MakePipeline = Callable[[HandModel, GloveModel, StereoRig | None, Settings], Pipeline]
 
 
 def track(
@@ -76,10 +81,13 @@ def track(
     """
     options = options or TrackOptions()
     check_target(out, force, [source])
-    if options.keep_wearer:
-        check_target(Path(options.keep_wearer), force, [source, out])
     started = time.perf_counter()
-    with SessionReader(source, _replacements(options)) as reader:
+    with SessionReader(source) as plain:
+        both = by_side.is_of_both(plain.sides, options)
+    kept = by_side.kept_paths(options.keep_wearer, both)
+    for path in set(kept.values()):
+        check_target(path, force, [source, out])
+    with SessionReader(source, by_side.replacements(options, both)) as reader:
         settings = _settings(reader, options)
         info = replace(reader.info, rig=_rig(reader, settings))
         colours = _own_colours(reader, info, options)
@@ -100,8 +108,7 @@ def track(
                 run.feed(message)
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
-            if options.keep_wearer:
-                keep_worn(run.engine, Path(options.keep_wearer))
+            by_side.keep(run.engines, kept)
         for side, check in checks.items():
             if check is not None:
                 outputs[side].report.error_mm = check.against(_truth(reader, side))
@@ -146,12 +153,13 @@ def _run(
     changes: list[tuple[float, EngineState | StereoRig]] = []
     if info.rig is not None:
         changes += reader.rig_changes()
-    _check_for_both(info, options)
-    output = outputs[info.side]
+    output, profiles = outputs[info.side], by_side.wearers(options.wearer, info)
 
-    def make(engine: str, rig: StereoRig | None, worn: SessionInfo = info) -> Pipeline:
-        pipeline = Pipeline(worn.hand, worn.glove, rig, replace(settings, engine=engine))
-        _put_on(pipeline.engine, options)
+    def make(
+        engine: str, rig: StereoRig | None, worn: SessionInfo = info, build: MakePipeline = Pipeline
+    ) -> Pipeline:
+        pipeline = build(worn.hand, worn.glove, rig, replace(settings, engine=engine))
+        _put_on(pipeline.engine, profiles.get(worn.side), options)
         return pipeline
 
     if options.smooth:
@@ -159,13 +167,26 @@ def _run(
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
         if changes:
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
-        smoother = Smoother(info, settings)
-        _put_on(smoother.engine, options)
+        smoothers = {w.side: Smoother(replace(w, rig=info.rig), settings) for w in info.hands}
+        for side, smoother in smoothers.items():
+            _put_on(smoother.engine, profiles.get(side), options)
+        camera = CameraTilt(reader.rig().pose)
+        if info.other:
+
+            def share_out(engine: str, rig: StereoRig | None) -> TwoHands:
+                giving = {s: partial(GivingPipeline, smoother) for s, smoother in smoothers.items()}
+                return TwoHands(
+                    {w.side: partial(make, engine, rig, w, giving[w.side]) for w in info.hands}
+                )
+
+            said: dict[str, Output] = {side: WordsAlone(o) for side, o in outputs.items()}
+            both = TwoHandsRun(share_out, info.rig, settings.engine, said, info.side, (), colours)
+            return SmoothTwoRun(both, smoothers, outputs, info.side, camera)
         guide = None
         if colours is not None:
             words = WordsAlone(output)
             guide = LiveRun(make, settings.engine, info.rig, words, colours=colours)
-        return SmoothRun(smoother, output, CameraTilt(reader.rig().pose), guide)
+        return SmoothRun(smoothers[info.side], output, camera, guide)
 
     def make_both(engine: str, rig: StereoRig | None) -> TwoHands:
         return TwoHands({w.side: partial(make, engine, rig, w) for w in info.hands})
@@ -183,21 +204,6 @@ def _run(
     return LiveRun(make, settings.engine, info.rig, output, changes, colours)
 
 
-def _check_for_both(info: SessionInfo, options: TrackOptions) -> None:
-    """Raises ConfigError for what cannot be asked of a session of both hands."""
-    asked = {
-        "--smooth": options.smooth,
-        "--hand": options.hand,
-        "--glove": options.glove,
-        "--wearer": options.wearer,
-        "--hand-length": options.hand_length,
-        "--keep-wearer": options.keep_wearer,
-    }
-    wrong = [name for name, value in asked.items() if value]
-    if info.other and wrong:
-        raise ConfigError(f"A session of both hands is tracked without {' and '.join(wrong)}.")
-
-
 def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
     """What a simulated hand really did, of the session's one hand or of both."""
     if side == reader.info.side:
@@ -207,13 +213,13 @@ def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
         yield from other.truth()
 
 
-def _put_on(engine: Engine, options: TrackOptions) -> None:
+def _put_on(engine: Engine, profile: Path | None, options: TrackOptions) -> None:
     """Begin with a wearer's profile, or what a ruler says, if there is either. Raises as
     `tracker.fusion.worn.put_on`."""
     if options.wearer and options.hand_length:
         raise ConfigError("A profile knows how long the hand is: leave out --hand-length.")
-    if options.wearer:
-        put_on(engine, Path(options.wearer))
+    if profile is not None:
+        put_on(engine, profile)
     if options.hand_length:
         measure(engine, options.hand_length)
 
@@ -227,13 +233,6 @@ def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
     """None where the session does not know the truth."""
     known = topics.truth(info.side, "keypoints") in reader.topic_names
     return TruthCheck(info.keypoint_names) if known else None
-
-
-def _replacements(options: TrackOptions) -> dict[str, str]:
-    """Texts that count instead of the session's own."""
-    named = {HAND: options.hand, GLOVE: options.glove, COLOURS: options.colours}
-    kinds = {HAND: "hands", GLOVE: "gloves", COLOURS: "colours"}
-    return {file: library.text(kinds[file], name) for file, name in named.items() if name}
 
 
 def _settings(reader: SessionReader, options: TrackOptions) -> Settings:

@@ -64,9 +64,8 @@ class TwoHandsRun:
         self._colours, self._tracking = colours, dict.fromkeys(outputs, Tracking.SEARCHING)
 
     @property
-    def engine(self) -> Engine:
-        """Of the main hand."""
-        return self._hands.pipelines[self._main].engine
+    def engines(self) -> dict[str, Engine]:
+        return {side: pipeline.engine for side, pipeline in self._hands.pipelines.items()}
 
     def feed(self, message: Fed | Sided) -> None:
         while self._changes and self._changes[0][0] <= arrival(message):

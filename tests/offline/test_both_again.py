@@ -1,0 +1,107 @@
+"""Sessions of both hands tracked again with all that can be asked of those of one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from resources import folder
+from tracker.errors import ConfigError, FileError
+from tracker.messages import Estimate
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+
+SIDES = ("left", "right")
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory) -> Path:
+    path = tmp_path_factory.mktemp("both") / "both.mcap"
+    simulate(path, SimulateOptions(hands="both", seed=5, duration=5.0, fps=30, images=False))
+    return path
+
+
+def angles(path: Path, side: str) -> np.ndarray:
+    """(n, J) of the estimates of a tracked hand."""
+    with SessionReader(path, side=side) as reader:
+        found = [e.angles for e in reader.messages((Estimate,)) if isinstance(e, Estimate)]
+    return np.array([a for a in found if np.isfinite(a).all()])
+
+
+def jerk(path: Path, side: str) -> float:
+    """The 99th percentile of the second differences of angles, rad."""
+    return float(np.quantile(np.abs(np.diff(angles(path, side), n=2, axis=0)), 0.99))
+
+
+def test_both_hands_are_smoothed(session: Path, tmp_path: Path) -> None:
+    live = track(session, tmp_path / "live.mcap", TrackOptions(with_sensors=True))
+    out = tmp_path / "smooth.mcap"
+    smooth = track(session, out, TrackOptions(smooth=True, with_sensors=True))
+    assert is_ok(verify(out)) and smooth.frames == live.frames
+    for side in SIDES:
+        own = smooth.hands[side]
+        assert own.estimates == live.hands[side].estimates
+        assert own.lost_s <= live.hands[side].lost_s
+        assert own.error_mm["mean"] < 1.1 * live.hands[side].error_mm["mean"]
+        assert jerk(out, side) < 0.5 * jerk(tmp_path / "live.mcap", side)
+    again = tmp_path / "again.mcap"
+    track(out, again, TrackOptions())
+    for side in SIDES:  # what was copied is what was recorded
+        assert np.array_equal(angles(again, side), angles(tmp_path / "live.mcap", side))
+
+
+def test_profiles_are_of_the_hand_that_they_were_learned_of(session: Path, tmp_path: Path) -> None:
+    kept = tmp_path / "anna.toml"
+    first = track(session, tmp_path / "a.mcap", TrackOptions(keep_wearer=str(kept)))
+    left, right = (kept.with_name(f"anna_{side}.toml") for side in SIDES)
+    assert 'hand = "reference-left"' in left.read_text() and right.is_file()
+    one = track(session, tmp_path / "b.mcap", TrackOptions(wearer=str(right)))
+    assert one.hands["left"].error_mm == first.hands["left"].error_mm
+    assert one.hands["right"].error_mm != first.hands["right"].error_mm
+    worn = TrackOptions(wearer=f"{right},{left}")
+    both = track(session, tmp_path / "c.mcap", worn)
+    assert both.hands["right"].error_mm == one.hands["right"].error_mm
+    assert both.hands["left"].error_mm != first.hands["left"].error_mm
+    with pytest.raises(ConfigError, match=r"anna_left\.toml and other\.toml are of the same hand"):
+        other = tmp_path / "other.toml"
+        other.write_text(left.read_text())
+        track(session, tmp_path / "d.mcap", TrackOptions(wearer=f"{left},{other}"))
+    other.write_text(left.read_text().replace("reference-left", "large-left"))
+    with pytest.raises(FileError, match="of hand large-left with glove"):
+        track(session, tmp_path / "d.mcap", TrackOptions(wearer=str(other)))
+
+
+def test_replaced_files_are_of_the_side_that_they_say(session: Path, tmp_path: Path) -> None:
+    longer = tmp_path / "longer.toml"
+    text = (folder("hands") / "reference-left.toml").read_text("utf-8")
+    longer.write_text(text.replace("length = 0.183", "length = 0.184", 1))
+    out = tmp_path / "out.mcap"
+    track(session, out, TrackOptions(hand=f"reference-right,{longer}"))
+    with SessionReader(out) as reader:
+        lengths = {info.side: info.hand.length for info in reader.info.hands}
+    assert lengths == {"left": 0.184, "right": 0.183}
+    with pytest.raises(ConfigError, match="of the same side"):
+        track(session, tmp_path / "x.mcap", TrackOptions(hand=f"reference-left,{longer}"))
+    nameless = tmp_path / "nameless.toml"
+    nameless.write_text("schema = 1\n")
+    with pytest.raises(FileError, match="does not say of which side"):
+        track(session, tmp_path / "x.mcap", TrackOptions(glove=str(nameless)))
+
+
+def test_a_rulers_length_is_of_both(session: Path, tmp_path: Path) -> None:
+    plain = track(session, tmp_path / "a.mcap", TrackOptions())
+    told = track(session, tmp_path / "b.mcap", TrackOptions(hand_length=0.19))
+    for side in SIDES:
+        assert told.hands[side].error_mm != plain.hands[side].error_mm
+
+
+def test_a_session_of_one_hand_takes_one_file(tmp_path: Path) -> None:
+    path = tmp_path / "one.mcap"
+    simulate(path, SimulateOptions(seed=5, duration=1.0, fps=30, images=False))
+    with pytest.raises(ConfigError, match="the session is of one hand"):
+        track(path, tmp_path / "x.mcap", TrackOptions(hand="reference-left,reference-right"))

@@ -1,0 +1,93 @@
+"""What is asked of tracking again, for the hand of each side: files are sorted by what they say."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from tracker import library
+from tracker.errors import ConfigError, FileError
+from tracker.fusion.engine import Engine
+from tracker.fusion.worn import keep as keep_worn
+from tracker.offline.options import TrackOptions
+from tracker.session.description import COLOURS, GLOVE, HAND, SIDES, SessionInfo, of_side
+from tracker.session.export.run import path_of_side
+from tracker.toml_reader import parse_toml, read_text
+
+
+def several(asked: str) -> list[str]:
+    """Names or paths that are parted by commas; a path with a comma in it is one."""
+    if Path(asked).is_file():
+        return [asked]
+    return [part.strip() for part in asked.split(",") if part.strip()]
+
+
+def replacements(options: TrackOptions, both: bool) -> dict[str, str]:
+    """Texts that count instead of the session's own, by the attachment's name; of a session of
+    ``both`` hands each in place of the one of its side.
+
+    Raises FileError and ConfigError in words.
+    """
+    out = {COLOURS: library.text("colours", options.colours)} if options.colours else {}
+    for kind, name, asked in (("hands", HAND, options.hand), ("gloves", GLOVE, options.glove)):
+        texts = {each: library.text(kind, each) for each in several(asked)}
+        if both:
+            named = {of_side(name, _side_of(text, each)): text for each, text in texts.items()}
+            if len(named) < len(texts):
+                raise ConfigError(f"{' and '.join(texts)} are of the same side.")
+            out |= named
+        elif len(texts) > 1:
+            raise ConfigError(f"{' and '.join(texts)}: the session is of one hand.")
+        elif texts:
+            (out[name],) = texts.values()
+    return out
+
+
+def _side_of(text: str, name: str) -> str:
+    side = parse_toml(text, name).get("side")
+    if side not in SIDES:
+        raise FileError(f"{name} does not say of which side it is.")
+    return str(side)
+
+
+def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
+    """Profiles by the side of the hand that each was learned of.
+
+    Raises FileError for one that is of no hand of the session, ConfigError for two of one hand.
+    """
+    paths = [Path(each) for each in several(asked)]
+    if info.other is None and len(paths) == 1:
+        return {info.side: paths[0]}  # what is wrong with it is said where it is put on
+    out: dict[str, Path] = {}
+    for path in paths:
+        said = parse_toml(read_text(path), path.name)
+        names = said.get("hand"), said.get("glove")
+        sides = [w.side for w in info.hands if names == (w.hand.name, w.glove.name)]
+        if not sides:
+            raise FileError(
+                f"{path.name} is of hand {names[0]} with glove {names[1]}, which the session has "
+                "not."
+            )
+        if sides[0] in out:
+            raise ConfigError(f"{out[sides[0]].name} and {path.name} are of the same hand.")
+        out[sides[0]] = path
+    return out
+
+
+def kept_paths(asked: str, both: bool) -> dict[str, Path]:
+    """Where what was learned is written, by side: of both hands ``anna_left.toml`` and so on."""
+    if not asked:
+        return {}
+    return {side: path_of_side(Path(asked), side) if both else Path(asked) for side in SIDES}
+
+
+def keep(engines: Mapping[str, Engine], paths: Mapping[str, Path]) -> None:
+    """Write what was learned of each hand. Raises as `tracker.fusion.worn.keep`."""
+    for side, engine in engines.items():
+        if side in paths:
+            keep_worn(engine, paths[side])
+
+
+def is_of_both(sides: Sequence[str], options: TrackOptions) -> bool:
+    """Whether a session that names gloves of these ``sides``, or what replaces them, is of two."""
+    return bool(sides) or len(several(options.glove)) > 1
