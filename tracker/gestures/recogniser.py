@@ -34,6 +34,7 @@ class Start(NamedTuple):
     plain_wait: float = WAIT
 
 
+USUAL = Start()
 PLAIN = 0.95
 UNSURE = {"open_palm": Start(PLAIN), "grasp": Start(0.75, 0.15, 0.06)}
 """Where some fingers are inferred. Fingers that close take their neighbours along, but beside some
@@ -147,7 +148,7 @@ class GestureRecogniser:
     def _changes(self, name: str, t: float, leads: bool) -> bool:
         """Whether a gesture begins or ends now. Its value may last for as long as it has to while
         another one still leads: then it begins as soon as that does no more."""
-        one, start = self._ones[name], Start()
+        one, start = self._ones[name], USUAL
         if one.active and math.isnan(one.value):
             return t - one.known > LOSES_AFTER
         if one.active:
@@ -167,11 +168,11 @@ class GestureRecogniser:
         """What it takes to begin; of a posture of which nothing is measured that is more than there
         can be."""
         if name not in POSTURES or self._shape is None:
-            return Start()
+            return USUAL
         sure = confidence(name, self._shape, self._params)
         if sure == 0.0:
             return NEVER
-        return UNSURE.get(name, Start()) if sure < 1.0 else Start()
+        return UNSURE.get(name, USUAL) if sure < 1.0 else USUAL
 
 
 def _leader(found: dict[str, float], ones: dict[str, _One], gap: dict[str, float]) -> set[str]:

@@ -150,7 +150,7 @@ class _Bone(NamedTuple):
 
 def _lost(rows: tuple[int, ...], states: list[int]) -> bool:
     """Whether one of them is, or is no part of the hand."""
-    return min(rows) < 0 or any(states[row] == LOST for row in rows)
+    return min(rows) < 0 or LOST in [states[row] for row in rows]
 
 
 def _bend(e: _Rows, columns: tuple[int, ...]) -> float:

@@ -8,7 +8,6 @@ of an angle is a little more of a value and no threshold stands in two places.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 from tracker.gestures.shape import HandShape
@@ -32,8 +31,11 @@ class Ramp(NamedTuple):
 
     def of(self, x: float) -> float:
         """NaN of NaN."""
-        share = (x - self.none) / (self.full - self.none)
-        return share if math.isnan(share) else min(max(share, 0.0), 1.0)
+        none, full = self
+        share = (x - none) / (full - none)
+        if share < 0.0:
+            return 0.0
+        return 1.0 if share > 1.0 else share
 
 
 class GestureParams(NamedTuple):
@@ -55,61 +57,42 @@ class GestureParams(NamedTuple):
 
 
 def values(shape: HandShape, params: GestureParams) -> dict[str, float]:
-    """Of all `GESTURES`; NaN where what it is told by is lost."""
-    return {name: rule(shape, params) for name, rule in _RULES.items()}
+    """Of all `GESTURES`; NaN where what it is told by is lost.
+
+    In the thread that tracks, for each packet: what several gestures ask is asked once.
+    """
+    s, p = shape, params
+    straight, curled = [p.straight.of(b) for b in s.bend], [p.curled.of(b) for b in s.bend]
+    thumb_straight = p.thumb_straight.of(s.thumb_bend)
+    clenched = [p.clenched.of(b) for b in s.bend]
+    around = [_least(p.around.of(b), p.not_clenched.of(b)) for b in s.bend]
+    point = _least(straight[0], *curled[1:])  # the index finger alone: OpenXR's aim
+    return {
+        **{name: _pinch(i, s, p) for i, name in enumerate(PINCHES)},
+        "thumb_up": _least(*curled, thumb_straight, p.thumb_away.of(s.thumb_off)),
+        "fist": _least(*clenched, p.thumb_near.of(s.thumb_off)),
+        "point": point,
+        "open_palm": _least(*straight, thumb_straight),
+        # fingers about an object, the thumb against them
+        "grasp": _least(*around, p.opposed.of(s.across), p.apart.of(s.across)),
+        POKE: _least(point, p.thrust.of(s.thrust)),  # the pointing finger is thrust ahead
+    }
 
 
-def _pinch(finger: int) -> Callable[[HandShape, GestureParams], float]:
-    def value(s: HandShape, p: GestureParams) -> float:
-        """In a fist a finger holds its pad to the palm, not to the thumb's; with the others
-        out of the way it may be bent as far, and pinches."""
-        others = (sum(s.bend) - s.bend[finger]) / (len(s.bend) - 1)
-        bend = _least(s.bend[finger], others)
-        return _least(p.touching.of(s.gap[finger]), p.not_clenched.of(bend))
-
-    return value
-
-
-def _thumb_up(s: HandShape, p: GestureParams) -> float:
-    clenched = [p.curled.of(bend) for bend in s.bend]
-    return _least(*clenched, p.thumb_straight.of(s.thumb_bend), p.thumb_away.of(s.thumb_off))
-
-
-def _fist(s: HandShape, p: GestureParams) -> float:
-    return _least(*(p.clenched.of(bend) for bend in s.bend), p.thumb_near.of(s.thumb_off))
-
-
-def _point(s: HandShape, p: GestureParams) -> float:
-    """The index finger alone: OpenXR's aim."""
-    return _least(p.straight.of(s.bend[0]), *(p.curled.of(bend) for bend in s.bend[1:]))
-
-
-def _poke(s: HandShape, p: GestureParams) -> float:
-    """The pointing finger is thrust ahead."""
-    return _least(_point(s, p), p.thrust.of(s.thrust))
-
-
-def _open_palm(s: HandShape, p: GestureParams) -> float:
-    return _least(*(p.straight.of(bend) for bend in s.bend), p.thumb_straight.of(s.thumb_bend))
-
-
-def _grasp(s: HandShape, p: GestureParams) -> float:
-    """Fingers about an object, the thumb against them."""
-    around = [_least(p.around.of(bend), p.not_clenched.of(bend)) for bend in s.bend]
-    return _least(*around, p.opposed.of(s.across), p.apart.of(s.across))
+def _pinch(finger: int, s: HandShape, p: GestureParams) -> float:
+    """In a fist a finger holds its pad to the palm, not to the thumb's; with the others out of the
+    way it may be bent as far, and pinches."""
+    others = (sum(s.bend) - s.bend[finger]) / (len(s.bend) - 1)
+    bend = _least(s.bend[finger], others)
+    return _least(p.touching.of(s.gap[finger]), p.not_clenched.of(bend))
 
 
 def _least(*conditions: float) -> float:
     """NaN where one is unknown."""
-    return math.nan if any(math.isnan(c) for c in conditions) else min(conditions)
-
-
-_RULES: dict[str, Callable[[HandShape, GestureParams], float]] = {
-    **{name: _pinch(i) for i, name in enumerate(PINCHES)},
-    "thumb_up": _thumb_up,
-    "fist": _fist,
-    "point": _point,
-    "open_palm": _open_palm,
-    "grasp": _grasp,
-    POKE: _poke,
-}
+    least = math.inf
+    for condition in conditions:
+        if math.isnan(condition):
+            return math.nan
+        if condition < least:
+            least = condition
+    return least
