@@ -2,7 +2,7 @@
 
 numba.pycc compiles all functions of a module with one set of options, without fast-math and with
 Python's lock held, and has no public place to say otherwise. So one method of its compiler is
-written anew here and three others are put aside meanwhile, which leans on numba's inside:
+written anew here and four others are put aside meanwhile, which leans on numba's inside:
 pyproject.toml keeps numba below the next minor version, and tests/kernels/test_aot.py says whether
 another one still is as this wants it.
 """
@@ -19,7 +19,7 @@ from unittest.mock import patch
 from llvmlite import ir
 from llvmlite.binding import Linkage
 from numba.core import cgutils
-from numba.core.codegen import JITCodeLibrary
+from numba.core.codegen import AOTCPUCodegen, JITCodeLibrary
 from numba.core.compiler import Flags, compile_extra
 from numba.core.cpu import CPUContext
 from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
@@ -41,8 +41,10 @@ DYNAMIC_ERROR = "__excinfo_unwrap_args"  # and those of what makes an error's ar
 class ExtensionModule(CC):
     """An extension module of compiled functions that needs no numba to run."""
 
-    def __init__(self, name: str, folder: Path) -> None:
+    def __init__(self, name: str, folder: Path, features: str = "") -> None:
+        """``features`` of processors, as LLVM has them, beside what every one understands."""
         super().__init__(name)
+        self._features = features
         self.output_dir, self.target_cpu = str(folder), PROCESSOR
         self._options: dict[str, dict[str, Any]] = {}
 
@@ -54,7 +56,8 @@ class ExtensionModule(CC):
         self._options[name] = options
 
     def _compile_object_files(self, build_dir: str) -> tuple[list[str], list[str]]:
-        compiler = _Compiler(self._export_entries, self._basename, True, cpu_name=PROCESSOR)
+        with _for_processors_with(self._features):
+            compiler = _Compiler(self._export_entries, self._basename, True, cpu_name=PROCESSOR)
         compiler.external_init_function = self._init_function
         compiler.options = self._options
         path = str(Path(build_dir, f"{self._basename}.o"))
@@ -113,6 +116,13 @@ def _unpickled_once() -> Iterator[None]:
         return made
 
     with patch.object(PythonAPI, "unserialize", unserialize):
+        yield
+
+
+@contextmanager
+def _for_processors_with(features: str) -> Iterator[None]:
+    """Code of a module may use these; numba.pycc has no place to say so."""
+    with patch.object(AOTCPUCodegen, "_customize_tm_features", lambda _codegen: features):
         yield
 
 

@@ -54,7 +54,7 @@ class Entry(NamedTuple):
 
 def main(wanted: list[str]) -> None:
     entries = _entries()
-    tables = {part: _table(its) for part, its in entries.items()}
+    tables = {part: _table(part, its) for part, its in entries.items()}
     if not wanted:
         parts.remove_others(entries)
     elif wanted == [FOR_DEMO]:
@@ -85,8 +85,10 @@ def _entries() -> dict[str, list[Entry]]:
         raise SystemExit("\n".join(untyped))
     entries: dict[str, list[Entry]] = defaultdict(list)
     for name in exported.exported():
-        its = entries[parts.part_of(name)]
-        its.append(Entry(f"k{len(its)}", name, _kernel(name)))
+        kernel, part = _kernel(name), parts.part_of(name)
+        wide = kernel.options.get("wide") and parts.can_be_wide()
+        for its in (entries[part], entries[part + parts.WIDE]) if wide else (entries[part],):
+            its.append(Entry(f"k{len(its)}", name, kernel))
     return dict(entries)
 
 
@@ -103,8 +105,9 @@ def _error_of(name: str) -> SignatureError | None:
     return None
 
 
-def _table(entries: list[Entry]) -> str:
-    return f"{_compiled_by()}\n" + "".join(entry.line() for entry in entries)
+def _table(part: str, entries: list[Entry]) -> str:
+    features = f" for {parts.WIDE_FEATURES}" if parts.is_wide(part) else ""
+    return f"{_compiled_by()}{features}\n" + "".join(entry.line() for entry in entries)
 
 
 def _compiled_by() -> str:
@@ -142,13 +145,14 @@ def _build_side_by_side(entries: dict[str, list[Entry]]) -> None:
 
 def _build_part(part: str) -> None:
     entries = _entries()[part]
-    module = aot.ExtensionModule(parts.module_of(part), HERE)
+    features = parts.WIDE_FEATURES if parts.is_wide(part) else ""
+    module = aot.ExtensionModule(parts.module_of(part), HERE, features)
     for entry in entries:
         function = entry.kernel.py_func
         types = numba_types.arguments(function)
         module.add(entry.symbol, types, function, entry.kernel.targetoptions)
     module.compile()
-    table = _table(entries)
+    table = _table(part, entries)
     parts.table_of(part).write_text(table, "utf-8")
     kept.keep(table, parts.module_of(part))
 

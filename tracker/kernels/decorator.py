@@ -28,14 +28,18 @@ def kernel(
     inline: str = "never",
     error_model: str = "python",
     nogil: bool = True,
+    wide: bool = False,
 ) -> Callable[[F], F]: ...
 
 
 def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]:
-    """Compile a function, ahead of time or when it is first called. The options are numba's.
+    """Compile a function, ahead of time or when it is first called. Other options are numba's.
 
     ``nogil`` False is for those that take less than the time for which a thread that wants Python's
     lock waits before it asks for it: to give it up and to want it back costs a busy process more.
+    ``wide`` is for those that go through images: they are compiled a second time, for processors
+    that take eight numbers at a time (`tracker.kernels.parts.WIDE`); without fast-math to the same
+    bits.
     """
 
     def make(function: F) -> F:

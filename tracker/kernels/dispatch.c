@@ -282,8 +282,22 @@ static PyTypeObject KernelType = {
     .tp_getset = attributes,
 };
 
+/* Whether processor and system have what wide parts are compiled for (parts.py). */
+static PyObject *runs_wide(PyObject *module, PyObject *unused) {
+#if defined(__GNUC__) && defined(__x86_64__)
+    return PyBool_FromLong(__builtin_cpu_supports("avx2"));
+#else
+    Py_RETURN_FALSE;
+#endif
+}
+
+static PyMethodDef functions[] = {
+    {"runs_wide", runs_wide, METH_NOARGS, "Whether wide parts run on this processor."},
+    {NULL},
+};
+
 static PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, .m_name = "_dispatch", .m_size = -1,
+    PyModuleDef_HEAD_INIT, .m_name = "_dispatch", .m_size = -1, .m_methods = functions,
 };
 
 PyMODINIT_FUNC PyInit__dispatch(void) {

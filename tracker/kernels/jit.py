@@ -14,7 +14,8 @@ _log = logging.getLogger(__name__)
 
 def compiled(function: Callable[..., Any], options: dict[str, Any], *, cache: bool = True) -> Any:
     """numba's function, which compiles for the types it meets and keeps that on the disk."""
-    made = numba.njit(**{"nogil": True, **options})(function)
+    of_numba = {name: value for name, value in options.items() if name != "wide"}
+    made = numba.njit(**{"nogil": True, **of_numba})(function)
     if cache and not numba.config.DISABLE_JIT:
         made._cache = KernelCache(function)
     made.options = options

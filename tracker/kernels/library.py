@@ -115,11 +115,17 @@ def load() -> Library | None:
     """The library, or None where it was not built or does not fit this Python."""
     try:
         dispatch = importlib.import_module(f"{__package__}._dispatch")
-        compiled = [_part(name) for name in parts.built()]
+        compiled = [_part(name) for name in _for_this_processor(dispatch)]
     except (ImportError, OSError) as error:
         _log.debug("kernels are compiled as they are needed: %s", error)
         return None
     return Library(dispatch.Kernel, compiled) if compiled else None
+
+
+def _for_this_processor(dispatch: ModuleType) -> list[str]:
+    """Parts to be loaded, wide ones last: of two functions of a kernel the later one counts."""
+    built, runs_wide = parts.built(), dispatch.runs_wide()
+    return sorted((p for p in built if runs_wide or not parts.is_wide(p)), key=parts.is_wide)
 
 
 def _part(name: str) -> tuple[ModuleType, str]:

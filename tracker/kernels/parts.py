@@ -1,5 +1,5 @@
 """The files of the library: a part for each package, so that parts compile side by side and an edit
-leaves the others as they are.
+leaves the others as they are. Kernels of images have a second, wide part (`WIDE`).
 
 A part is an extension module with a function for each kernel that Python calls, and a table that
 says what each was compiled from, and for which types. Its first line says what compiled it.
@@ -7,6 +7,7 @@ says what each was compiled from, and for which types. Its first line says what 
 
 from __future__ import annotations
 
+import platform
 import re
 from collections.abc import Iterable
 from importlib.machinery import EXTENSION_SUFFIXES
@@ -16,6 +17,11 @@ from tracker.kernels.signature import INSTALLED_IN
 
 HERE = Path(__file__).parent
 PREFIX = "_compiled_"
+WIDE = "_wide"
+"""Ends the name of a part's second module, in which kernels of images (`decorator.kernel`) are
+compiled for processors with `WIDE_FEATURES`: those of the last ten years. Without fused multiply
+and add, which rounds once where others round twice: results are the same on all processors."""
+WIDE_FEATURES = "+avx2"
 DIVIDED = ("tracker_fusion", "tracker_simulation")
 NOT_FOR_THE_DEMO = (
     "tracker_applications",
@@ -38,6 +44,16 @@ def part_of(kernel: str) -> str:
 def module_of(part: str) -> str:
     """Name of the extension module, in this package."""
     return PREFIX + part
+
+
+def is_wide(part: str) -> bool:
+    """Whether a part is for some processors only."""
+    return part.endswith(WIDE)
+
+
+def can_be_wide() -> bool:
+    """Whether this kind of machine has processors that run wide parts."""
+    return platform.machine().lower() in ("x86_64", "amd64")
 
 
 def table_of(part: str) -> Path:

@@ -28,6 +28,7 @@ SPREAD = 0.75  # of a tile's width: from its middle to its corners, and a little
 NEAR = 0.05  # m from the camera, within which nothing is left out
 NEAREST = 0.02  # m from the camera, within which nothing is drawn
 TIE = 1e-4  # m: of solids so near to each other, as of two that share an end, the first is seen
+CORNERS = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T  # (8, 3) of a box
 BALL = 1e-12  # m²: a capsule's squared length below which it has no axis
 
 
@@ -98,9 +99,8 @@ def bounds(solids: Solids, eye: Array, K: Array) -> Array:
 
     A ball of radius r at depth z spans at most r / (z - r) to each side of its middle.
     """
-    corners = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
     box = solids.centre[:, None] + np.einsum(
-        "qij,qkj->qki", solids.box_R, corners * solids.half[:, None]
+        "qij,qkj->qki", solids.box_R, CORNERS * solids.half[:, None]
     )
     ends = np.stack([solids.a, solids.b], axis=1)
     capsule = ball_bounds(ends - eye, solids.radius[:, None], K)
@@ -119,7 +119,7 @@ def ball_bounds(points: Array, radius: Array, K: Array) -> Array:
     return np.concatenate([low * K[:2] + K[2:], high * K[:2] + K[2:]], axis=1)
 
 
-@kernel(fastmath=True, error_model="numpy")
+@kernel(fastmath=True, error_model="numpy", wide=True)
 def draw(view: PixelRays, pixels: IntMatrix, solids: Solids, buffer: Written[Buffer]) -> None:
     """Fill ``buffer``. pixels (P + Q, 4): u0, v0, u1, v1 of each solid, the upper ones excluded.
 

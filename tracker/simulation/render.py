@@ -44,6 +44,27 @@ class RenderParams:
     gain: float = 1.0  # exposure
 
 
+class _Memory:
+    """Kept from image to image: the system clears fresh memory page by page, which takes longer
+    than to write to it."""
+
+    def __init__(self) -> None:
+        self._total, self._depth = np.empty(0, np.float32), np.empty(0, np.float32)
+        self._solid = np.empty(0, np.int16)
+
+    def of(self, rows: int, columns: int) -> tuple[NDArray[np.float32], Buffer]:
+        """Light (rows, columns, 3), all zero, and a buffer of what is seen; good until the next
+        call."""
+        n = rows * columns
+        if n > len(self._solid):
+            self._total, self._depth = np.empty(3 * n, np.float32), np.empty(n, np.float32)
+            self._solid = np.empty(n, np.int16)
+        total = self._total[: 3 * n].reshape(rows, columns, 3)
+        total.fill(0.0)
+        depth, solid = self._depth[:n], self._solid[:n]
+        return total, Buffer(depth.reshape(rows, columns), solid.reshape(rows, columns))
+
+
 class Renderer:
     """Draws a scene. One renderer holds one rig's ray maps and backgrounds."""
 
@@ -64,6 +85,7 @@ class Renderer:
         light = np.array([p.light_x, p.light_y, p.light_z])
         self._light = Light(light / np.linalg.norm(light), p.ambient)
         self._order, self._patches = patches_of_all(scene.wearers, self._fabric)
+        self._memory = _Memory()
 
     def _with_grain(self, ground: Image, rng: np.random.Generator) -> list[Image]:
         """Four noisy prints of a background; each frame takes one, fresh grain is too slow."""
@@ -118,7 +140,7 @@ class Renderer:
             return
         u0, v0 = some[:, :2].min(axis=0)
         u1, v1 = some[:, 2:].max(axis=0)
-        total = np.zeros((v1 - v0, u1 - u0, 3), np.float32)
+        total, buffer = self._memory.of(v1 - v0, u1 - u0)
         ground = np.ascontiguousarray(self._ground[side][v0:v1, u0:u1])
         corner = np.array([v0, u0], np.int64)
         for k, (moment, pixels) in enumerate(zip(moments, boxes, strict=True)):
@@ -126,7 +148,7 @@ class Renderer:
             rays = PixelRays(self._rays[side], self._pitch[side], jitter, eye, corner)
             sewn = self._patches._replace(position=moment.markers[self._order])
             patches = seen_patches(sewn, moment, View(eye, self._K, camera))
-            self._expose(moment.solids, rays, pixels, patches, ground, total)
+            self._expose(moment.solids, rays, pixels, patches, ground, (total, buffer))
         develop(total, len(moments), self._grain, rng.integers(0, 500, 2), corner, out)
 
     def _expose(
@@ -136,10 +158,9 @@ class Renderer:
         pixels: IntArray,
         patches: SeenPatches,
         ground: Image,
-        total: NDArray[np.float32],
+        into: tuple[NDArray[np.float32], Buffer],
     ) -> None:
-        size = total.shape[:2]
-        buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
+        total, buffer = into
         draw(rays, pixels, solids, buffer)
         cloth = Cloth(
             np.concatenate([solids.owner, solids.box_owner]),

@@ -54,7 +54,7 @@ class LitCapsule(NamedTuple):
     ambient: np.float32
 
 
-@kernel(fastmath=True, error_model="numpy")
+@kernel(fastmath=True, error_model="numpy", wide=True)
 def shade(
     rays: PixelRays,
     buffer: Buffer,
@@ -189,7 +189,7 @@ def _light_box(run: Run, solids: Solids, i: int, lamp: Light, lit: Written[Float
         lit[k] = lamp.ambient + (1 - lamp.ambient) * max(cosine, 0.0)
 
 
-@kernel
+@kernel(wide=True)
 def develop(
     total: Float32Stack,
     exposures: int,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -120,32 +121,44 @@ class BodyShape:
         half_width = max(hand.segments[root].width / 2 * girth[root] - radius[root], 1e-4)
         return BodyShape(radius, length, (float(length[root] - radius[root]), half_width), root)
 
-    def solids(self, R: Array, p: Array) -> Solids:
-        """The hand in G from its segments' poses R (S, 3, 3), p (S, 3)."""
-        fingers = np.array([i for i in range(len(p)) if i != self.root], np.int64)
-        tip = p + R[:, :, 0] * self.length[:, None]
-        chain = capsules(
-            p[fingers], tip[fingers], self.radius[fingers], fingers, np.array(GLOVE_BGR)
-        )
-        return together([chain, *self._palm(R[self.root], p[self.root])])
+    @cached_property
+    def _fingers(self) -> IntArray:
+        return np.array([i for i in range(len(self.radius)) if i != self.root], np.int64)
 
-    def _palm(self, R: Array, p: Array) -> list[Solids]:
-        """A rectangle swept by a sphere: a box and the four capsules of its edges; the forearm."""
-        length, half, r = *self.slab, self.radius[self.root]
-        corners = np.array([[0, half, 0], [length, half, 0], [length, -half, 0], [0, -half, 0]])
-        corners_G = corners @ R.T + p
-        owner = np.full(4, self.root)
-        rim = capsules(
-            corners_G, np.roll(corners_G, -1, axis=0), np.full(4, r), owner, np.array(GLOVE_BGR)
-        )
-        middle = np.array([length / 2, 0, 0]) @ R.T + p
+    @cached_property
+    def _at_rest(self) -> Solids:
+        """All of the hand's solids but where they are: made once, for it takes longer than to move
+        them. Fingers, the palm's rim and the forearm; the palm's flat."""
+        fingers, r = self._fingers, self.radius[self.root]
+        count = len(fingers) + 5
+        owner = np.concatenate([fingers, np.full(4, self.root), [NOBODY]])
+        radius = np.concatenate([self.radius[fingers], np.full(4, r), [1.7 * r]])
+        colour = np.tile(np.array(GLOVE_BGR), (count, 1))
+        colour[-1] = SLEEVE_BGR
+        nowhere = np.zeros((count, 3))
+        length, half = self.slab
         flat = boxes(
-            R[None], middle[None], np.array([[length / 2, half, r]]), owner[:1], np.array(GLOVE_BGR)
+            np.eye(3)[None], np.zeros((1, 3)), np.array([[length / 2, half, r]]),
+            np.array([self.root]), np.array(GLOVE_BGR),
+        )  # fmt: skip
+        return together([capsules(nowhere, nowhere, radius, owner, colour), flat])
+
+    def solids(self, R: Array, p: Array) -> Solids:
+        """The hand in G from its segments' poses R (S, 3, 3), p (S, 3): its fingers; a rectangle
+        swept by a sphere, which is a box and the four capsules of its edges; the forearm."""
+        length, half = self.slab
+        R_0, p_0, fingers = R[self.root], p[self.root], self._fingers
+        corners = np.array([[0, half, 0], [length, half, 0], [length, -half, 0], [0, -half, 0]])
+        rim = corners @ R_0.T + p_0
+        middle = np.array([length / 2, 0, 0]) @ R_0.T + p_0
+        arm = np.array([[-0.02, 0.0, 0.0], [-0.07, 0.0, 0.0]]) @ R_0.T + p_0
+        tip = p + R[:, :, 0] * self.length[:, None]
+        return self._at_rest._replace(
+            a=np.concatenate([p[fingers], rim, arm[:1]]),
+            b=np.concatenate([tip[fingers], rim[1:], rim[:1], arm[1:]]),
+            box_R=R_0[None].copy(),
+            centre=middle[None],
         )
-        arm = np.array([[-0.02, 0.0, 0.0], [-0.07, 0.0, 0.0]]) @ R.T + p
-        wrist = np.array([1.7 * r])
-        sleeve = capsules(arm[:1], arm[1:], wrist, np.array([NOBODY]), np.array(SLEEVE_BGR))
-        return [rim, flat, sleeve]
 
 
 def _surface(radius: float, glove: GloveModel, segment: str) -> float:

@@ -34,7 +34,7 @@ NO_WAIST = 0.98  # convexity above which there is none; two discs with such a wa
 SPLIT_CONVEXITY = 0.88  # of each half
 
 
-@kernel
+@kernel(wide=True)
 def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
     """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
 

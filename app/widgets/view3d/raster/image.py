@@ -66,7 +66,7 @@ class Tiles(NamedTuple):
     touched: BoolVector
 
 
-@kernel(error_model="numpy")
+@kernel(error_model="numpy", wide=True)
 def draw(
     bodies: Bodies,
     strokes: Strokes,

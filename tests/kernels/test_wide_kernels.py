@@ -1,0 +1,113 @@
+"""Kernels of images are compiled twice, and a processor that can takes the wide ones: with the same
+results, or what is found in a session's images would depend on the computer that searches them."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tracker.kernels import library, parts
+from tracker.library import texts
+from tracker.simulation import render
+from tracker.simulation.demo import DemoSpec, build
+from tracker.vision import search
+from tracker.vision.colours import ColourProfile, HueRange
+from tracker.vision.detector import Detector
+
+dispatch = pytest.importorskip(
+    "tracker.kernels._dispatch", reason="the library was not built: no C++ compiler here"
+)
+
+DRAWN = (
+    (render, "draw"),
+    (render, "shade"),
+    (render, "develop"),
+    (search, "find_regions"),
+)
+FAST = ("tracker.simulation.raster.draw", "tracker.simulation.shading.shade")
+"""Those with fast-math: images of the simulator."""
+CLOSE = 1e-5
+SELDOM = 1e-3  # share of the numbers
+PROFILE = ColourProfile("two", (HueRange("red", (169, 11)), HueRange("blue", (99, 121))))
+
+
+def entries(part: str) -> dict[str, Callable[..., Any]]:
+    """Compiled functions of a part by their kernels' names."""
+    module, table = library._part(part)
+    lines = [line.split(" ") for line in table.splitlines()[1:]]
+    return {name: getattr(module, symbol) for symbol, _, name, *_ in lines}
+
+
+def test_only_processors_that_can_take_wide_parts_and_these_count(monkeypatch) -> None:
+    built = ["app_widgets", "app_widgets_wide", "tracker_vision", "tracker_vision_wide"]
+    monkeypatch.setattr(parts, "built", lambda: built)
+    plain = SimpleNamespace(runs_wide=lambda: False)
+    assert library._for_this_processor(plain) == ["app_widgets", "tracker_vision"]
+    able = library._for_this_processor(SimpleNamespace(runs_wide=lambda: True))
+    assert sorted(able) == built
+    assert [parts.is_wide(part) for part in able] == [False, False, True, True]
+
+
+def test_a_wide_kernel_is_no_other_to_the_library() -> None:
+    """Both are made of the same source."""
+    for part in filter(parts.is_wide, parts.built()):
+        names = part, part.removesuffix(parts.WIDE)
+        tables = [parts.table_of(name).read_text("utf-8").splitlines()[1:] for name in names]
+        wide, plain = ({row.split(" ", 1)[1] for row in table} for table in tables)
+        assert wide
+        assert wide <= plain
+
+
+@pytest.fixture(scope="module")
+def calls() -> dict[str, tuple[Any, ...]]:
+    """Arguments of wide kernels as an image is drawn and searched, before they are written to."""
+    found: dict[str, tuple[Any, ...]] = {}
+
+    def noting(kernel: Any) -> Callable[..., Any]:
+        def noted(*args: Any) -> Any:
+            found[f"{kernel.__module__}.{kernel.__qualname__}"] = copy.deepcopy(args)
+            return kernel(*args)
+
+        return noted
+
+    scene = build(DemoSpec(*texts(), duration=4.0, exposures=2))
+    with pytest.MonkeyPatch.context() as patched:
+        for module, name in DRAWN:
+            patched.setattr(module, name, noting(getattr(module, name)))
+        left, _ = scene.renderer.pair(1.0)
+        Detector(PROFILE).detect(left)
+    return found
+
+
+@pytest.mark.parametrize("part", ["tracker_simulation", "tracker_vision"])
+def test_wide_kernels_give_the_same(calls: dict[str, tuple[Any, ...]], part: str) -> None:
+    if part + parts.WIDE not in parts.built() or not dispatch.runs_wide():
+        pytest.skip("this processor runs no wide parts")
+    plain, wide = entries(part), entries(part + parts.WIDE)
+    assert wide.keys() & calls.keys() == wide.keys()
+    for name in wide:
+        of_plain, of_wide = copy.deepcopy(calls[name]), copy.deepcopy(calls[name])
+        results = plain[name](*of_plain), wide[name](*of_wide)
+        for one, other in (results, *zip(of_plain, of_wide, strict=True)):
+            assert_same(one, other, name not in FAST)
+
+
+def assert_same(one: Any, other: Any, is_exact: bool) -> None:
+    """``is_exact``: without fast-math, to the same bits. With it sums may be rounded otherwise:
+    single precision has 6e-8, some ten sums are made, and where two solids are as near the other
+    one may be seen."""
+    if isinstance(one, tuple):
+        for a, b in zip(one, other, strict=True):
+            assert_same(a, b, is_exact)
+    elif is_exact and isinstance(one, np.ndarray):
+        assert one.tobytes() == other.tobytes()
+    elif isinstance(one, np.ndarray):
+        away = np.abs(one.astype(float) - other) > CLOSE * np.maximum(np.abs(one), 1.0)
+        assert np.mean(away) < SELDOM if away.size else True
+    else:
+        assert one == other
