@@ -15,7 +15,7 @@ from tracker.online.pair_offset import PairOffset
 from tracker.vision.colours import hue_rows
 from tracker.vision.region_prediction import RegionPrediction
 from tracker.vision.sharing import HandInView
-from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, turned
 
 
 class Worn(NamedTuple):
@@ -64,9 +64,9 @@ class Ahead:
             return None
         estimate, glove, ids = found.estimate, self._glove, found.ids
         segment = self._marker_segment[ids]
-        turned = np.einsum("mij,mj->mi", estimate.segment_R[segment], glove.marker_normal[ids])
+        normal_G = turned(estimate.segment_R, segment, glove.marker_normal[ids])
         return HandInView(
-            MarkerRows(found.p_G, turned, segment),
+            MarkerRows(found.p_G, normal_G, segment),
             hue_rows(glove.hues, frame.hue_names)[glove.marker_hue[ids]],
             found.sd,
             PosedHand(self._shape, estimate.segment_R, estimate.segment_p),

@@ -25,7 +25,7 @@ from tracker.messages import (
 )
 from tracker.pipeline import Pipeline, PipelineKept
 from tracker.records import record
-from tracker.vision.sharing import share
+from tracker.vision.sharing import share, taken_twice
 
 SIDES = ("left", "right")
 CLASH_BLOBS = 6
@@ -201,8 +201,7 @@ Hands = OneHand | TwoHands
 
 def in_common(a: FrameResult, b: FrameResult) -> int:
     """Blobs that both took, in both images."""
-    pairs = ((a.match_left, b.match_left), (a.match_right, b.match_right))
-    return sum(len(np.intersect1d(x[x >= 0], y[y >= 0])) for x, y in pairs)
+    return taken_twice(a.match_left, b.match_left) + taken_twice(a.match_right, b.match_right)
 
 
 def agreement(result: FrameResult) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
+from tracker.online import pair_offset
 from tracker.online.pair_offset import PairOffset
 from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
@@ -120,3 +122,14 @@ def test_two_free_cameras_track_nearly_as_well_as_two_in_step(
     pipeline, error = mean_error(free, in_step=True)
     assert pipeline.pair_offset.estimate.value == pytest.approx(0.016, abs=0.003)
     assert error < 1.25 * mean_error(together, in_step=True)[1]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_markers_of_three_images_are_those_in_each(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    images = [np.flatnonzero(rng.random(12) < rng.random()) for _ in range(3)]
+    common = reduce(np.intersect1d, images)
+    rows = pair_offset._in_all(*images)
+    assert len(rows) == len(common)
+    for image, row in zip(images, rows.T, strict=True):
+        assert image[row].tolist() == common.tolist()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from tracker.messages import BlobFrame, Blobs
 from tracker.vision.rig import ideal_rig
-from tracker.vision.sharing import OTHERS, HandInView, share
+from tracker.vision.sharing import OTHERS, HandInView, share, taken_twice
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
 
 RIG = ideal_rig()
@@ -84,3 +85,10 @@ def test_rows_stay_and_an_absent_side_stays_absent() -> None:
     left, _ = share(one, [hand(a[None]), hand(b[None])], RIG, RIG.pose)
     assert left.right is None and left.left is not None and frame.left is not None
     assert np.array_equal(left.left.uv, frame.left.uv)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_blobs_that_two_hands_took_are_counted_once_each(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    a, b = rng.integers(-1, 9, int(rng.integers(0, 12))), rng.integers(-1, 9, 7)
+    assert taken_twice(a, b) == len(np.intersect1d(a[a >= 0], b[b >= 0]))

@@ -13,6 +13,7 @@ from tracker.vision.visibility import (
     VisibilityParams,
     both_cameras,
     facing,
+    turned,
     visibility,
 )
 
@@ -94,3 +95,12 @@ def test_own_segment_does_not_hide_a_marker() -> None:
     at = np.array([[0.025, 0, -0.29]])
     prior = visibility(two_segments(0.0), MarkerRows(at, UP[None], own), RIG, POSE)
     assert prior[0, 0] == pytest.approx(1.0)
+
+
+def test_normals_are_turned_as_by_numpy() -> None:
+    """But for roundings: numbers are below one, and some processors round less often."""
+    rng = np.random.default_rng(3)
+    R = np.linalg.qr(rng.normal(size=(21, 3, 3)))[0]
+    segment, normal = rng.integers(0, 21, 37), rng.normal(size=(37, 3))
+    expected = np.einsum("mij,mj->mi", R[segment], normal)
+    assert np.abs(turned(R, segment, normal) - expected).max() < 1e-15

@@ -19,6 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.kernels import kernel
+from tracker.kernels.arrays import IntMatrix, IntVector
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, FrameResult, IntArray
 from tracker.online.time_offset import Offset
 from tracker.records import record
@@ -195,11 +197,11 @@ class PairOffset:
         p, dt = self._params, after.t - before.t
         if not 0 < dt <= p.gap:
             return
-        ids = np.intersect1d(np.intersect1d(before.marker, now.marker), after.marker)
-        if len(ids) < p.markers:
+        rows = _in_all(before.marker, now.marker, after.marker)
+        if len(rows) < p.markers:
             return
-        old, mid, new = (r.left[np.searchsorted(r.marker, ids)] for r in (before, now, after))
-        e = now.right[np.searchsorted(now.marker, ids)] - mid
+        old, mid, new = before.left[rows[:, 0]], now.left[rows[:, 1]], after.left[rows[:, 2]]
+        e = now.right[rows[:, 1]] - mid
         w = (new - old) / dt
         fits = np.abs(e) <= p.most_shift_px
         if fits.sum() < p.markers:
@@ -237,3 +239,19 @@ class PairOffset:
         self._all, self._block = replace(state.all), replace(state.block)
         self._since = state.since
         self._under_way = deque(state.under_way, maxlen=WAITING)
+
+
+@kernel(nogil=False)
+def _in_all(a: IntVector, b: IntVector, c: IntVector) -> IntMatrix:
+    """Rows (n, 3) of the numbers that are in all three, each in rising order."""
+    out = np.empty((len(a), 3), np.int64)
+    n = i = j = k = 0
+    while i < len(a) and j < len(b) and k < len(c):
+        most = max(a[i], b[j], c[k])
+        if a[i] == most and b[j] == most and c[k] == most:
+            out[n, 0], out[n, 1], out[n, 2] = i, j, k
+            n += 1
+            i, j, k = i + 1, j + 1, k + 1
+        else:
+            i, j, k = i + (a[i] < most), j + (b[j] < most), k + (c[k] < most)
+    return out[:n]

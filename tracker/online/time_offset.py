@@ -14,6 +14,7 @@ does not change what is measured.
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -268,7 +269,7 @@ class TimeOffset:
         slope = self._atb / self._ata if self._ata > 0 else 0.0
         r = e - slope * a
         sd = np.sqrt(self._rss / (3 * self._count)) if self._count > 10 else FIRST_SD
-        weight = min(1.0, p.huber * float(sd) * np.sqrt(3) / max(float(np.linalg.norm(r)), 1e-9))
+        weight = min(1.0, p.huber * float(sd) * np.sqrt(3) / max(math.sqrt(r @ r), 1e-9))
         self._ata = keep * self._ata + weight * float(a @ a)
         self._atb = keep * self._atb + weight * float(a @ e)
         self._rss = keep * self._rss + weight * float(r @ r)

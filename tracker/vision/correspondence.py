@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
 from tracker.vision.assignment import assign
 from tracker.vision.cpd import (
@@ -45,6 +45,26 @@ class ExpectedPixels(NamedTuple):
     S: Stack
     hue: IntVector
     prior: Vector
+
+
+@kernel(nogil=False)
+def misfit(left: Matrix, right: Matrix, match: IntMatrix, uv: Stack) -> float:
+    """px, the median distance of blobs of the left and the right image from where markers were
+    expected, uv (2, M, 2), of those that a match (2, M) has; infinite where it has none."""
+    apart = np.empty(match.size)
+    n = 0
+    for c in range(2):
+        blobs = left if c == 0 else right
+        for m in range(match.shape[1]):
+            k = match[c, m]
+            if k >= 0:
+                u, v = blobs[k, 0] - uv[c, m, 0], blobs[k, 1] - uv[c, m, 1]
+                apart[n] = np.sqrt(u * u + v * v)
+                n += 1
+    if n == 0:
+        return np.inf
+    ordered = np.sort(apart[:n])
+    return float((ordered[(n - 1) // 2] + ordered[n // 2]) / 2.0)
 
 
 @kernel

@@ -111,7 +111,7 @@ def together(predictions: Sequence[RegionPrediction]) -> RegionPrediction:
     )
 
 
-@kernel
+@kernel(nogil=False)
 def seen_soon(
     markers: MovingMarkers, ahead: float, view: PosedCamera
 ) -> tuple[Matrix, Vector, IntVector]:

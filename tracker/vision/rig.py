@@ -134,7 +134,7 @@ class StereoRig:
         return triangulated(left, right, self.baseline, self.fx, self.fy, self.cx, self.cy)
 
 
-@kernel
+@kernel(nogil=False)
 def projected(p_C: Matrix, shift: float, fx: float, fy: float, cx: float, cy: float) -> Matrix:
     """(n, 2) rectified pixels of p_C (n, 3), seen from ``shift`` m to the right."""
     out = np.empty((len(p_C), 2))
@@ -147,7 +147,7 @@ def projected(p_C: Matrix, shift: float, fx: float, fy: float, cx: float, cy: fl
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def triangulated(
     left: Matrix, right: Matrix, baseline: float, fx: float, fy: float, cx: float, cy: float
 ) -> Matrix:

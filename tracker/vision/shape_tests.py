@@ -52,7 +52,7 @@ class Sorted(NamedTuple):
     reason: IntVector
 
 
-@kernel
+@kernel(nogil=False)
 def first_failure(rows: Matrix, limits: RegionLimits, expected: ExpectedBlobs) -> IntVector:
     """(n,) the first requirement that each region of rows (n, COLUMNS) fails, -1 for none.
 
@@ -93,7 +93,7 @@ def _suits(row: Vector, limits: RegionLimits, expected: ExpectedBlobs) -> bool:
     return not near
 
 
-@kernel
+@kernel(nogil=False)
 def parted(
     rows: Matrix, reason: IntVector
 ) -> tuple[Matrix, Matrix, IntVector, Vector, Matrix, IntVector, IntVector]:
@@ -122,7 +122,7 @@ def parted(
     return uv, size, hue, score, other_uv, other_hue, why
 
 
-@kernel
+@kernel(nogil=False)
 def windows_around(uv: Matrix, radius: Vector, width: int, height: int, stride: int) -> IntMatrix:
     """(k, 5) first and last column, first and last row, stride: squares cut to the image.
 

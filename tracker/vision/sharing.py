@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.correspondence import FORBIDDEN, ExpectedPixels, GateParams, assigned
 from tracker.vision.cpd import HuedPixels
 from tracker.vision.rig import StereoIntrinsics, StereoRig, projected
-from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, seen_from, visibility_at
 
 EVERYONE = -1
 """Owner of a blob that no hand expects: each may look at it."""
@@ -92,28 +93,39 @@ def share(
     known = [(i, hand) for i, hand in enumerate(hands) if hand is not None]
     if not known:
         return [frame for _ in hands]
-    prior = _priors([hand for _, hand in known], rig, pose)
+    prior, alone = _priors([hand for _, hand in known], rig, pose)
     owners = _owners(frame, known, prior, rig, pose, params)
     out = [
         replace(frame, left=_own(frame.left, owners[0], i), right=_own(frame.right, owners[1], i))
         for i in range(len(hands))
     ]
-    for (i, hand), p in zip(known, prior, strict=True):
-        if len(known) > 1:
-            out[i] = replace(out[i], unhidden=_unhidden(hand, p, rig, pose))
+    if len(known) > 1:
+        for (i, hand), *p in zip(known, prior, alone, strict=True):
+            out[i] = replace(out[i], unhidden=_unhidden(hand, *p))
     return out
 
 
-def _priors(hands: Sequence[HandInView], rig: StereoRig, pose: CameraPose) -> list[Array]:
-    """(2, m) of each hand's markers to be seen: hands hide one another."""
+def _priors(
+    hands: Sequence[HandInView], rig: StereoRig, pose: CameraPose
+) -> tuple[list[Array], list[Array]]:
+    """(2, m) of each hand's markers to be seen where hands hide one another, and of each alone."""
     markers, body = _together(hands)
-    prior = visibility(body, markers, rig, pose)
-    return np.split(prior, np.cumsum([len(h.hue) for h in hands])[:-1], axis=1)
+    uv = seen_from(markers.p_G, rig, pose)
+    prior = visibility_at(uv, body, markers, rig, pose)
+    if len(hands) == 1:
+        return [prior], [prior]
+    ends = np.cumsum([0, *(len(h.hue) for h in hands)]).tolist()
+    parts = [slice(a, b) for a, b in pairwise(ends)]
+    alone = [
+        visibility_at(np.ascontiguousarray(uv[:, part]), hand.body, hand.markers, rig, pose)
+        for hand, part in zip(hands, parts, strict=True)
+    ]
+    return [prior[:, part] for part in parts], alone
 
 
-def _unhidden(hand: HandInView, prior: Array, rig: StereoRig, pose: CameraPose) -> Array:
-    """(2, total) of the glove's markers: what of their ``prior`` (2, m) the other hand leaves."""
-    alone = visibility(hand.body, hand.markers, rig, pose)
+def _unhidden(hand: HandInView, prior: Array, alone: Array) -> Array:
+    """(2, total) of the glove's markers: what of their prior (2, m) ``alone`` the other hand
+    leaves."""
     out = np.ones((2, hand.total))
     out[:, hand.ids] = np.where(alone > 0.0, prior / np.maximum(alone, 1e-12), 1.0)
     return out
@@ -189,6 +201,23 @@ def owners_in(
             k = _likeliest(seen.uv[i], seen.hue[i], there, limits.near)
             owner[i] = markers.hand[rows[k]] if k >= 0 else EVERYONE
     return owner
+
+
+@kernel(nogil=False)
+def taken_twice(a: IntVector, b: IntVector) -> int:
+    """How many blobs are in both of two matches, in which -1 is none."""
+    count = 0
+    for i in range(len(a)):
+        if a[i] < 0:
+            continue
+        is_new = True
+        for k in range(i):
+            is_new &= a[k] != a[i]
+        for k in range(len(b)):
+            if is_new and b[k] == a[i]:
+                count += 1
+                break
+    return count
 
 
 @kernel

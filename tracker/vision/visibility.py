@@ -123,9 +123,15 @@ def visibility(
 
     cov_px (2, M, 2, 2) px² of the projections.
     """
-    p_C = (markers.p_G - pose.p_GC) @ pose.R_GC
-    uv = np.stack([rig.project(p_C), rig.project(p_C, right=True)])
+    uv = seen_from(markers.p_G, rig, pose)
     return visibility_at(uv, hand, markers, rig, pose, cov_px, params)
+
+
+def seen_from(p_G: Array, rig: StereoRig, pose: CameraPose) -> Array:
+    """Rectified pixels (2, M, 2) of points (M, 3) of G in the left and the right image; NaN where
+    not in front."""
+    p_C = (p_G - pose.p_GC) @ pose.R_GC
+    return np.stack([rig.project(p_C), rig.project(p_C, right=True)])
 
 
 def visibility_at(
@@ -154,7 +160,7 @@ def visibility_at(
     return _priors(markers, hand, seen, view, params.factors)
 
 
-@kernel
+@kernel(nogil=False)
 def _priors(
     markers: MarkerRows, hand: PosedHand, seen: _Pixels, view: _View, factors: Factors
 ) -> Matrix:
@@ -180,6 +186,17 @@ def _priors(
 def both_cameras(prior: Array) -> Array:
     """Eq. 6: probability (M,) that both cameras see a marker, from the rows of `visibility`."""
     return prior[0] * prior[1]
+
+
+@kernel(nogil=False)
+def turned(R_GB: Stack, segment: IntVector, normal: Matrix) -> Matrix:
+    """(M, 3) in G of normals (M, 3) in the B of their segments (M,)."""
+    out = np.empty_like(normal)
+    for m in range(len(normal)):
+        R, x, y, z = R_GB[segment[m]], normal[m, 0], normal[m, 1], normal[m, 2]
+        for i in range(3):
+            out[m, i] = (R[i, 0] * x + R[i, 2] * z) + R[i, 1] * y  # as numpy.einsum adds them
+    return out
 
 
 @kernel

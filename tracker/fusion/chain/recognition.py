@@ -23,6 +23,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import LIKELY, Evidence, evidence
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.records import record
+from tracker.vision.correspondence import misfit
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import StereoMatches, all_pairs
 
@@ -157,11 +158,8 @@ class Recognition:
 
     def misfit_px(self, image: SeenImage, found: Recognised) -> float:
         """Median distance of the recognised blobs from where they were expected."""
-        apart = [
-            np.linalg.norm(side.uv[match[match >= 0]] - uv[match >= 0], axis=1)
-            for side, match, uv in zip(image.blobs, found.match, found.prediction.uv, strict=True)
-        ]
-        return float(np.median(np.concatenate(apart))) if found.tally.matched else np.inf
+        left, right = image.blobs
+        return misfit(left.uv, right.uv, found.match, found.prediction.uv)
 
     def is_unsure(self, image: SeenImage, found: Recognised) -> bool:
         """Whether markers were expected less surely than gates are made for, by the camera that

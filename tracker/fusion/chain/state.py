@@ -15,7 +15,6 @@ from tracker.messages import Array
 from tracker.records import record
 
 SCALE_LIMITS = (0.6, 1.5)
-LENGTH_GIRTH_GIRTH = np.array([0, 1, 1])
 
 
 class Dynamic(NamedTuple):
@@ -91,7 +90,9 @@ class ChainState:
 
     def scale3(self) -> Array:
         """(A, 3) factors along B: length, girth, girth."""
-        return self.scale.take(LENGTH_GIRTH_GIRTH, axis=1)
+        out = np.empty((len(self.scale), 3))
+        out[:, :2], out[:, 2] = self.scale, self.scale[:, 1]
+        return out
 
 
 def initial_state(layout: ChainLayout) -> ChainState:
