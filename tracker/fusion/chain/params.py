@@ -156,8 +156,8 @@ class GuidedParams:
     """
 
     enabled: bool = True
-    gap: float = 0.005  # between two pads that touch: skin gives way, and some keep them apart
-    pad: float = 0.005  # where on the pads, along and across
+    gap: float = 0.010  # between two pads that touch: skin gives way, some keep them apart, and
+    pad: float = 0.010  # where on the pads: a stranger's thumb is no better known than that
     table: float = 0.003  # fingertips and palm about one plane
     gate: float = 0.997  # share of poses rightly held that pass
     flexion: float = 2.0  # times the pose's own: free motion tells mountings better than that
