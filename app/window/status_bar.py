@@ -8,6 +8,7 @@ from PySide6.QtCore import QElapsedTimer
 from PySide6.QtWidgets import QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
 
 from app.platform.tasks import RunningJob, TaskOwner
+from app.viewmodels.states import GOOD, IDLE
 from app.viewmodels.status import fields, hand_tip, tracking_look
 from app.widgets.chip import Chip
 from app.widgets.elided_label import ElidedLabel
@@ -20,7 +21,9 @@ RATES = ("imu_rate_hz", "frame_rate_hz", "estimate_rate_hz")
 PROGRESS_MS = 100  # between two values of a job's progress
 
 
-NARROW = 1200  # px, with everything in it
+BETWEEN = 6  # px from one to the next
+GIVES_WAY = ("latency", "losses", "estimate_rate_hz", "frame_rate_hz", "imu_rate_hz")
+"""What is left out where there is too little room, the first one first."""
 
 
 class StatusBar(QStatusBar):
@@ -36,6 +39,7 @@ class StatusBar(QStatusBar):
         self.chips = {f.key: Chip(firm=f.key in RATES) for f in fields(None)}
         for chip in self.chips.values():
             self.addWidget(chip)
+        self._fine = dict.fromkeys(self.chips, True)
         self.chips["shed"].hide()
         self.recording = Chip(firm=True)
         self._task_name = ElidedLabel()
@@ -55,12 +59,22 @@ class StatusBar(QStatusBar):
         self.tracking.show_state(look.colour, look.sign, look.word, self.tracking.toolTip())
         for field in fields(status if running else None):
             text = f"{field.name} {field.text}".strip()
-            self.chips[field.key].setVisible(bool(text) and self._has_room(field.key))
             self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
+            self._fine[field.key] = field.look in (GOOD, IDLE)
+        self._make_room()
 
-    def _has_room(self, key: str) -> bool:
-        """A job under way, with its *Cancel*, comes before what the rates leave unsaid."""
-        return key in RATES or self._watched is None or self.width() > NARROW
+    def _make_room(self) -> None:
+        """Where not all can be read, what is fine and asked for least is left out, not cut."""
+        chips = {key: chip for key, chip in self.chips.items() if chip.text()}
+        others = (self.tracking, self.other_hand, self.recording, self._task_name)
+        rest = (self._bar, self._cancel)
+        shown = [w for w in (*others, *rest) if not w.isHidden()] + list(chips.values())
+        needed = sum(w.sizeHint().width() + BETWEEN for w in shown)
+        for key in GIVES_WAY:
+            if needed > self.width() and key in chips and self._fine[key]:
+                needed -= chips.pop(key).sizeHint().width() + BETWEEN
+        for key, chip in self.chips.items():
+            chip.setVisible(key in chips)
 
     def show_hands(
         self, hands: Mapping[str, Status | None], running: bool, has_place: bool = True
@@ -75,6 +89,7 @@ class StatusBar(QStatusBar):
         ):
             look = tracking_look(status, running, has_place)
             chip.show_state(look.colour, look.sign, f"{names[side]}: {look.word}", hand_tip(status))
+        self._make_room()
 
     def show_rate(self, rate_hz: float) -> None:
         """How often the window is drawn, for who asks by the pointer."""

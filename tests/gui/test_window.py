@@ -291,3 +291,24 @@ def test_the_latency_of_each_stage_is_a_command(window):
     window.commands.actions["latencies"].trigger()
     assert "Search of both images: 1.0 ms" in QToolTip.text()
     assert "7.8 ms" in window.bar.chips["latency"].accessibleDescription()
+
+
+def test_where_there_is_no_room_a_field_is_left_out_and_not_cut(window, qtbot):
+    """Two hands on a computer that leaves out all that it can, with a job under way."""
+    values = {"imu_rate_hz": 100.0, "frame_rate_hz": 30.0, "estimate_rate_hz": 100.0}
+    values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0, "imu_lost": 0.0}
+    status = Status(0.0, Tracking.COASTING, values | {"load_shed": 4.0})
+    bar = window.bar
+    for width in (1366, 1000):
+        window.resize(width, 768)
+        bar.show_status(status, running=True)
+        bar.show_hands({"right": status, "left": status}, running=True)
+        QApplication.processEvents()
+        shown = [chip for chip in bar.chips.values() if chip.isVisible()]
+        assert shown and bar.chips["shed"].isVisible(), "what is amiss is said"
+        if width == 1366:
+            assert not any(chip._text.is_elided for chip in (bar.tracking, *shown))
+    assert not bar.chips["latency"].isVisible() and not bar.chips["losses"].isVisible()
+    bad = Status(0.0, Tracking.COASTING, values | {"imu_lost": 7.0})
+    bar.show_status(bad, running=True)
+    assert bar.chips["losses"].isVisible(), "what is not fine stays"

@@ -27,6 +27,8 @@ from tracker.toml_reader import read_toml
 
 SIMULATED = "simulated"
 SESSION = "session"
+USUAL = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
+"""The glove's file that a side begins with."""
 
 
 class ChoicePage(QWidget):
@@ -96,7 +98,8 @@ class ChoicePage(QWidget):
             box.blockSignals(True)
             box.clear()
             box.addItems([n for n in library.names(kind) if _side(kind, n) == side])
-            box.setCurrentIndex(max(0, box.findText(chosen)))
+            usual = USUAL.get(side, "") if kind == "gloves" else ""
+            box.setCurrentIndex(max(0, box.findText(chosen or usual)))
             box.blockSignals(False)
         if not glove:
             self._match_hand()

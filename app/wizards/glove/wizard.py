@@ -132,12 +132,21 @@ class GloveSetup(QDialog):
         self._leave()
         for page in (self.still, self.wiggle):
             page.set_glove(hand, glove)
-        if port == SESSION:
+        if port == SESSION or self._is_in_use(port):
             self._feed = SessionFeed(self._host)
         elif port == SIMULATED:
             self._feed = self._simulated(hand, glove)
         else:
             self._feed = PortFeed(port, len(glove.imus), baud=self.choice.baud_of_port())
+
+    def _is_in_use(self, port: str) -> bool:
+        """Whether the glove there is the one that the session has open, by the place that it was
+        bound to: nobody else can open it."""
+        setup = self._host.setup
+        if setup is None or setup.simulated or setup.player is not None or not self._host.running:
+            return False
+        known = bound(self._store.value, setup.glove_id)
+        return setup.has_glove and known is not None and known.port == port
 
     def _simulated(self, hand: HandModel, glove: GloveModel) -> GloveFeed | None:
         """None, with the reason on the page, on a system that cannot."""
