@@ -21,7 +21,7 @@ RATES = ("imu_rate_hz", "frame_rate_hz", "estimate_rate_hz")
 PROGRESS_MS = 100  # between two values of a job's progress
 
 
-BETWEEN = 6  # px from one to the next
+BETWEEN = 12  # px from one to the next
 GIVES_WAY = ("latency", "losses", "estimate_rate_hz", "frame_rate_hz", "imu_rate_hz")
 """What is left out where there is too little room, the first one first."""
 

@@ -9,7 +9,6 @@ from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 
 from app.storage.bound_gloves import BoundGlove, bound, with_bound
 from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
-from app.wizards.glove.wizard import GloveSetup
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.wiggles import Wiggle, wiggling_wearer
@@ -79,28 +78,29 @@ def test_the_simulated_glove_is_measured_and_tested_by_clicks(window, qtbot):
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_a_side_begins_with_its_usual_glove(window, store, qtbot):
-    dialog = GloveSetup(window.host, store, window.tasks)
-    qtbot.addWidget(dialog)
-    choice = dialog.choice
+def test_a_side_begins_with_its_usual_glove(window, qtbot):
+    window.run_command("glove_setup")
+    choice = window.set_up.dialogs["glove"].choice
     for side, usual in (("left", "vist-small-left"), ("right", "vist-small")):
         choice.side.setCurrentIndex(choice.side.findData(side))
         assert choice.gloves.currentText() == usual
-    dialog.close()
+    window.set_up.dialogs["glove"].close()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
 def test_the_place_of_the_glove_in_use_is_that_glove(window, store, qtbot):
     """A glove that was bound to wrong files is set up anew by its port, which the session has."""
-    known = BoundGlove("right", "five-finger", "reference-right", "", "/tmp/glove_left")
+    known = BoundGlove("right", "vist-small", "reference-right", "", "/tmp/glove_left")
     store.update(gloves=with_bound(store.value, 7, known), port="/tmp/glove_left")
     window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False, glove_id=7))
-    dialog = GloveSetup(window.host, store, window.tasks)
-    qtbot.addWidget(dialog)
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
     dialog.choice.add_port("/tmp/glove_left")
     dialog.choice.side.setCurrentIndex(dialog.choice.side.findData("left"))
     dialog.use.click()
     found = bound(store.value, 7)
     assert (found.side, found.glove, found.port) == ("left", "vist-small-left", "/tmp/glove_left")
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
 def test_choosing_the_left_side_offers_left_files_and_is_stored(window, store, qtbot):
