@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.engines.snapshot import Snapshot
 from app.viewmodels.names import spoken
 from app.words import mark, tr
 from tracker import GRAVITY
@@ -165,6 +166,15 @@ def calibration_view(
             del means["scale"]  # is as settled as it can be
         advice = _advice(rows, means, shares)
     return CalibrationView(rows, _length(c, reference), overall, advice)
+
+
+def by_one_camera(view: Snapshot) -> bool:
+    """Whether one camera alone shows the hand: there is no other, or it shows no marker, as an
+    infrared one."""
+    if view.setup.rig.one_camera:
+        return True
+    in_both = view.status.values.get("stereo_points") if view.status is not None else None
+    return in_both == 0 and view.calibration is not None and not is_measured(view.calibration)
 
 
 def is_measured(c: Calibration) -> bool:

@@ -12,6 +12,7 @@ from app.engines.engine import one_camera
 from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import (
     SETTLED,
+    by_one_camera,
     calibration_view,
     is_measured,
     right_camera_time,
@@ -264,7 +265,7 @@ def _calibration(view: Snapshot | None) -> SetUpStep:
         return SetUpStep(name, False, tr("Waits for tracking."))
     if view.status is not None and images_alone(view.status):
         return SetUpStep(name, False, tr("Waits for the glove."))
-    alone = view.setup.rig.one_camera
+    alone = by_one_camera(view)
     shown = calibration_view(view.calibration, one_camera=alone)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
     if share >= SETTLED:

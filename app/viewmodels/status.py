@@ -87,7 +87,7 @@ def fields(status: Status | None) -> list[Field]:
     return [
         _glove(v),
         _rate("frame_rate_hz", tr("Camera"), v, tr("Stereo images each second")),
-        _rate("estimate_rate_hz", tr("Hand"), v, tr("Estimates of the hand each second")),
+        _hand(status),
         _latency(v),
         _losses(v),
         _shed(v),
@@ -112,6 +112,13 @@ def _glove(values: dict[str, float]) -> Field:
     low = tr("Its battery is low ({} V): charge it soon").format(f"{values['battery_v']:.2f}")
     tip = f"{field.tip}\n{low}"
     return replace(field, text=tr("{}, battery low").format(field.text), look=WARN, tip=tip)
+
+
+def _hand(status: Status | None) -> Field:
+    """How often it is estimated; of a camera alone nothing is."""
+    values = status.values if status is not None and not images_alone(status) else {}
+    tip = tr("Estimates of the hand each second")
+    return _rate("estimate_rate_hz", tr("Hand"), values, tip)
 
 
 def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:

@@ -222,6 +222,14 @@ def test_calibration_in_peoples_units():
     assert "Bend" in shown.advice  # the mounting is what is farthest from settled
 
 
+def test_of_a_camera_alone_no_hand_is_told():
+    values = {"frame_rate_hz": 15.0, "estimate_rate_hz": 15.0, "imu_rate_hz": 0.0}
+    hand = {f.key: f for f in fields(Status(0.0, Tracking.SEARCHING, values))}["estimate_rate_hz"]
+    assert hand.text == "–"
+    both = {f.key: f for f in fields(Status(0.0, Tracking.TRACKING, values))}["estimate_rate_hz"]
+    assert both.text == "15 Hz"
+
+
 def test_with_one_camera_the_hands_length_is_asked_for_and_not_motion():
     engine = ScriptedEngine()
     stranger = dataclasses.replace(engine.calibration(), hand_length_sd=0.05 * 0.187)
@@ -233,6 +241,11 @@ def test_with_one_camera_the_hands_length_is_asked_for_and_not_motion():
     view = Snapshot(setup, running=True, calibration=stranger)
     step = next(s for s in steps(view) if s.name == "Calibration settled")
     assert "ruler" in step.reason and step.command == "show_calibration"
+    # an infrared camera beside the colour one is none for markers
+    for in_both, words in ((0.0, "ruler"), (12.0, "Spread")):
+        now = Status(1.0, Tracking.TRACKING, {"stereo_points": in_both})
+        beside = Snapshot(scripted_setup(engine), running=True, calibration=stranger, status=now)
+        assert words in next(s for s in steps(beside) if s.name == "Calibration settled").reason
     ruler = dataclasses.replace(stranger, hand_length_sd=0.015 * 0.187)
     ruler = dataclasses.replace(ruler, scale_sd=np.full_like(stranger.scale_sd, 0.015))
     assert "Bend" in calibration_view(ruler, one_camera=True).advice

@@ -132,6 +132,19 @@ def test_one_thread_is_enough_to_track_a_hand(sim):
     assert loop.status("right").values["stereo_points"] > 0
 
 
+def test_without_a_packet_no_hand_is_looked_for(sim):
+    """A camera alone finds none; once the glove sends, that is said as ever."""
+    loop, clock = loop_on(sim)
+    messages = messages_of(sim)
+    feed(loop, clock, [m for m in messages if isinstance(m, BlobFrame)][:20])
+    assert loop.journal.take_events() == []
+    loop, clock = loop_on(sim)
+    first = next(m for m in messages if isinstance(m, BlobFrame))
+    feed(loop, clock, [first, *(m for m in messages if m.t < 1.0)])
+    said = [e.text for e in loop.journal.take_events() if e.kind == "tracking"]
+    assert said[:2] == ["Looking for the hand.", "The hand is tracked."]
+
+
 def test_stamps_tell_the_order_of_feeding_where_devices_tell_another(sim):
     order, messages = ArrivalOrder(), messages_of(sim)
     sample = next(m for m in messages if isinstance(m, ImuSample))

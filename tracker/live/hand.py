@@ -60,6 +60,7 @@ class LiveHand:
         self._clock = clock
         self.telemetry = Telemetry()
         self.estimate: Estimate | None = None
+        self._said: Tracking | None = None
         self.calibration: Calibration | None = None
         self.frames = FrameResults()
         self.history = ImuHistory(self.telemetry)
@@ -94,11 +95,17 @@ class LiveHand:
         """The state of tracking in a sentence."""
         return OF_ONE[self.tracking] if self._alone else OF_TWO[self.tracking].format(self.side)
 
-    def show(self, estimate: Estimate) -> bool:
-        """Take over the newest estimate; whether the state of tracking is another one."""
-        before, self.estimate = self.estimate, estimate
+    def show(self, estimate: Estimate, by_packet: bool) -> bool:
+        """Take over the newest estimate; whether the state of tracking is another one.
+
+        Before the first packet nothing is looked for, whatever images come.
+        """
+        self.estimate, state = estimate, estimate.tracking
         self.telemetry.tick("estimate", self._clock())
-        return before is None or before.tracking != estimate.tracking
+        if self._said is None and not by_packet and state == Tracking.SEARCHING:
+            return False
+        before, self._said = self._said, state
+        return before != state
 
     def take(self, results: list[FrameResult], pipeline: Pipeline) -> None:
         """Bring what became of images together with these."""

@@ -214,7 +214,7 @@ class LiveLoop:
         self.hands.feed_event(event)
 
     def _show(self, hand: LiveHand, estimate: Estimate, record: bool) -> None:
-        is_news = hand.show(estimate)
+        is_news = hand.show(estimate, by_packet=record)
         if record:
             self.journal.record(estimate, hand.side)
             for phase in hand.gestures.feed(estimate):

@@ -20,7 +20,7 @@ from app.panels.calibration.table import CalibrationTable
 from app.panels.calibration.wearer_row import WearerRow
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
-from app.viewmodels.calibration import camera_time
+from app.viewmodels.calibration import by_one_camera, camera_time
 from app.viewmodels.status import images_alone
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import APART, NEAR
@@ -36,6 +36,7 @@ class CalibrationPanel(Panel):
     ) -> None:
         super().__init__(host, parent)
         self._drawn_frozen = False
+        self._alone = False  # one camera shows the hand
         self._make_widgets()
         self.profiles = WearerProfiles(host, store, self.wearer)
         self._lay_out()
@@ -116,15 +117,14 @@ class CalibrationPanel(Panel):
         if view.calibration is self.profiles.worn.latest and frozen == self._drawn_frozen:
             return  # it is new once a second, and to write all its figures takes 10 ms
         self.profiles.worn.latest = view.calibration
+        self._alone = by_one_camera(view)
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
 
     def _draw(self) -> None:
         comparing, frozen = self.wearer.comparing.isChecked(), self.wearer.frozen.isChecked()
         self._drawn_frozen = frozen
-        setup = self.host.setup
-        alone = setup is not None and setup.rig.one_camera
-        shown = self.profiles.worn.shown(comparing, frozen, alone)
+        shown = self.profiles.worn.shown(comparing, frozen, self._alone)
         if shown is None:
             return
         self.length.setText(shown.hand_length)
