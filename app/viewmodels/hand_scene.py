@@ -22,6 +22,7 @@ FOLLOW_S = 1 / 30
 """Share of the way that the view's centre goes to the hand in this time, however often the view is
 drawn: on a busy computer too the hand stays in sight."""
 JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
+ASIDE = 0.09  # m from the middle, of each of two hands whose place is unknown
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
 
 
@@ -65,8 +66,11 @@ class HandScene:
 class HandSceneModel:
     """Makes a `HandScene` of each snapshot; remembers when each marker was last matched."""
 
-    def __init__(self, setup: EngineSetup) -> None:
+    def __init__(self, setup: EngineSetup, of_two: bool = False) -> None:
+        """``of_two``: another hand is drawn, too, so one without a place stands on its own side."""
         self._setup = setup
+        aside = {"left": ASIDE, "right": -ASIDE}[setup.side] if of_two else 0.0
+        self._nowhere = np.array([0.0, aside, 0.0])
         names = setup.glove.keypoint_names(setup.hand)
         self._tip_rows = [i for i, n in enumerate(names) if n.endswith("_tip")]
         self._marker_segment = setup.glove.marker_segment(setup.hand)
@@ -141,7 +145,7 @@ class HandSceneModel:
 
     def _at_last_place(self, p_GB: Array) -> Array:
         """(S, 3) m: a hand whose place is lost turns and bends where its root stood last."""
-        place = self._last[1][0] if self._last is not None else np.zeros(3)
+        place = self._last[1][0] if self._last is not None else self._nowhere
         return np.asarray(p_GB - p_GB[0] + place)
 
     def _caption(self, view: Snapshot, located: bool) -> str:

@@ -109,6 +109,20 @@ def test_a_hand_whose_position_is_lost_stays_where_it_was(view):
     assert "lost" in scene.caption and not seen.caption
 
 
+def test_two_hands_without_a_place_do_not_stand_in_each_other(view):
+    """Gloves alone: each on its own side, as hands are held."""
+    placeless = dataclasses.replace(
+        view, estimate=dataclasses.replace(view.estimate, tracking=Tracking.LOST)
+    )
+    alone, right = HandSceneModel(view.setup), HandSceneModel(view.setup, of_two=True)
+    assert not alone.scene(placeless).segment_p[0].any()
+    left_glove = dataclasses.replace(view.setup.glove, side="left")
+    left = HandSceneModel(dataclasses.replace(view.setup, glove=left_glove), of_two=True)
+    roots = [model.scene(placeless).segment_p[0] for model in (left, right)]
+    assert (roots[0] - roots[1]).tolist() == pytest.approx([0.0, 0.18, 0.0])
+    assert right.scene(view).segment_p[0].tolist() == view.estimate.segment_p[0].tolist()
+
+
 def test_no_hand_is_drawn_before_there_is_one(view):
     unknown = dataclasses.replace(
         view.estimate, segment_p=np.full_like(view.estimate.segment_p, np.nan)

@@ -137,9 +137,8 @@ class HandPanel(Panel):
 
     def _open(self, setup: EngineSetup) -> None:
         self._clear()
-        self._hands = [ShownHand(setup, is_main=True)]
-        if setup.other is not None:
-            self._hands.append(ShownHand(setup.other, is_main=False))
+        of_two = setup.other is not None
+        self._hands = [ShownHand(s, k == 0, of_two) for k, s in enumerate(setup.hands)]
         self._gestures = ShownGestures(setup)
         tips = self._hands[0].model.tip_names
         self.controls.offer(tips, setup.reference_tracking is not None)

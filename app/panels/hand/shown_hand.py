@@ -17,9 +17,9 @@ from app.widgets.view3d.scene import BodyScene, Label
 class ShownHand:
     """Knows its hand from the start; gets a ``skin``, and ``bodies`` in whatever scene is drawn."""
 
-    def __init__(self, setup: EngineSetup, is_main: bool) -> None:
+    def __init__(self, setup: EngineSetup, is_main: bool, of_two: bool) -> None:
         self.setup, self.is_main = setup, is_main
-        self.model = HandSceneModel(setup)
+        self.model = HandSceneModel(setup, of_two)
         self.bodies: HandBodies | None = None
         self.skin: HandSkin | None = None
         self.scene: HandScene | None = None
