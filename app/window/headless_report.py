@@ -129,14 +129,25 @@ def _free(path: Path) -> Path:
 
 
 def wait_until(done: Callable[[], bool], timeout: float) -> bool:
-    """Let the window live until ``done()`` or for ``timeout`` s; whether it was done."""
+    """Let the window live until ``done()`` or for ``timeout`` s; whether it was done.
+
+    Asked once each time: a hand that was there may be gone again.
+    """
     loop, poll = QEventLoop(), QTimer()
     end = time.monotonic() + timeout
-    poll.timeout.connect(lambda: loop.quit() if done() or time.monotonic() > end else None)
+    was_done = False
+
+    def look() -> None:
+        nonlocal was_done
+        was_done = done()
+        if was_done or time.monotonic() > end:
+            loop.quit()
+
+    poll.timeout.connect(look)
     poll.start(20)
     loop.exec()
     poll.stop()
-    return done()
+    return was_done
 
 
 def _gather(window: MainWindow, duration: float, image: Path) -> dict[str, Figures]:

@@ -11,7 +11,7 @@ from gui_fakes import models
 from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
-from app.window.headless_report import KEYPOINTS
+from app.window.headless_report import KEYPOINTS, wait_until
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.mcap.recover import needs_recovery
 from tracker.session.reader import SessionReader
@@ -29,6 +29,13 @@ def demo(window, qtbot):
 def _tracked(window) -> bool:
     view = window.host.snapshot()
     return view is not None and view.estimate is not None and view.estimate.tracking == 1
+
+
+def test_what_was_there_once_was_waited_for(qapp):
+    """A hand that is found and lost again at once has been found: the demo ended without one."""
+    answers = iter([False, True])
+    assert wait_until(lambda: next(answers, False), 10.0)
+    assert not wait_until(lambda: False, 0.05)
 
 
 def _recorded(window, qtbot, tmp_path):
