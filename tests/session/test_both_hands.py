@@ -11,7 +11,6 @@ import pytest
 
 from tracker.cli import main
 from tracker.conformance.run import read_take
-from tracker.errors import ConfigError
 from tracker.isaac.reader import read_records
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
 from tracker.offline.crop import crop
@@ -143,12 +142,6 @@ def test_a_part_of_it_is_tracked_to_the_same_bits(tracked: Path, tmp_path: Path)
     assert main(["crop", str(tracked), "-o", str(part), "--start", "1.5"]) == 0
     track(part, again)
     assert compare(part, again)["identical"]
-
-
-def test_what_is_of_one_wearer_cannot_be_asked_of_two(recorded: Path, tmp_path: Path) -> None:
-    with pytest.raises(ConfigError, match="without --smooth"):
-        track(recorded, tmp_path / "x.mcap", TrackOptions(smooth=True))
-    assert not (tmp_path / "x.mcap").exists()
 
 
 def test_images_show_both_hands_and_are_tracked(tmp_path: Path) -> None:
