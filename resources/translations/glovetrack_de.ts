@@ -4166,6 +4166,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
+      <source>Estimates of the hand each second</source>
+      <translation>Schätzungen der Hand pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
       <source>Packets of the glove that never arrived; images that came faster than they were read</source>
       <translation>Pakete des Handschuhs, die nie ankamen; Bilder, die schneller kamen, als sie gelesen wurden</translation>
     </message>
@@ -4223,11 +4228,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/status.py" />
       <source>Stereo images each second</source>
       <translation>Stereobilder pro Sekunde</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/status.py" />
-      <source>Estimates of the hand each second</source>
-      <translation>Schätzungen der Hand pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
