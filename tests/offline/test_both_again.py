@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from resources import folder
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.options import TrackOptions
+from tracker.offline.report import TrackReport
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.reader import SessionReader
@@ -26,6 +28,23 @@ def session(tmp_path_factory) -> Path:
     return path
 
 
+@dataclass(frozen=True)
+class Plain:
+    """The session as it is tracked live, and a profile of each hand, by its side."""
+
+    report: TrackReport
+    path: Path
+    profiles: dict[str, Path]
+
+
+@pytest.fixture(scope="module")
+def plain(session: Path, tmp_path_factory) -> Plain:
+    path = tmp_path_factory.mktemp("plain") / "live.mcap"
+    anna = path.with_name("anna.toml")
+    report = track(session, path, TrackOptions(with_sensors=True, keep_wearer=str(anna)))
+    return Plain(report, path, {side: path.with_name(f"anna_{side}.toml") for side in SIDES})
+
+
 def angles(path: Path, side: str) -> np.ndarray:
     """(n, J) of the estimates of a tracked hand."""
     with SessionReader(path, side=side) as reader:
@@ -38,8 +57,8 @@ def jerk(path: Path, side: str) -> float:
     return float(np.quantile(np.abs(np.diff(angles(path, side), n=2, axis=0)), 0.99))
 
 
-def test_both_hands_are_smoothed(session: Path, tmp_path: Path) -> None:
-    live = track(session, tmp_path / "live.mcap", TrackOptions(with_sensors=True))
+def test_both_hands_are_smoothed(session: Path, plain: Plain, tmp_path: Path) -> None:
+    live = plain.report
     out = tmp_path / "smooth.mcap"
     smooth = track(session, out, TrackOptions(smooth=True, with_sensors=True))
     assert is_ok(verify(out)) and smooth.frames == live.frames
@@ -48,17 +67,17 @@ def test_both_hands_are_smoothed(session: Path, tmp_path: Path) -> None:
         assert own.estimates == live.hands[side].estimates
         assert own.lost_s <= live.hands[side].lost_s
         assert own.error_mm["mean"] < 1.1 * live.hands[side].error_mm["mean"]
-        assert jerk(out, side) < 0.5 * jerk(tmp_path / "live.mcap", side)
+        assert jerk(out, side) < 0.5 * jerk(plain.path, side)
     again = tmp_path / "again.mcap"
     track(out, again, TrackOptions())
     for side in SIDES:  # what was copied is what was recorded
-        assert np.array_equal(angles(again, side), angles(tmp_path / "live.mcap", side))
+        assert np.array_equal(angles(again, side), angles(plain.path, side))
 
 
-def test_profiles_are_of_the_hand_that_they_were_learned_of(session: Path, tmp_path: Path) -> None:
-    kept = tmp_path / "anna.toml"
-    first = track(session, tmp_path / "a.mcap", TrackOptions(keep_wearer=str(kept)))
-    left, right = (kept.with_name(f"anna_{side}.toml") for side in SIDES)
+def test_profiles_are_of_the_hand_that_they_were_learned_of(
+    session: Path, plain: Plain, tmp_path: Path
+) -> None:
+    first, (left, right) = plain.report, (plain.profiles[side] for side in SIDES)
     assert 'hand = "reference-left"' in left.read_text() and right.is_file()
     one = track(session, tmp_path / "b.mcap", TrackOptions(wearer=str(right)))
     assert one.hands["left"].error_mm == first.hands["left"].error_mm
@@ -93,11 +112,10 @@ def test_replaced_files_are_of_the_side_that_they_say(session: Path, tmp_path: P
         track(session, tmp_path / "x.mcap", TrackOptions(glove=str(nameless)))
 
 
-def test_a_rulers_length_is_of_both(session: Path, tmp_path: Path) -> None:
-    plain = track(session, tmp_path / "a.mcap", TrackOptions())
+def test_a_rulers_length_is_of_both(session: Path, plain: Plain, tmp_path: Path) -> None:
     told = track(session, tmp_path / "b.mcap", TrackOptions(hand_length=0.19))
     for side in SIDES:
-        assert told.hands[side].error_mm != plain.hands[side].error_mm
+        assert told.hands[side].error_mm != plain.report.hands[side].error_mm
 
 
 def test_a_session_of_one_hand_takes_one_file(tmp_path: Path) -> None:
