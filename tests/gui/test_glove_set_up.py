@@ -88,18 +88,19 @@ def test_a_side_begins_with_its_usual_glove(window, qtbot):
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_the_place_of_the_glove_in_use_is_that_glove(window, store, qtbot):
+def test_the_place_of_the_glove_in_use_is_that_glove(window, store, qtbot, tmp_path):
     """A glove that was bound to wrong files is set up anew by its port, which the session has."""
-    known = BoundGlove("right", "vist-small", "reference-right", "", "/tmp/glove_left")
-    store.update(gloves=with_bound(store.value, 7, known), port="/tmp/glove_left")
+    port = str(tmp_path / "glove_left")
+    known = BoundGlove("right", "vist-small", "reference-right", "", port)
+    store.update(gloves=with_bound(store.value, 7, known), port=port)
     window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False, glove_id=7))
     window.run_command("glove_setup")
     dialog = window.set_up.dialogs["glove"]
-    dialog.choice.add_port("/tmp/glove_left")
+    dialog.choice.add_port(port)
     dialog.choice.side.setCurrentIndex(dialog.choice.side.findData("left"))
     dialog.use.click()
     found = bound(store.value, 7)
-    assert (found.side, found.glove, found.port) == ("left", "vist-small-left", "/tmp/glove_left")
+    assert (found.side, found.glove, found.port) == ("left", "vist-small-left", port)
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 

@@ -112,9 +112,12 @@ def _name(kernel: Any) -> str:
 
 
 def load() -> Library | None:
-    """The library, or None where it was not built or does not fit this Python."""
+    """The library, or None where it was not built, or does not fit this Python or this source: a
+    checkout that was moved on has the one of before until it is built again."""
     try:
         dispatch = importlib.import_module(f"{__package__}._dispatch")
+        if not hasattr(dispatch, "runs_wide"):
+            raise ImportError("it was built from an older source")
         compiled = [_part(name) for name in _for_this_processor(dispatch)]
     except (ImportError, OSError) as error:
         _log.debug("kernels are compiled as they are needed: %s", error)
