@@ -62,7 +62,7 @@ class _Frozen:
                 value.setflags(write=False)
 
 
-@record("imu_sample")
+@record("imu_sample", shapes={"accel": "n 3", "gyro": "n 3", "valid": "bool n"})
 @dataclass(frozen=True, eq=False, slots=True)
 class ImuSample(_Frozen):
     """One packet of a glove: all its IMUs at one instant, in the glove file's order.
@@ -80,7 +80,7 @@ class ImuSample(_Frozen):
     valid: NDArray[np.bool_]
 
 
-@record("camera_pose")
+@record("camera_pose", shapes={"R_GC": "3 3", "p_GC": "3"})
 @dataclass(frozen=True, eq=False, slots=True)
 class CameraPose(_Frozen):
     """Pose of the left rectified camera in G: R_GC (3, 3), p_GC (3,)."""
@@ -89,7 +89,7 @@ class CameraPose(_Frozen):
     p_GC: Array
 
 
-@record("camera_imu_sample")
+@record("camera_imu_sample", shapes={"gyro": "3", "accel": "3"})
 @dataclass(frozen=True, eq=False, slots=True)
 class CameraImuSample(_Frozen):
     """The stereo camera's own IMU at one instant, in the left camera's frame C.
@@ -115,7 +115,7 @@ class StereoFrame(_Frozen):
     index: int = -1
 
 
-@record("cloth")
+@record("cloth", shapes={"tile": "int n", "bits": "int n"})
 @dataclass(frozen=True, eq=False, slots=True)
 class Cloth(_Frozen):
     """Where an image shows the glove's own colours around its blobs, every second pixel.
@@ -130,7 +130,7 @@ class Cloth(_Frozen):
     bits: IntArray
 
 
-@record("blobs")
+@record("blobs", shapes={"uv": "n 2", "size": "n 2", "hue": "int n", "score": "n"})
 @dataclass(frozen=True, eq=False, slots=True)
 class Blobs(_Frozen):
     """Coloured blobs found in one image, in pixels of the image as recorded.
@@ -154,7 +154,7 @@ class Blobs(_Frozen):
         return len(self.uv)
 
 
-@record("rejected_blobs")
+@record("rejected_blobs", shapes={"uv": "n 2", "hue": "int n"})
 @dataclass(frozen=True, eq=False, slots=True)
 class RejectedBlobs(_Frozen):
     """Blobs of the right hue and the wrong shape, for display: uv (n, 2), reason per row."""
@@ -168,7 +168,7 @@ class RejectedBlobs(_Frozen):
         return RejectedBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), ())
 
 
-@record("blob_frame")
+@record("blob_frame", shapes={"unhidden": "2 m"})
 @dataclass(frozen=True, eq=False, slots=True)
 class BlobFrame(_Frozen):
     """What the detector found in one stereo exposure. A side without an image is None.
@@ -191,7 +191,18 @@ class BlobFrame(_Frozen):
     search: Search = Search.ANEW
 
 
-@record("frame_result")
+@record(
+    "frame_result",
+    shapes={
+        "predicted_left": "m 2",
+        "predicted_right": "m 2",
+        "predicted_cov": "m 2 2",
+        "visible": "m",
+        "match_left": "int m",
+        "match_right": "int m",
+        "residual": "m 4",
+    },
+)
 @dataclass(frozen=True, eq=False, slots=True)
 class FrameResult(_Frozen):
     """What the tracker made of one BlobFrame, for overlays and statistics.

@@ -6,6 +6,12 @@ The class may move and be renamed freely; of its attributes, so that old recordi
 renamed     say under which name it is written: ``@record("name", attribute="written")``
 new         give it a default, which recordings without it take
 gone        name it in ``gone``: what recordings say of it is passed over
+
+Arrays declare their ``shapes`` (`tracker.array_shapes`), alone and within lists and tuples. A
+recorded state is checked against these declarations, whatever an engine at rest looks like: an
+array may be empty before the first hand and grow later. A name in lower case stands for one size
+within one instance; one in capitals for a size of the hand or the glove, the same throughout the
+nearest record around it that is ``sized`` (one engine's state).
 """
 
 from __future__ import annotations
@@ -16,17 +22,21 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from tracker.array_shapes import ArrayShape
+
 T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Record:
-    """A class and its ``names``: attribute to the name in recordings."""
+    """A class and its ``names``: attribute to the name in recordings; ``shapes`` by the latter."""
 
     name: str
     kind: type
     names: Mapping[str, str]
     gone: tuple[str, ...]
+    shapes: Mapping[str, ArrayShape]
+    sized: bool
 
     def values(self, whole: Any) -> dict[str, Any]:
         """What an instance holds, by the names in recordings."""
@@ -70,19 +80,27 @@ RECORDS: dict[str, Record] = {}
 _OF_CLASS: dict[type, Record] = {}
 
 
-def record(name: str, gone: tuple[str, ...] = (), **written: str) -> Callable[[type[T]], type[T]]:
+def record(
+    name: str,
+    gone: tuple[str, ...] = (),
+    shapes: Mapping[str, str] | None = None,
+    sized: bool = False,
+    **written: str,
+) -> Callable[[type[T]], type[T]]:
     """Decorator of a dataclass, a NamedTuple or an enum (by its values).
 
-    ``written`` are attributes whose name in recordings is another one. Raises TypeError for a name
-    that is taken, or an attribute that there is not.
+    ``shapes`` are by attribute; ``written`` are attributes whose name in recordings is another one.
+    Raises TypeError for a name that is taken, an attribute that there is not, or no shape.
     """
+    declared = {a: ArrayShape.of(text) for a, text in (shapes or {}).items()}
 
     def register(kind: type[T]) -> type[T]:
         attributes = _attributes(kind)
         names = {a: written.get(a, a) for a in attributes}
-        if name in RECORDS or not written.keys() <= names.keys():
+        if name in RECORDS or not names.keys() >= written.keys() | declared.keys():
             raise TypeError(f"{kind.__name__} cannot be recorded as {name!r}")
-        RECORDS[name] = _OF_CLASS[kind] = Record(name, kind, names, gone)
+        by_name = {names[a]: shape for a, shape in declared.items()}
+        RECORDS[name] = _OF_CLASS[kind] = Record(name, kind, names, gone, by_name, sized)
         return kind
 
     return register

@@ -25,7 +25,8 @@ from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraPose, Estimate, ImuSample
 from tracker.pipeline import Pipeline
 from tracker.records import RECORDS
-from tracker.session.engine_state import MOST_BYTES, MOST_TEXT, VERSION, fits, pack, unpack
+from tracker.session.engine_state import MOST_BYTES, MOST_TEXT, VERSION, pack, unpack
+from tracker.session.state_check import mismatch
 from tracker.settings import ENGINES, Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
@@ -61,7 +62,7 @@ def test_every_engine_goes_on_from_its_bytes(
     assert len(data) < 400_000
     name, state = unpack(data)
     again = Pipeline(sim.hand, sim.glove, sim.rig, settings)
-    assert name == engine and fits(state, again.get_state())
+    assert name == engine and mismatch(state, again.get_state()) is None
     again.set_state(state)
     a, b = feed(live, messages[180:]), feed(again, messages[180:])
     assert len(a) > 50 and np.isfinite(a[-1].angles).all()
@@ -76,13 +77,15 @@ def test_another_gloves_state_does_not_fit(
     sim, _ = simulated
     one = Pipeline(sim.hand, sim.glove, sim.rig).get_state()
     other = Pipeline(sim.hand, distal_glove, sim.rig).get_state()
-    assert fits(one, one) and not fits(other, one)
+    assert mismatch(one, one) is None
+    found = mismatch(other, one)
+    assert found is not None and "has the shape" in found
 
 
 def test_a_state_fits_while_the_calibration_is_being_solved() -> None:
     _, state = unpack((DATA / "engine_state_chain.bin").read_bytes())
     assert state.engine.tracker.wearer.work.calibration is not None
-    assert fits(state, untouched(simulation(), "chain").get_state())
+    assert mismatch(state, untouched(simulation(), "chain").get_state()) is None
 
 
 def test_every_flipped_bit_is_noticed(simulated: tuple[Simulation, Messages]) -> None:
@@ -199,7 +202,7 @@ def test_a_state_of_another_day_is_still_read(sample: str) -> None:
     said = json.loads(path.with_suffix(".json").read_text())
     engine, state = unpack(path.read_bytes())
     pipeline = untouched(simulation(), sample)
-    assert engine == pipeline.settings.engine and fits(state, pipeline.get_state())
+    assert engine == pipeline.settings.engine and mismatch(state, pipeline.get_state()) is None
     pipeline.set_state(state)
     shown = pipeline.predict(said["t"])
     away = 1000 * shown.keypoints - np.array(said["keypoints_mm"])

@@ -49,7 +49,7 @@ FINGER_SD = 0.01  # m of a finger's markers, by the finger's two IMUs alone
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
 
 
-@record("hybrid.fingers")
+@record("hybrid.fingers", shapes={"joints": "3 3", "felt": "I"})
 @dataclass(eq=False)
 class FingersKept:
     """What changes beside the estimators: joint rotations of each finger, and when (s) each IMU
@@ -60,7 +60,7 @@ class FingersKept:
     last_t: float = np.nan
 
 
-@record("hybrid")
+@record("hybrid", sized=True)
 @dataclass(eq=False)
 class HybridKept:
     """All of a hybrid engine that changes."""

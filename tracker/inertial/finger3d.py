@@ -31,7 +31,7 @@ class JointRotations(NamedTuple):
     R_12: Array
 
 
-@record("finger.readings")
+@record("finger.readings", shapes={"gyro": "2 3", "accel": "2 3"})
 @dataclass(frozen=True, eq=False)
 class ImuPair:
     """Readings of a finger's IMUs in their phalanges' B: gyro (2, 3) rad/s, accel (2, 3) m/s².

@@ -24,7 +24,7 @@ from tracker.records import record
 OFFSET = 60e-3 * GRAVITY  # m/s², zero-g tolerance of an MPU-9250
 
 
-@record("finger.plane")
+@record("finger.plane", shapes={"w": "3"})
 @dataclass(eq=False)
 class PlaneKept:
     """All of a planar finger that changes: its estimator's state, and the dorsum's last two rates

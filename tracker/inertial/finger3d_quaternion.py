@@ -20,7 +20,7 @@ from tracker.messages import Array
 from tracker.records import record
 
 
-@record("finger.moment")
+@record("finger.moment", shapes={"gyro": "2 3", "accel": "2 3"})
 class _Moment(NamedTuple):
     """What one sample told: gyro, accel (2, 3) in B; w_B (3,) of the dorsum, its R_GB (3, 3)."""
 
@@ -29,7 +29,7 @@ class _Moment(NamedTuple):
     dorsum: DorsumMotion
 
 
-@record("finger.quaternion")
+@record("finger.quaternion", shapes={"q_GB": "2 4"})
 @dataclass(eq=False)
 class QuaternionKept:
     """All of it that changes: q_GB (2, 4) xyzw, None before the first sample, and the last two

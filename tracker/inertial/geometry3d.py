@@ -25,7 +25,7 @@ class FingerGeometry:
     sensor_1: Array
 
 
-@record("finger.dorsum")
+@record("finger.dorsum", shapes={"R_GB": "3 3", "w_B": "3", "f_B": "3", "point": "3"})
 @dataclass(frozen=True, eq=False)
 class DorsumMotion:
     """The dorsum at one sample.

@@ -14,7 +14,7 @@ from tracker.messages import Array
 from tracker.records import record
 
 
-@record("finger.integration")
+@record("finger.integration", shapes={"theta": "2", "rate": "2 2", "samples": "1"})
 class IntegrationState(NamedTuple):
     """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one; samples (1,) so far."""
 

@@ -15,7 +15,20 @@ from tracker.records import record
 SIZE = 4  # θ, b_g, b_x (along), b_z (palmar)
 
 
-@record("finger.learned")
+@record(
+    "finger.learned",
+    shapes={
+        "x": "2 4",
+        "P": "2 4 4",
+        "gyro": "2 2",
+        "accel": "complex 2",
+        "root": "complex 1",
+        "rest_accel": "complex 2",
+        "samples": "1",
+        "rest_count": "1",
+        "static": "1",
+    },
+)
 class LearnedState(NamedTuple):
     """x (2, 4), P (2, 4, 4); gyro (2, 2) of the last and the last but one sample; accel (2,) and
     root (1,) of the last; mean of accel since it came to rest (2,); samples (1,) so far and of them

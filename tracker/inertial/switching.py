@@ -34,7 +34,7 @@ class SwitchingParams:
         return SwitchingParams(accel_offset=accel_offset, own_levers=True)
 
 
-@record("finger.switching")
+@record("finger.switching", shapes={"bound": "2", "fast": "2"})
 class SwitchingState(NamedTuple):
     """Integrator, bound (2,) rad of each angle's error, fast (2,) 1 while integrating."""
 

@@ -9,7 +9,6 @@ from typing import Protocol
 
 import numpy as np
 
-from tracker.errors import FileError
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.engine import Engine
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
@@ -30,9 +29,9 @@ from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.online.colour_watch import ColourWatch
 from tracker.pipeline import ANOTHER, Pipeline
-from tracker.session import engine_state
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
+from tracker.session.state_check import require_match
 from tracker.session.writer import SessionRecorder
 from tracker.side_watch import SideWatch
 from tracker.two_hands import Sided
@@ -252,8 +251,7 @@ class LiveRun:
             return
         self._pipeline = self._make_pipeline(what.engine, before.calibrated_rig)
         self._sides = SideWatch(self._pipeline)
-        if not engine_state.fits(what.state, self._pipeline.get_state()):
-            raise FileError("The state of tracking in the recording is not that of its engine.")
+        require_match(what.state, self._pipeline.get_state(), what.engine)
         self._pipeline.set_state(what.state)
         self._output.state(what)
 

@@ -9,14 +9,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracker.errors import FileError
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, CameraImuSample, EngineState, Event, ImuSample, Tracking
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.runs import CALIBRATION_PERIOD, Fed, Output, arrival
-from tracker.session import engine_state
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
+from tracker.session.state_check import require_match
 from tracker.two_hands import Sided, TwoHands
 from tracker.vision.rig import StereoRig
 
@@ -121,8 +120,7 @@ class TwoHandsRun:
             output.rig(what, t)
             return
         self._engine, self._hands = what.engine, self._make(what.engine, self._rig)
-        if not engine_state.fits(what.state, self._hands.get_state()):
-            raise FileError("The state of tracking in the recording is not that of its engine.")
+        require_match(what.state, self._hands.get_state(), what.engine)
         self._hands.set_state(what.state)
         output.state(what)
 

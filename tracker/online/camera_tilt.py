@@ -34,7 +34,7 @@ class CameraTiltParams:
     ahead: float = 0.1  # s beyond the newest sample, after which the camera is taken to rest
 
 
-@record("camera_tilt.rotation")
+@record("camera_tilt.rotation", shapes={"R_GC": "3 3", "rate": "3"})
 @dataclass(frozen=True, eq=False)
 class _CameraRotation:
     """At ``t`` (s): R_GC (3, 3) and the angular rate (3,) rad/s in C from there on."""
@@ -44,7 +44,7 @@ class _CameraRotation:
     rate: Array
 
 
-@record("camera_tilt")
+@record("camera_tilt", shapes={"bias": "3"})
 @dataclass(eq=False)
 class CameraTiltKept:
     """All of it that changes: the gyroscope's bias (3,) rad/s, the last sample, rotations."""

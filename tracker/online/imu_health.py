@@ -14,7 +14,7 @@ from tracker.records import record
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
 
 
-@record("imu_health")
+@record("imu_health", shapes={"last": "n 6", "same": "int n"})
 @dataclass(eq=False)
 class ImuHealthKept:
     """last (n, 6): accel and gyro of the packet before; same (n,): how often they came again."""

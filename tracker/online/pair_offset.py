@@ -47,7 +47,7 @@ class PairOffsetParams:
     near_px: float = 80.0  # a blob so far from every marker is left where it is
 
 
-@record("pair_offset.rows")
+@record("pair_offset.rows", shapes={"marker": "int n", "left": "n", "right": "n"})
 class _Rows(NamedTuple):
     """Markers (n,) that both images at ``t`` (s) show, and their rectified rows (n,) px."""
 

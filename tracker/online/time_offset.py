@@ -63,7 +63,7 @@ class Offset:
     sd: float = float("inf")
 
 
-@record("time_offset.rotation")
+@record("time_offset.rotation", shapes={"R": "3 3", "rate": "3"})
 class _GyroRotation(NamedTuple):
     """Of the root by its gyroscope: R (3, 3) up to a constant on the left, rate (3,) rad/s in B."""
 
@@ -72,7 +72,7 @@ class _GyroRotation(NamedTuple):
     rate: Vector
 
 
-@record("time_offset.view")
+@record("time_offset.view", shapes={"marker": "int n", "p_G": "n 3", "R_GB": "3 3"})
 class _RootView(NamedTuple):
     """The root's markers in an image: rows ``marker`` (n,), positions p_G (n, 3) m but for the
     camera's own; and R_GB (3, 3) that they say, within the error of their placement."""

@@ -80,30 +80,6 @@ def unpack(data: bytes) -> tuple[str, Any]:
         raise FileError(f"The state of tracking in the recording is damaged: {error}.") from error
 
 
-def fits(state: Any, fresh: Any) -> bool:
-    """Whether ``state`` has the parts and array shapes of ``fresh``, the same engine's at rest.
-
-    What may come and go (lists, and what is None or an array (0,) at rest) is not looked into.
-    """
-    if fresh is None or isinstance(fresh, list):
-        return fresh is None or type(state) is type(fresh)
-    if isinstance(fresh, np.ndarray):
-        if not isinstance(state, np.ndarray) or state.dtype != fresh.dtype:
-            return False
-        return fresh.shape == (0,) or state.shape == fresh.shape
-    if isinstance(fresh, int | float | np.generic):
-        return isinstance(state, int | float | np.generic)
-    if type(state) is not type(fresh):
-        return False
-    known = record_of(type(fresh))
-    if known is not None:
-        ours, theirs = known.values(state), known.values(fresh)
-        return all(fits(ours[k], theirs[k]) for k in theirs)
-    if isinstance(fresh, tuple):
-        return len(state) == len(fresh) and all(map(fits, state, fresh))
-    return isinstance(fresh, str)
-
-
 # ---- writing
 
 

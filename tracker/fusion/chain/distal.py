@@ -46,7 +46,7 @@ class Digit(NamedTuple):
     link: int
 
 
-@record("chain.synergies")
+@record("chain.synergies", shapes={"value": "d 3", "P": "3d 3d"})
 @dataclass(eq=False)
 class Synergies:
     """What is known of the d digits of `DistalSegments`: value (d, 3) ratio, offset (rad) and

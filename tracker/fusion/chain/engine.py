@@ -40,7 +40,7 @@ from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
-@record("chain")
+@record("chain", sized=True)
 @dataclass(eq=False)
 class ChainKept:
     """All of a chain engine that changes."""

@@ -30,7 +30,19 @@ from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig, projected
 MIN_PRIOR = 0.01  # of being seen, below which a marker is not looked for
 
 
-@record("chain.prediction")
+@record(
+    "chain.prediction",
+    shapes={
+        "rows": "int n",
+        "uv": "2 M 2",
+        "prior": "2 M",
+        "A": "2 M 2 3",
+        "H": "n 3 N",
+        "HP": "n 3 N",
+        "cov": "n 3 3",
+        "S": "2 n 2 2",
+    },
+)
 class Prediction(NamedTuple):
     """Markers as the filter expects them; n of them may be seen.
 

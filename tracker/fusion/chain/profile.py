@@ -13,7 +13,18 @@ from tracker.messages import Array
 from tracker.records import record
 
 
-@record("chain.profile")
+@record(
+    "chain.profile",
+    shapes={
+        "bg": "I 3",
+        "R_IB": "I 3 3",
+        "ba": "I 3",
+        "scale": "A 2",
+        "joint": "B 3",
+        "marker": "M 3",
+        "P": "C C",
+    },
+)
 @dataclass(frozen=True, eq=False)
 class WearerProfile:
     """The calibration part of a `ChainState` and its covariance P (C, C), in the same order; the

@@ -44,7 +44,17 @@ SILENT = 0.5  # s without any IMU after which images alone measure nothing
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
-@record("chain.shown")
+@record(
+    "chain.shown",
+    shapes={
+        "seen": "M",
+        "felt": "I",
+        "tip_sd": "0 | t",
+        "doubted": "bool 0 | bool A",
+        "poor_since": "0 | d",
+        "p_GC": "0 | 3",
+    },
+)
 @dataclass(eq=False)
 class ShownKept:
     """All of it that changes."""

@@ -42,14 +42,28 @@ class Body(NamedTuple):
     joint: Matrix
 
 
-@record("chain.state")
+@record(
+    "chain.state",
+    shapes={
+        "p": "3",
+        "v": "3",
+        "R_GB": "A 3 3",
+        "bg": "I 3",
+        "R_IB": "I 3 3",
+        "ba": "I 3",
+        "scale": "A 2",
+        "joint": "B 3",
+        "marker": "M 3",
+        "P": "N N | 0 0",
+    },
+)
 @dataclass(eq=False)
 class ChainState:
     """Nominal state and covariance at time ``t``. Shapes: A active segments, n IMUs, M markers.
 
     p, v (3,) of the root's IMU in G; R_GB (A, 3, 3); bg, ba (n, 3); R_IB (n, 3, 3); scale (A, 2)
     length and girth; joint (B, 3) m in the root's B; marker (M, 3) m in each marker's B;
-    P (N, N) in the order of `ChainLayout`.
+    P (N, N) in the order of `ChainLayout`, or (0, 0) where a calibration alone is solved for.
     """
 
     t: float

@@ -39,7 +39,7 @@ STEP_PX = 1.0  # of the difference that tells how rectified pixels are turned in
 BEND, SIDE = 0, 1
 
 
-@record("chain.tip_bends")
+@record("chain.tip_bends", shapes={"bend": "d 2", "drive": "d", "P": "d 2 2"})
 @dataclass(eq=False)
 class TipBendsKept:
     """All of it that changes: of d digits flexion and aside (d, 2) rad beyond what the joints

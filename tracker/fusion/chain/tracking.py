@@ -26,7 +26,7 @@ PLACES_APART = 0.12  # s at most between two searches whose places tell how fast
 BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of sight
 
 
-@record("chain.tracking")
+@record("chain.tracking", shapes={"last_place": "3"})
 @dataclass(eq=False)
 class TrackingKept:
     """All of the judgement that changes. Instants in s."""

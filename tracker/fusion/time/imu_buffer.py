@@ -18,7 +18,7 @@ SHORTEST_STEP = 1e-9  # s
 AROUND = 0.01  # s: neighbours that give an angular acceleration
 
 
-@record("imu_moment")
+@record("imu_moment", shapes={"accel": "n 3", "gyro": "n 3", "valid": "bool n"})
 class Moment(NamedTuple):
     """What all n IMUs read at one instant, or on average about it, as in an `ImuSample`.
 

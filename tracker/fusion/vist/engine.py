@@ -38,7 +38,7 @@ from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
-@record("vist")
+@record("vist", sized=True)
 @dataclass(eq=False)
 class VistKept:
     """All of a vist engine that changes."""

@@ -21,7 +21,7 @@ from tracker.vision.stereo import match_stereo
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, both_cameras, visibility
 
 
-@record("vist.prediction")
+@record("vist.prediction", shapes={"p_G": "m 3", "prior": "2 m", "H": "m 3 21", "cov": "m 3 3"})
 @dataclass(frozen=True, eq=False)
 class Expected:
     """Markers (m kept ones) as a state predicts them.

@@ -15,7 +15,19 @@ from tracker.messages import Array
 from tracker.records import record
 
 
-@record("vist.state")
+@record(
+    "vist.state",
+    shapes={
+        "p_GI": "n 3",
+        "v_GI": "n 3",
+        "R_GI": "n 3 3",
+        "bg": "n 3",
+        "ba": "n 3",
+        "scale": "n 3",
+        "R_IB": "n 3 3",
+        "P": "21n 21n",
+    },
+)
 @dataclass(eq=False)
 class VistState:
     """Nominal state (eqs. 7 and 8 of Lee et al. 2021, doi:10.1126/scirobotics.abe1315) and

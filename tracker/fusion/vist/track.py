@@ -16,7 +16,7 @@ RECOGNISED_SHARE = 0.6  # of the expected markers
 LOST_SD = 0.05  # m: an unseen hand whose position is less certain than this is lost
 
 
-@record("vist.tracking")
+@record("vist.tracking", shapes={"seen": "M", "felt": "I", "tip_sd": "t"})
 @dataclass(eq=False)
 class Track:
     """What changes beside the filter. seen (M,), felt (I,): when each marker and IMU was last."""

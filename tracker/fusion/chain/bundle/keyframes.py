@@ -16,7 +16,7 @@ from tracker.records import record
 MAX_RATE = 4.0  # rad/s: faster than this an image smears and the accelerometers feel the motion
 
 
-@record("chain.keyframe")
+@record("chain.keyframe", shapes={"p": "3", "R_GB": "A 3 3", "uv": "2 M 2", "relative": "a 3"})
 @dataclass(frozen=True, eq=False)
 class Keyframe:
     """One posture. p (3,), R_GB (A, 3, 3) as the filter had them; uv (2, M, 2) rectified px of the

@@ -34,7 +34,9 @@ MOST_SHIFT = 0.008  # m of a marker, along each axis
 POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
 
 
-@record("chain.bundle")
+@record(
+    "chain.bundle", shapes={"p": "3", "R_GB": "A 3 3", "back": "b c", "N": "0 | C C", "g": "0 | C"}
+)
 @dataclass(eq=False)
 class BundleWork:
     """What changes: remembered postures and, while a solution is made, the sums so far."""

@@ -34,7 +34,7 @@ class Hold:
         return t > self.end - EARLY
 
 
-@record("chain.guided.sample")
+@record("chain.guided.sample", shapes={"posture": "a 3"})
 @dataclass(eq=False)
 class HeldSample:
     """One instant of a hold: t s; posture (A - 1, 3) rotation vectors of joints; what the pose says
@@ -45,7 +45,9 @@ class HeldSample:
     told: list[Told]
 
 
-@record("chain.guided.told")
+@record(
+    "chain.guided.told", shapes={"H": "m C", "H_own": "m e", "r": "m", "R": "m m", "own": "d 3"}
+)
 @dataclass(eq=False)
 class Told:
     """What a pose says of calibration and synergies alone, the posture eliminated.

@@ -1,0 +1,126 @@
+"""Whether a state from a recording is one that an engine may go on from.
+
+The state is checked against what its records declare (`tracker.records`), in all its parts, those
+within lists and those that an engine at rest does not have too. The engine at rest (``fresh``) says
+only which parts there always are, and how large the hand and the glove are. What it holds an empty
+array of may have grown.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+import numpy as np
+
+from tracker.array_shapes import ArrayShape, Sizes
+from tracker.errors import FileError
+from tracker.records import Record, record_of
+
+_NUMBER = int | float | np.generic
+
+
+class _Mismatch(Exception):
+    """Where a state is not what it should be."""
+
+
+def require_match(state: Any, fresh: Any, engine: str) -> None:
+    """Raises FileError where the engine of that name cannot go on from ``state``."""
+    where = mismatch(state, fresh)
+    if where is not None:
+        raise FileError(
+            f'This recording\'s start state does not match engine "{engine}" with this hand and '
+            f"glove; it cannot be tracked again. ({where})"
+        )
+
+
+def mismatch(state: Any, fresh: Any) -> str | None:
+    """Where ``state`` is not one of the engine whose state at rest is ``fresh``; None where it is.
+
+    The answer names the part, for whoever looks into it.
+    """
+    checker = _Declarations()
+    try:
+        checker.walk(fresh, "state", {})
+        checker.walk(state, "state", {})
+        _same_parts(state, fresh, "state", None)
+    except _Mismatch as error:
+        return str(error)
+    return None
+
+
+class _Declarations:
+    """Checks arrays against declared shapes. The sizes of the hand and the glove are those of the
+    state that is walked first."""
+
+    def __init__(self) -> None:
+        self._sizes: dict[str, Sizes] = {}  # of each part that is sized, by its path
+
+    def walk(self, value: Any, path: str, sizes: Sizes) -> None:
+        """All of ``value``; ``sizes`` are those of the part around it."""
+        known = record_of(type(value))
+        if known is not None and not isinstance(value, enum.Enum):
+            self._record(value, known, path, sizes)
+        elif isinstance(value, list | tuple):
+            for k, inside in enumerate(value):
+                self.walk(inside, f"{path}[{k}]", sizes)
+
+    def _record(self, whole: Any, known: Record, path: str, sizes: Sizes) -> None:
+        if known.sized:
+            sizes = self._sizes.setdefault(path, {})
+        own: Sizes = {}
+        for name, value in known.values(whole).items():
+            if name in known.shapes:
+                _match(value, known.shapes[name], f"{path}.{name}", own, sizes)
+            else:
+                self.walk(value, f"{path}.{name}", sizes)
+
+
+def _match(value: Any, shape: ArrayShape, path: str, own: Sizes, shared: Sizes) -> None:
+    """Arrays of a declared shape, alone or in lists; what is found of names is added."""
+    if isinstance(value, list | tuple):
+        for inside in value:
+            _match(inside, shape, path, own, shared)
+    elif isinstance(value, np.ndarray):
+        found = shape.match(value, shared | own)
+        if found is None:
+            raise _Mismatch(f"{path} has the shape {value.shape}, not {shape.text}")
+        for name, size in found.items():
+            (shared if name.isupper() else own)[name] = size
+    elif value is not None:
+        raise _Mismatch(f"{path} is a {type(value).__name__}, not an array")
+
+
+def _same_parts(state: Any, fresh: Any, path: str, shape: ArrayShape | None) -> None:
+    """What an engine at rest has is there. What is None or in lists may come and go."""
+    if fresh is None:
+        return
+    if isinstance(fresh, _NUMBER) and not isinstance(fresh, enum.Enum):
+        alike = isinstance(state, _NUMBER)
+    else:
+        alike = type(state) is type(fresh)
+    if not alike:
+        raise _Mismatch(f"{path} is a {type(state).__name__}, not a {type(fresh).__name__}")
+    known = record_of(type(fresh))
+    if isinstance(fresh, np.ndarray):
+        if shape is None:
+            _same_array(state, fresh, path)
+    elif known is not None and not isinstance(fresh, enum.Enum):
+        ours, theirs = known.values(state), known.values(fresh)
+        for name, value in theirs.items():
+            _same_parts(ours[name], value, f"{path}.{name}", known.shapes.get(name))
+    elif isinstance(fresh, tuple):
+        if len(state) != len(fresh):
+            raise _Mismatch(f"{path} has {len(state)} parts, not {len(fresh)}")
+        for k, (a, b) in enumerate(zip(state, fresh, strict=True)):
+            _same_parts(a, b, f"{path}[{k}]", shape)
+
+
+def _same_array(state: np.ndarray, fresh: np.ndarray, path: str) -> None:
+    """Of an array without a declared shape, axes that are empty at rest may have grown."""
+    same = state.dtype == fresh.dtype
+    if same and fresh.shape != (0,):
+        same = state.ndim == fresh.ndim
+        same = same and all(b in (a, 0) for a, b in zip(state.shape, fresh.shape, strict=True))
+    if not same:
+        raise _Mismatch(f"{path} has the shape {state.shape}, not {fresh.shape}")
