@@ -39,7 +39,8 @@ OF_TWO = {
 
 
 Follower = Callable[[Estimate, float], None]
-"""Receives each estimate of a packet, and when (s) that came; at once, so it must not wait."""
+"""Receives each estimate, and when (s) its packet arrived, or its image while packets are missing;
+at once, so it must not wait."""
 Subscriber = Callable[[Estimate], None]
 """Receives each estimate that the screen shows, in order of time; it must not wait."""
 
@@ -111,13 +112,17 @@ class LiveHand:
 
         return unsubscribe
 
+    def is_newer(self, estimate: Estimate) -> bool:
+        """Whether it is of a later instant than the one that is shown."""
+        return self.estimate is None or estimate.t > self.estimate.t
+
     def show(self, estimate: Estimate, by_packet: bool) -> bool:
         """Take over the newest estimate; whether the state of tracking is another one.
 
         An estimate of an instant before the last one is not shown: time never goes back on the
         screen and in streams. Before the first packet nothing is looked for, whatever images come.
         """
-        if self.estimate is not None and estimate.t <= self.estimate.t:
+        if not self.is_newer(estimate):
             return False
         self.estimate, state = estimate, estimate.tracking
         self.telemetry.tick("estimate", self._clock())

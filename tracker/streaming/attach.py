@@ -98,7 +98,8 @@ def attach(
 ) -> Attachment:
     """Send the tracker's estimates to ``publishers``, at most ``rate_hz`` times a second.
 
-    At `MAX_RATE_HZ` a tracker that publishes its estimates has all of them sent. ``say`` gets a sentence for the log when an output fails or recovers.
+    At `MAX_RATE_HZ` a tracker that publishes its estimates has all of them sent. ``say`` gets a
+    sentence for the log when an output fails or recovers.
     """
     if not 0 < rate_hz <= MAX_RATE_HZ:
         raise ValueError(f"the rate is between 0 and {MAX_RATE_HZ:g} Hz, not {rate_hz:g}")
