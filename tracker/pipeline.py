@@ -145,7 +145,7 @@ class Pipeline:
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
-        self._watch.packet(sample.t)
+        self._watch.packet(sample.t, sample.t_arrival)
         self._packet = sample.t_arrival
         self._follow_images(False)
         self.timing.packet(sample)
