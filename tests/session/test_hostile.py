@@ -93,6 +93,7 @@ def attached(path: Path, session_info, **texts: str) -> Path:
         "length = " + "1" * 400,
         "length = " + "1" * 5000,
         "name = '''" * 50_000,
+        'name = "' + '\\"' * 490_000,
         "x" * 30_000_000,
         "schema = 1e400",
     ],
