@@ -210,7 +210,8 @@ def test_the_grammar_of_answers():
     ):
         assert is_reply(reply.as_json() + "\n") and is_reply(reply.as_json(True).encode())
     for wrong in (
-        "", "x", "[]", "{}", '{"ok": 1, "do": "", "text": ""}', '{"ok": true, "do": "x", "text": ""}',
+        "", "x", "[]", "{}", '{"ok": 1, "do": "", "text": ""}',
+        '{"ok": true, "do": "x", "text": ""}',
         '{"ok": true, "do": "", "error": ""}', '{"ok": true, "do": "", "text": "", "file": 3}',
         '{"ok": true, "do": "", "text": "", "more": {}}', "{" * 20_000, b"\xff",
         '{"ok": true, "do": "",\n "text": ""}',
