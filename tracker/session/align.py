@@ -17,6 +17,7 @@ from tracker.errors import ConfigError, FileError
 from tracker.files import write_whole
 from tracker.messages import Array, Estimate, ImuSample
 from tracker.session.reader import SessionReader
+from tracker.toml_reader import read_text
 
 WAYS = ("clock", "movement")
 RATE = 100.0  # Hz
@@ -208,7 +209,7 @@ def keep(alignment: Alignment, path: Path, force: bool = False) -> None:
 def read_alignment(path: Path) -> Alignment:
     """Raises FileError for what is none."""
     try:
-        said = json.loads(path.read_text("utf-8"))
+        said = json.loads(read_text(path))
         numbers = [float(said[k]) for k in ("offset_s", "clocks_differ_s")]
         words = [str(said[k]) for k in ("first", "second", "by")]
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
