@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from tracker.channels import Closed, Fifo, Latest
+from tracker.channels import Backlog, Closed, Fifo, Latest
 
 
 def test_latest_keeps_the_newest_and_counts_the_rest() -> None:
@@ -18,6 +18,19 @@ def test_latest_keeps_the_newest_and_counts_the_rest() -> None:
     assert slot.get() == 4
     assert slot.get() is None
     assert slot.dropped == 4
+
+
+def test_backlog_discards_the_oldest_and_counts() -> None:
+    queue: Backlog[int] = Backlog(3)
+    assert all(queue.put(n) for n in range(5))
+    assert queue.dropped == 2
+    queue.close()
+    assert not queue.put(9)
+    assert [queue.get() for _ in range(3)] == [2, 3, 4]
+    with pytest.raises(Closed):
+        queue.get()
+    with pytest.raises(ValueError, match="at least one"):
+        Backlog(0)
 
 
 def test_fifo_refuses_what_it_cannot_hold() -> None:

@@ -1,7 +1,8 @@
-"""How threads hand messages to each other: a bounded queue and a slot of one.
+"""How threads hand messages to each other: two bounded queues and a slot of one.
 
 A lost IMU sample is a lost piece of an integral, so samples go through `Fifo`, which never drops in
-silence. An image that nobody had time for is merely old, so images go through `Latest`.
+silence. An image that nobody had time for is merely old, so images go through `Latest`. A client
+wants every estimate but no old ones, so estimates go through `Backlog`.
 """
 
 from __future__ import annotations
@@ -129,6 +130,53 @@ class Fifo(Generic[T]):
 
     def close(self) -> None:
         """Refuse new values and wake whoever waits; what is inside can still be fetched."""
+        with self._changed:
+            self._closed = True
+            self._changed.notify_all()
+
+
+class Backlog(Generic[T]):
+    """A queue of the ``size`` newest values: a full one discards its oldest and counts it."""
+
+    def __init__(self, size: int) -> None:
+        if size < 1:
+            raise ValueError("a Backlog holds at least one value")
+        self._changed = threading.Condition()
+        self._values: deque[T] = deque(maxlen=size)
+        self._closed = False
+        self._dropped = 0
+
+    @property
+    def dropped(self) -> int:
+        """How many values were discarded because the queue was full."""
+        with self._changed:
+            return self._dropped
+
+    def put(self, value: T) -> bool:
+        """Append; False where the channel is closed. Never waits."""
+        with self._changed:
+            if self._closed:
+                return False
+            self._dropped += len(self._values) == self._values.maxlen
+            self._values.append(value)
+            self._changed.notify()
+            return True
+
+    def get(self, timeout: float | None = 0.0) -> T | None:
+        """The oldest value; None if there is none within ``timeout`` s (None: wait for ever).
+
+        Raises Closed once the channel is closed and empty.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: bool(self._values) or self._closed, timeout)
+            if self._values:
+                return self._values.popleft()
+            if self._closed:
+                raise Closed
+            return None
+
+    def close(self) -> None:
+        """Refuse new values and wake whoever waits; queued values can still be fetched."""
         with self._changed:
             self._closed = True
             self._changed.notify_all()

@@ -13,6 +13,7 @@ import hashlib
 import os
 import re
 import shutil
+import stat
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -54,6 +55,25 @@ def disk_error(path: Path | str, error: OSError) -> DiskError:
     """An operating-system error in the user's words."""
     why = _WORDS.get(error.errno or 0, error.strerror or str(error))
     return DiskError(f"{path} cannot be written: {why}.")
+
+
+def check_regular(path: Path) -> None:
+    """Raises FileError for a folder, and for a pipe or a device, which may not end; OSError."""
+    if not stat.S_ISREG(path.stat().st_mode):
+        raise FileError(f"{path} is not a regular file.")
+
+
+def read_bounded(path: Path, limit: int, what: str) -> bytes:
+    """A regular file of at most ``limit`` bytes, whole; ``what`` names the kind that it is not.
+
+    Raises FileError for a larger one and for one that is not regular, OSError where it is missing.
+    """
+    check_regular(path)
+    with path.open("rb") as file:
+        data = file.read(limit + 1)
+    if len(data) > limit:
+        raise FileError(f"{path} is larger than {limit} bytes: not {what}.")
+    return data
 
 
 def free_bytes(folder: Path) -> int:

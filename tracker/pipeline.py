@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import numpy as np
+
 from tracker.ahead import Ahead, Worn
 from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
@@ -24,7 +26,9 @@ from tracker.messages import (
     Event,
     FrameResult,
     ImuSample,
+    IntArray,
     Tracking,
+    Validity,
 )
 from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
 from tracker.online.frame_timing import FrameTiming, FrameTimingKept
@@ -35,6 +39,12 @@ from tracker.records import record
 from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.rig import StereoRig, ideal_rig
+
+SILENCE = 0.2
+"""s without packets, at an image's exposure, after which the hand follows the images alone. A stall
+of the computer or the USB line is mostly shorter; its packets still arrive."""
+NO_PACKETS = "No packets from the {} glove: the hand follows the images alone."
+PACKETS_AGAIN = "Packets from the {} glove arrive again."
 
 ANOTHER = (
     "The hand was given up: patches on it are not where the glove's markers of their hues would "
@@ -71,12 +81,15 @@ def build_engine(
 @record("pipeline")
 @dataclass(eq=False)
 class PipelineKept:
-    """All of a pipeline that changes; ``engine`` is what its engine keeps."""
+    """All of a pipeline that changes; ``engine`` is what its engine keeps, ``packet`` when (s) the
+    last packet arrived, ``by_images`` whether the hand follows the images alone."""
 
     engine: Any
     timing: FrameTimingKept
     camera: CameraTiltKept
     pair: PairOffsetKept = field(default_factory=PairOffsetKept)
+    packet: float = -np.inf
+    by_images: bool = False
 
 
 class Pipeline:
@@ -111,7 +124,10 @@ class Pipeline:
         self.pair_offset = PairOffset(rig)
         self._results: list[FrameResult] = []
         self._words: list[str] = []
+        self._source_words: list[str] = []
         self._told = False
+        self._packet = -np.inf  # arrival of the last packet, s
+        self._by_images = False
         self.ahead = Ahead(Worn(hand, glove), self.engine, self.timing, self.pair_offset)
 
     def with_engine(self, name: str) -> Pipeline:
@@ -129,7 +145,9 @@ class Pipeline:
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
-        self._watch.packet(sample.t)
+        self._watch.packet(sample.t, sample.t_arrival)
+        self._packet = sample.t_arrival
+        self._follow_images(False)
         self.timing.packet(sample)
         estimate = self.engine.feed_imu(sample)
         self._collect()
@@ -150,6 +168,26 @@ class Pipeline:
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
             self._results.append(nothing)
+
+    def without_packets(self, frame: BlobFrame) -> Estimate | None:
+        """The hand at the instant of an image that was just fed, where packets have been missing
+        for `SILENCE`; None while they arrive, before the first and without a camera.
+
+        It depends on what was fed alone, so that a session that is tracked again has it, too.
+        Nothing in it is called measured.
+        """
+        if not self._uses_images or not frame.t - self._packet > SILENCE:
+            return None
+        if self._packet == -np.inf:
+            return None
+        self._follow_images(True)
+        return inferred(self.engine.predict(frame.t))
+
+    def _follow_images(self, on: bool) -> None:
+        if on != self._by_images:
+            self._by_images = on
+            text = NO_PACKETS if on else PACKETS_AGAIN
+            self._source_words.append(text.format(self.glove.side))
 
     def feed_event(self, event: Event) -> None:
         """Take what was said: an engine that learns from guided poses hears of them."""
@@ -210,7 +248,12 @@ class Pipeline:
     def take_words(self) -> list[str]:
         """Sentences about the camera and guided poses since the last call, for the log."""
         words, self._words = self._words, []
-        return words + self._watch.take_words()
+        return words + self.take_source_words() + self._watch.take_words()
+
+    def take_source_words(self) -> list[str]:
+        """Sentences since the last call about what the hand follows: packets, or images alone."""
+        words, self._source_words = self._source_words, []
+        return words
 
     def predict(self, t: float) -> Estimate:
         """The hand at any instant near now. Moves nothing."""
@@ -223,7 +266,9 @@ class Pipeline:
     def get_state(self) -> PipelineKept:
         """Everything that changes and that estimates depend on; `set_state` goes on identically."""
         timing, camera = self.timing.get_state(), self._camera.get_state()
-        return PipelineKept(self.engine.get_state(), timing, camera, self.pair_offset.get_state())
+        pair = self.pair_offset.get_state()
+        engine = self.engine.get_state()
+        return PipelineKept(engine, timing, camera, pair, self._packet, self._by_images)
 
     def set_state(self, state: PipelineKept) -> None:
         """Go on from `get_state`."""
@@ -231,3 +276,17 @@ class Pipeline:
         self.timing.set_state(state.timing)
         self._camera.set_state(state.camera)
         self.pair_offset.set_state(state.pair)
+        self._packet, self._by_images = state.packet, state.by_images
+
+
+def inferred(estimate: Estimate) -> Estimate:
+    """The same with nothing called measured."""
+    return replace(
+        estimate,
+        keypoint_state=_at_most_inferred(estimate.keypoint_state),
+        angle_state=_at_most_inferred(estimate.angle_state),
+    )
+
+
+def _at_most_inferred(state: IntArray) -> IntArray:
+    return np.where(state == Validity.MEASURED, Validity.INFERRED, state).astype(state.dtype)

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import FileError
+from tracker.files import read_bounded
 from tracker.messages import Array
 
 MOST_BYTES = 1_000_000
@@ -26,11 +27,13 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,63}")
 _NAME_RULE = "a letter, then at most 63 letters, digits, _ and -"
 _LABEL_RULE = "at most 64 characters that can be printed, and no comma"
 _TOKEN = re.compile(
-    r'"""(?:[^"\\]|\\.|"(?!""))*"""'  # texts of several lines
-    r"|'''(?:[^']|'(?!''))*'''"
-    r'|"(?:[^"\\\n]|\\.)*"'  # texts of one
-    r"|'[^'\n]*'"
-    r"|#[^\n]*|[A-Za-z0-9_+-]+|[ \t]+|.",
+    r'"""(?:[^"\\]++|\\.|"(?!""))*+"{3,5}'  # texts of several lines
+    r"|'''(?:[^']++|'(?!''))*+'{3,5}"
+    r'|(?P<open>"""|\'\'\')'  # one that does not end: nothing after it is read
+    r'|"(?:[^"\\\n]++|\\.)*+"'  # texts of one line
+    r"|'[^'\n]*+'"
+    r"|(?P<open_line>[\"'])"
+    r"|#[^\n]*+|[A-Za-z0-9_+-]++|[ \t]++|.",
     re.DOTALL,
 )
 
@@ -241,7 +244,10 @@ def _check_bounds(text: str, name: str) -> None:
     if len(text) > MOST_BYTES:
         raise FileError(f"{name} is larger than {MOST_BYTES} bytes: not a configuration file.")
     line, key, depth, parts, bare = 1, "", 0, 1, ""
-    for token in _TOKEN.findall(text):
+    for found in _TOKEN.finditer(text):
+        if found["open"] or found["open_line"]:  # the tokens after it would take quadratic time
+            raise FileError(f"{name} is not valid TOML: line {line} has a text without its end.")
+        token = found[0]
         first = token[0]
         why = ""
         if first in "\"'" or first == "_" or first.isalnum():
@@ -289,9 +295,8 @@ def _short(text: str, most: int = 60) -> str:
 def read_text(path: Path, limit: int = MOST_BYTES) -> str:
     """A small text file whole. Raises FileError where it is missing, huge or not UTF-8."""
     try:
-        if path.stat().st_size > limit:
-            raise FileError(f"{path} is larger than {limit} bytes: not a configuration file.")
-        return path.read_text("utf-8")
+        text = read_bounded(path, limit, "a configuration file").decode("utf-8")
+        return text.replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         raise FileError(f"{path} is not a UTF-8 text file.") from error
     except OSError as error:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from app.platform.tasks import Job, JobProgress
@@ -24,13 +25,17 @@ def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
         from tracker.session.reader import SessionReader
 
         progress(0.0, wanted.engine)
-        track(source, out, wanted, lambda share: progress(TRACKING_SHARE * share, wanted.engine))
+
+        def forward(share: float) -> None:
+            progress(TRACKING_SHARE * share, wanted.engine)
+
+        report = track(source, out, wanted, forward)
         with SessionReader(source) as reader:
             tracked = any(n.startswith("/hand/") for n in reader.topic_names)
         if not tracked:
             return None
         progress(TRACKING_SHARE, tr("comparing"))
-        return compared(source, out)
+        return replace(compared(source, out), note=report.note)
 
     return run
 

@@ -26,7 +26,7 @@ from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.haptics import HapticPublisher, Sphere
 from tracker.streaming.params import STREAMS, StreamParams, Worn, open_for_hands
 from tracker.streaming.publisher import Names, Publisher
-from tracker.streaming.streams import StreamCounts
+from tracker.streaming.streams import StreamCounts, of_all_hands
 
 HAPTICS = "haptics"
 TOUCHING = "index_tip"
@@ -57,7 +57,7 @@ class HandsOutput:
         ]
 
     def counts(self) -> StreamCounts:
-        return self._attached[0].counts()[0]
+        return of_all_hands([part.counts()[0] for part in self._attached])
 
     def close(self) -> None:
         """Waits for what is being sent."""

@@ -1,15 +1,18 @@
 """One window per user: a second start hands its session file to the first one and ends.
 
-By the same socket, which is open to this user alone, `ask` has the window start, stop and note.
+By the same socket, which accepts this user alone (`own_socket`), `ask` has the window start, stop
+and note.
 
-The name of the local socket is made from the folder of the settings: who has other settings has
-another window.
+The name of the local socket is made from the folder of the settings: each folder of settings has
+its own window.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
+import logging
+import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -19,10 +22,17 @@ import platformdirs
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtNetwork import QLocalServer, QLocalSocket
 
+from app.platform.own_socket import ForeignSocket, addresses, check_peer
+from tracker.errors import GlovetrackError
+from tracker.streaming.remote.request import is_reply
+
 WAIT_MS = 2000
 ASK_MS = 10_000  # a window that opens devices is busy for seconds
 MOST_BYTES = 65536
 ANSWER = b"taken\n"
+NOT_A_WINDOW = "The program that answered is not a Glovetrack window."
+
+_log = logging.getLogger(__name__)
 
 
 def server_name() -> str:
@@ -32,34 +42,64 @@ def server_name() -> str:
 
 
 def hand_over(session: Path | None, name: str | None = None) -> bool:
-    """Give ``session`` (None: only show yourself) to the window that is open; False if none is."""
+    """Give ``session`` (None: only show yourself) to the window that is open; False if none is.
+
+    Raises ForeignSocket where another user's program listens, GlovetrackError where the answer is
+    not one of a window.
+    """
     said = {"open": str(session.resolve()) if session is not None else ""}
-    return _converse(said, name, WAIT_MS) == ANSWER
+    answer = _converse(said, name, WAIT_MS)
+    if answer not in (b"", ANSWER):
+        raise GlovetrackError(f"{NOT_A_WINDOW} Close it, then start Glovetrack again.")
+    return answer == ANSWER
 
 
 def ask(words: dict[str, Any], name: str | None = None) -> str | None:
-    """Have the window that is open do something; its answer as JSON, None where none answers."""
+    """Have the window that is open do something; its answer as JSON, None where none answers.
+
+    Raises ForeignSocket where another user's program listens, GlovetrackError where the answer is
+    not one of a window.
+    """
     answer = _converse({"remote": words}, name, ASK_MS)
-    return answer.decode("utf-8").strip() if answer else None
+    if not answer:
+        return None
+    if not is_reply(answer):
+        raise GlovetrackError(NOT_A_WINDOW)
+    return answer.decode("utf-8").strip()
 
 
 def _converse(said: dict[str, Any], name: str | None, wait_ms: int) -> bytes:
-    """Say one line to the window that is open; its answer, empty where there is none."""
-    socket = QLocalSocket()
-    socket.connectToServer(name or server_name())
-    if not socket.waitForConnected(WAIT_MS):
+    """Send one line to the window that is open; its answer, empty where there is none."""
+    socket = _connected_to(name or server_name())
+    if socket is None:
         return b""
     socket.write(json.dumps(said).encode() + b"\n")
-    answer = b""
+    answer, end = b"", time.monotonic() + wait_ms / 1000
     if socket.waitForBytesWritten(WAIT_MS):
-        while not answer.endswith(b"\n") and socket.waitForReadyRead(wait_ms):
+        while not answer.endswith(b"\n") and len(answer) <= MOST_BYTES:
+            left = int(1000 * (end - time.monotonic()))
+            if left <= 0 or not socket.waitForReadyRead(left):
+                break
             answer += bytes(socket.readAll().data())
     socket.disconnectFromServer()
     return answer
 
 
+def _connected_to(name: str) -> QLocalSocket | None:
+    """A connection to a window of this user; None where none listens. Raises ForeignSocket."""
+    for address in addresses(name):
+        socket = QLocalSocket()
+        socket.connectToServer(address)
+        if socket.waitForConnected(WAIT_MS):
+            check_peer(int(socket.socketDescriptor()), address)
+            return socket
+    return None
+
+
 class Instance(QObject):
     """Listens for later starts; ``asked`` has the session's path, or "" for the window alone.
+
+    Raises ForeignSocket, DiskError where no socket of the user's own can be made.
 
     ``answer``, once there is a window, does what is asked as JSON and answers as JSON.
     """
@@ -74,9 +114,11 @@ class Instance(QObject):
         self._server.setSocketOptions(QLocalServer.SocketOption.UserAccessOption)
         self._server.newConnection.connect(self._connected)
         name = name or server_name()
-        if not _is_served(name):  # Qt would take the name away from who has it
-            QLocalServer.removeServer(name)  # left by a crash
-            self._server.listen(name)
+        if not _is_served(name):  # Qt would take the name away from the window that has it
+            self._address = addresses(name)[0]
+            QLocalServer.removeServer(self._address)  # left by a crash
+            if not self._server.listen(self._address):
+                _log.warning("%s: %s", self._address, self._server.errorString())
 
     @property
     def listening(self) -> bool:
@@ -85,6 +127,13 @@ class Instance(QObject):
 
     def _connected(self) -> None:
         socket = self._server.nextPendingConnection()
+        try:
+            check_peer(int(socket.socketDescriptor()), self._address)
+        except ForeignSocket as error:
+            _log.warning("A connection was refused: %s", error)
+            socket.abort()
+            socket.deleteLater()
+            return
         self._sockets.add(socket)
         socket.readyRead.connect(partial(self._read, socket))
         socket.disconnected.connect(partial(self._forget, socket))
@@ -126,9 +175,8 @@ class Instance(QObject):
 
 
 def _is_served(name: str) -> bool:
-    """Whether somebody takes connections there."""
-    socket = QLocalSocket()
-    socket.connectToServer(name)
-    served = socket.waitForConnected(WAIT_MS)
-    socket.abort()
-    return bool(served)
+    """Whether a window of this user listens there. Raises ForeignSocket."""
+    socket = _connected_to(name)
+    if socket is not None:
+        socket.abort()
+    return socket is not None

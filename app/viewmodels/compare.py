@@ -18,7 +18,7 @@ class Comparison:
     """``first`` and ``second`` tell one movement; figures as `tracker.session.compare` gives them.
 
     ``errors_mm``: mean distance of each keypoint from the truth, of both; empty without truth.
-    ``engines``: what tracked them.
+    ``engines``: what tracked them; ``note``: what the user has to know of the second tracking.
     """
 
     first: Path
@@ -26,6 +26,7 @@ class Comparison:
     figures: dict[str, Any]
     errors_mm: tuple[dict[str, float], dict[str, float]]
     engines: tuple[str, str] = ("", "")
+    note: str = ""
 
     @property
     def names(self) -> tuple[str, str]:
@@ -67,7 +68,11 @@ def rows(c: Comparison) -> list[CompareRow]:
 
 
 def summary(c: Comparison) -> str:
-    """One sentence."""
+    """One sentence on both, and the note where there is one."""
+    return f"{_in_common(c)} {c.note}".rstrip()
+
+
+def _in_common(c: Comparison) -> str:
     f = c.figures
     if f["identical"]:
         return tr("Both are the same to the last bit ({} instants).").format(f["compared"])

@@ -134,7 +134,7 @@ class HandSceneModel:
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             trail=self._trail_points(estimate),
-            caption=self._caption(view, located),
+            caption=self._caption(view, estimate, located),
         )
 
     def _segment_states(self, view: Snapshot, estimate: Estimate, located: bool) -> IntArray:
@@ -148,11 +148,13 @@ class HandSceneModel:
         place = self._last[1][0] if self._last is not None else self._nowhere
         return np.asarray(p_GB - p_GB[0] + place)
 
-    def _caption(self, view: Snapshot, located: bool) -> str:
+    def _caption(self, view: Snapshot, estimate: Estimate, located: bool) -> str:
         if len(view.imu) > 0 and not (view.packets_arrive or view.images_arrive):
             return tr("Nothing arrives: the hand stands as it was last")
         if located:
             return ""
+        if view.setup.player is not None and not np.isfinite(estimate.angles).any():
+            return tr("No estimates here: showing the last pose")
         if self._setup.whole:
             return tr("Position lost: the hand stands where it was last seen")
         return tr("Place unknown: orientation and finger angles by the IMUs alone")

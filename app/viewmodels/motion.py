@@ -9,13 +9,14 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.viewmodels.names import spoken
-from tracker.messages import Array, Estimate, Tracking, Validity
+from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 from tracker.session.motion import (
     APERTURE,
     Measure,
     Pair,
     Take,
     Units,
+    curve,
     distance,
     measures,
     pair_name,
@@ -114,21 +115,23 @@ class MotionModel:
             out.append(MotionRow(pair_name(pair), "mm", 1000 * away, np.nan, state))
         return out
 
-    def _of(self, take: Take, row: int) -> Array:
+    def _of(self, take: Take, row: int) -> tuple[Array, IntArray]:
+        """Values (N,) and their states (N,)."""
         if self.is_angle(row):
-            return np.asarray(take.angles[:, row])
-        return distance(take, self.pairs[row - len(self.angle_names)])[0]
+            return take.angles[:, row], take.angle_state[:, row]
+        away, _, state = distance(take, self.pairs[row - len(self.angle_names)])
+        return away, state
 
     def curve(self, row: int) -> tuple[Array, Array]:
         """t (N,) s and values (N,) in the unit: the whole take where it is read, else the last
-        seconds, up to 0."""
+        seconds, up to 0; NaN where it is lost and in holes."""
         take = self.take or self._recent()
         if take is None:
             return np.empty(0), np.empty(0)
-        values = self._of(take, row)
+        t, values = curve(take, *self._of(take, row))
         if self.is_angle(row):
-            return take.t, np.rad2deg(values) if self.units.degrees else values
-        return take.t, 1000 * values
+            return t, np.rad2deg(values) if self.units.degrees else values
+        return t, 1000 * values
 
     def _recent(self) -> Take | None:
         if not self._lately:

@@ -63,5 +63,23 @@ def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: st
     look, state = (WARN, tr("failing")) if counts.error else (GOOD, tr("sending"))
     if not counts.error and counts.clients == 0:
         state = tr("nobody listens")
-    dropped = str(counts.dropped + counts.failed)
-    return StreamRow(look, state, clients, str(counts.sent), dropped, counts.error or counts.name)
+    tip = "\n".join([counts.error or counts.name, *_missed(counts)])
+    return StreamRow(look, state, clients, _sent(counts), str(counts.left_out), tip)
+
+
+def _sent(counts: StreamCounts) -> str:
+    """How many messages, and how many a second, of each hand: ``1200 (100 + 99 Hz)``."""
+    rates = " + ".join(f"{rate:.0f}" for rate in counts.rates_hz)
+    return f"{counts.sent} ({rates} Hz)" if rates else str(counts.sent)
+
+
+def _missed(counts: StreamCounts) -> list[str]:
+    """A line for each cause of messages that were left out."""
+    lines = [
+        (counts.dropped, tr("{} discarded: this computer is overloaded").format(counts.dropped)),
+        (counts.failed, tr("{} could not be sent").format(counts.failed)),
+    ]
+    for client, n in counts.missed.items():
+        who = client or tr("clients that have left")
+        lines.append((n, tr("{} missed by {}").format(n, who)))
+    return [text for n, text in lines if n]

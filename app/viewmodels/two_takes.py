@@ -23,9 +23,8 @@ from tracker.session.align import (
     kept_beside,
     read_alignment,
 )
+from tracker.session.holes import LONGEST_FILLED, durations, with_breaks
 from tracker.session.reader import SessionReader
-
-GAP = 0.05  # s over which an angle is not filled in
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +41,10 @@ class TakeAngles:
     names: tuple[str, ...]
     t: Array
     angles: Array
+
+    def curve(self, name: str) -> tuple[Array, Array]:
+        """Times (s) and values (rad) of an angle to draw a line through."""
+        return with_breaks(self.t, self.angles[:, self.names.index(name)])
 
 
 @dataclass(frozen=True)
@@ -107,17 +110,15 @@ class TwoTakes:
         return self.second.start - self.first.start - offset
 
     def curves(self, name: str, offset: float) -> tuple[Array, Array, Array, Array]:
-        """Times and values (rad) of the first, then of the second on the first one's axis."""
-        a, b = self.first, self.second
-        return (
-            a.t,
-            a.angles[:, a.names.index(name)],
-            b.t + offset,
-            b.angles[:, b.names.index(name)],
-        )
+        """Times and values (rad) of the first, then of the second on the first one's axis; NaN
+        where it is lost and in holes."""
+        t, first = self.first.curve(name)
+        t_second, second = self.second.curve(name)
+        return t, first, t_second + offset, second
 
     def difference(self, name: str, offset: float) -> Array:
-        """Second minus first at the first one's times, rad; NaN where one of them does not know."""
+        """Second minus first at the times of the first one's curve, rad; NaN where either is
+        unknown."""
         t, first, t_second, second = self.curves(name, offset)
         return between(t, t_second, second) - first
 
@@ -127,10 +128,9 @@ class TwoTakes:
         known = np.isfinite(difference)
         if not known.any():
             return None
-        step = float(np.median(np.diff(self.first.t))) if len(self.first.t) > 1 else 0.0
-        some = difference[known]
+        some, t = difference[known], self.curves(name, offset)[0][known]
         return Difference(
-            float(np.sqrt(np.mean(some**2))), float(np.abs(some).max()), step * int(known.sum())
+            float(np.sqrt(np.mean(some**2))), float(np.abs(some).max()), float(durations(t).sum())
         )
 
 
@@ -142,7 +142,7 @@ def between(t: Array, known_t: Array, values: Array) -> Array:
         return np.full(len(t), np.nan)
     out = np.interp(t, known_t, values, left=np.nan, right=np.nan)
     after = np.clip(np.searchsorted(known_t, t), 1, len(known_t) - 1)
-    out[known_t[after] - known_t[after - 1] > GAP] = np.nan
+    out[known_t[after] - known_t[after - 1] > LONGEST_FILLED] = np.nan
     return out
 
 
@@ -152,6 +152,7 @@ def read_take(path: Path) -> TakeAngles:
         names = reader.info.hand.joint_names
         start = reader.anchor.monotonic(reader.span_ns[0])
         found = [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
+        found.sort(key=lambda m: m.t)  # of packets that were late they are not in this order
         angles = np.array([m.angles for m in found]).reshape(-1, len(names))
         state = np.array([m.angle_state for m in found]).reshape(-1, len(names))
         return TakeAngles(

@@ -8,12 +8,12 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from app.platform.single_instance import ask
+from app.platform.single_instance import NOT_A_WINDOW, ask
 from tracker.errors import GlovetrackError
 from tracker.hand.names import CHAINS
 from tracker.streaming.remote.client import ask as ask_over_udp
 from tracker.streaming.remote.params import RemoteParams
-from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS
+from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
 from tracker.terminal import add_json, check_json, finish, printable
 
 NOBODY = "No window is open. Open one with `glovetrack`."
@@ -40,12 +40,11 @@ def main(argv: Sequence[str]) -> int:
 def _asked(words: dict[str, Any], to: tuple[str, int] | None) -> dict[str, Any]:
     """The window's answer. Raises GlovetrackError where there is none."""
     said = ask_over_udp(words, *to) if to is not None else ask(words)
-    try:
-        answer = json.loads(said or "")
-    except ValueError as error:
-        raise GlovetrackError(NOBODY) from error
-    if not isinstance(answer, dict) or "ok" not in answer:
+    if said is None:
         raise GlovetrackError(NOBODY)
+    if not is_reply(said):
+        raise GlovetrackError(NOT_A_WINDOW)
+    answer: dict[str, Any] = json.loads(said)
     return answer
 
 

@@ -21,7 +21,6 @@ from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
 from tracker.sensors.protocol import BAUDS
-from tracker.shared_memory import NoSharedMemory
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 from tracker.streaming.publisher import JOINT_SETS
 from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
@@ -71,8 +70,8 @@ def open_window(argv: Sequence[str]) -> int:
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     try:
         return _run(app, args) if args.headless_report is None else _report(app, args)
-    except NoSharedMemory as error:
-        print(error, file=sys.stderr)
+    except GlovetrackError as error:
+        print(f"glovetrack: {error}", file=sys.stderr)
         return 1
 
 

@@ -15,13 +15,13 @@ from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.track_dialog import TrackDialog
 from app.platform.tasks import JobProgress, TaskOwner
-from app.viewmodels.compare import Comparison
+from app.viewmodels.compare import Comparison, summary
 from app.viewmodels.library import session_row
-from tracker.errors import ConfigError
 from tracker.messages import Estimate
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
+from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 
@@ -239,7 +239,7 @@ def test_the_file_being_recorded_is_not_called_broken(recorded):
     assert not row.recoverable
 
 
-def test_settings_of_another_version_are_said_and_the_usual_ones_serve(recorded, tmp_path):
+def test_recorded_settings_that_this_version_lacks_are_reported_and_ignored(recorded, tmp_path):
     old = tmp_path / "old.mcap"
     with SessionReader(recorded) as reader:
         info = replace(reader.info, rig=reader.rig(), settings_text="[chain]\nwarp = 9\n")
@@ -247,11 +247,13 @@ def test_settings_of_another_version_are_said_and_the_usual_ones_serve(recorded,
             for message in reader.messages():
                 recorder.write(message)
     job = track_job(old, tmp_path / "new.mcap", TrackOptions())
-    with pytest.raises(ConfigError, match="Another version recorded old.mcap"):
-        job(JobProgress(lambda *_: None))
-    assert not (tmp_path / "new.mcap").exists()
-    usual = track_job(old, tmp_path / "new.mcap", TrackOptions(settings=USUAL))
-    assert usual(JobProgress(lambda *_: None)).figures["compared"] > 200
+    done = job(JobProgress(lambda *_: None))
+    assert done.figures["compared"] > 200
+    assert "cannot use these settings of old.mcap: chain.warp" in summary(done)
+    usual = track_job(old, tmp_path / "usual.mcap", TrackOptions(settings=USUAL))
+    same = usual(JobProgress(lambda *_: None))
+    assert same.figures["compared"] > 200 and "warp" not in summary(same)
+    assert compare(tmp_path / "new.mcap", tmp_path / "usual.mcap")["identical"]
 
 
 def test_a_file_put_into_the_folder_appears_by_itself(library, recorded, qtbot):

@@ -21,6 +21,7 @@ from pythonosc.osc_message import OscMessage
 from pythonosc.osc_message_builder import OscMessageBuilder
 
 from app.jobs.remote_answers import MOTOR_HZ
+from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore
 from app.window.remote_command import main
@@ -257,7 +258,7 @@ def test_the_command_line_opens_doors_for_one_run(window, qtbot):
 def said_to(qtbot, name: str, words: dict) -> bytes:
     """The answer of the local socket, which this thread serves too; empty where it hangs up."""
     socket = QLocalSocket()
-    socket.connectToServer(name)
+    socket.connectToServer(addresses(name)[0])
     socket.write(json.dumps(words).encode() + b"\n")
     gone = QLocalSocket.LocalSocketState.UnconnectedState
     qtbot.waitUntil(lambda: socket.canReadLine() or socket.state() == gone, timeout=10_000)

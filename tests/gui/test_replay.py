@@ -8,21 +8,35 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 
+from app.engines.hand_looks import HandLooks
 from app.engines.replay.engine import ReplayEngine, open_replay
+from app.engines.replay.hands import OfFile
+from app.engines.replay.holes import marked
 from app.engines.replay.moment import LATE, ReplayMoment
 from app.engines.replay.references import ReferenceTrack
 from app.engines.replay.sights import pairs
 from app.engines.replay.tell_markers import MarkerTeller
 from app.engines.snapshot import Snapshot
 from app.panels.library.transport import TransportBar
+from app.viewmodels.hand_scene import HandSceneModel
 from app.viewmodels.log import KINDS, EventLog, words_of
 from tracker.geometry import so3
-from tracker.messages import BlobFrame, Estimate, Event, StereoFrame
+from tracker.messages import (
+    BlobFrame,
+    Estimate,
+    Event,
+    ImuSample,
+    StereoFrame,
+    Tracking,
+    Validity,
+)
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
+from tracker.session.holes import LONGEST_FILLED
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
+from tracker.session.writer import SessionRecorder
 
 SECONDS = 3.0
 
@@ -90,6 +104,107 @@ def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
     estimate = replay.hands.moments["right"].latest_estimate()
     assert estimate is not None and abs(estimate.t - due.t) < 0.1
     assert not replay.player.playing
+
+
+HOLE = (1.0, 2.0)  # s without packets and estimates, while images go on
+
+
+@pytest.fixture(scope="session")
+def holed(sessions) -> Path:
+    path = sessions["chain"].with_name("holed.mcap")
+    with SessionReader(sessions["chain"]) as reader:
+        start = reader.anchor.monotonic(reader.span_ns[0])
+        with SessionRecorder(path, reader.info) as recorder:
+            for m in reader.messages():
+                inside = HOLE[0] < m.t - start < HOLE[1]
+                if not (inside and isinstance(m, Estimate | ImuSample)):
+                    recorder.write(m)
+    return path
+
+
+@pytest.fixture
+def holed_replay(holed, qtbot):
+    setup = open_replay(holed, lambda *_: None)
+    setup.engine.player.play(False)
+    setup.engine.start()
+    qtbot.waitUntil(lambda: moment(setup.engine).latest_estimate() is not None, timeout=20_000)
+    yield setup
+    setup.close()
+
+
+def arrives(qtbot, engine, position):
+    """Send a paused replay there and wait until it shows that instant."""
+    engine.player.seek(position)
+    qtbot.waitUntil(
+        lambda: (
+            engine.player.seek_to is None
+            and engine.player.images_due == 0
+            and engine.player.position == pytest.approx(position, abs=0.05)
+        ),
+        timeout=10_000,
+    )
+
+
+@pytest.mark.parametrize(("position", "is_lost"), [(0.9, False), (1.5, True), (2.5, False)])
+def test_a_hole_in_the_recording_is_shown_as_lost(holed_replay, position, is_lost, qtbot):
+    """Wherever it was before; and never in the colour of what is measured."""
+    engine, seen = holed_replay.engine, moment(holed_replay.engine)
+    model = HandSceneModel(holed_replay)
+    for before in (0.8, 2.7):
+        arrives(qtbot, engine, before)
+        qtbot.waitUntil(lambda: not seen.is_in_hole, timeout=10_000)
+        assert model.scene(HandLooks().look(holed_replay, True)) is not None
+        arrives(qtbot, engine, position)
+        qtbot.waitUntil(lambda: seen.is_in_hole == is_lost, timeout=10_000)
+        estimate, status = seen.latest_estimate(), seen.status()
+        assert (estimate.tracking == Tracking.LOST) == is_lost == (status.tracking == Tracking.LOST)
+        assert (estimate.keypoint_state == Validity.LOST).all() == is_lost
+        scene = model.scene(HandLooks().look(holed_replay, True))
+        assert (scene.segment_state == Validity.LOST).all() == is_lost
+        assert ("No estimates" in scene.caption) == is_lost
+
+
+def test_a_replay_that_plays_into_a_hole_loses_the_hand_and_finds_it_again(holed_replay, qtbot):
+    engine, seen = holed_replay.engine, moment(holed_replay.engine)
+    engine.player.set_range(0.8, 2.4)
+    found: list[tuple[float, bool]] = []
+    engine.player.play(True)
+
+    def ended() -> bool:
+        found.append((engine.player.position, seen.is_in_hole))
+        return not engine.player.playing
+
+    qtbot.waitUntil(ended, timeout=30_000)
+    lost = [at for at, is_lost in found if is_lost]
+    assert min(lost) == pytest.approx(HOLE[0] + LONGEST_FILLED, abs=0.15)
+    assert max(lost) == pytest.approx(HOLE[1], abs=0.15)
+    assert not seen.is_in_hole
+
+
+def in_bursts(estimates: list[Estimate], hole: tuple[float, float] | None) -> list[OfFile]:
+    """Every 0.3 s those before, as on an overloaded computer, with events between."""
+    out = []
+    for t in np.arange(0.3, 3.0, 0.3):
+        events = [OfFile("", Event(u, "note", "")) for u in (t - 0.2, t - 0.1)]
+        burst = [OfFile("right", e) for e in estimates if t - 0.3 <= e.t < t]
+        out += events + [r for r in burst if hole is None or not hole[0] < r.message.t < hole[1]]
+    return out
+
+
+@pytest.mark.parametrize(("hole", "found"), [(None, []), ((0.95, 1.15), [0.95]), ((1.2, 9), [1.2])])
+def test_estimates_that_are_late_make_no_hole(estimates, hole, found):
+    read = in_bursts(estimates, hole)
+    ends = [r.message.t for r, before_hole in marked(read) if before_hole]
+    assert ends == pytest.approx(found, abs=0.011)
+    assert [r for r, _ in marked(read)] == read
+
+
+@pytest.fixture
+def estimates(sessions) -> list[Estimate]:
+    """One every 10 ms for 3 s."""
+    with SessionReader(sessions["chain"]) as reader:
+        one = next(m for m in reader.messages((Estimate,)) if isinstance(m, Estimate))
+    return [replace(one, t=float(t)) for t in np.arange(0.0, 3.0, 0.01)]
 
 
 def test_playing_stops_at_the_out_point_and_begins_again_at_the_in_point(replay, qtbot):

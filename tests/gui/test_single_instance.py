@@ -8,9 +8,9 @@ import uuid
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QDir
 from PySide6.QtNetwork import QLocalSocket
 
+from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, hand_over
 from tracker.offline.simulate import SimulateOptions, simulate
 
@@ -45,7 +45,7 @@ def home(tmp_path, monkeypatch):
         "PYTHONPATH": str(ROOT),
         **{f"XDG_{k}_HOME": str(tmp_path / k) for k in ("CONFIG", "STATE", "DATA", "CACHE")},
     }
-    for key in ("XDG_CONFIG_HOME", "XDG_STATE_HOME"):
+    for key in ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"):
         monkeypatch.setenv(key, environment[key])
     return environment
 
@@ -79,7 +79,7 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
 
 def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
-    stale = Path(QDir.tempPath()) / name  # where Qt puts such sockets
+    stale = Path(addresses(name)[0])
     if sys.platform != "win32":
         stale.write_bytes(b"")
     assert not hand_over(None, name)
@@ -110,7 +110,7 @@ def test_nonsense_on_the_socket_is_turned_away(qtbot):
     try:
         for nonsense in (b"[]\n", b"{}\n", b"\xff\n", b'{"open": 3}\n'):
             socket = QLocalSocket()
-            socket.connectToServer(name)
+            socket.connectToServer(addresses(name)[0])
             assert socket.waitForConnected(2000)
             socket.write(nonsense)
             qtbot.waitUntil(

@@ -68,6 +68,18 @@ def test_gaps_are_not_filled_in():
     np.testing.assert_array_equal(np.isfinite(out), [False, True, False, True, False])
 
 
+def test_curves_and_their_difference_are_interrupted_in_a_hole(takes):
+    first = takes.first
+    rows = (first.t < 0.5) | (first.t > 0.9)
+    holed = TwoTakes(replace(first, t=first.t[rows], angles=first.angles[rows]), takes.second)
+    t, angle, _, _ = holed.curves(JOINT, takes.by_clock)
+    inside = (t > 0.51) & (t < 0.89)
+    assert inside.sum() == 1 and np.isnan(angle[inside]).all()
+    assert np.isnan(holed.difference(JOINT, takes.by_clock)[inside]).all()
+    whole, less = (x.figures(JOINT, takes.by_clock) for x in (takes, holed))
+    assert whole.common - less.common == pytest.approx(0.4, abs=0.03)
+
+
 @pytest.fixture
 def beside(window, store, parts, tmp_path, qtbot):
     """The dialog that two selected sessions give."""

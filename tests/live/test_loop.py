@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,12 +18,14 @@ from tracker.messages import (
     BlobFrame,
     EngineState,
     Estimate,
+    Event,
     ImuSample,
     Message,
     StereoFrame,
     Tracking,
+    Validity,
 )
-from tracker.pipeline import Pipeline
+from tracker.pipeline import NO_PACKETS, PACKETS_AGAIN, SILENCE, Pipeline
 from tracker.simulation.scenario import Simulation
 from tracker.two_hands import OneHand, Sided
 
@@ -97,6 +100,7 @@ def tracked_again(sim: Simulation, messages: list[Message]) -> list[Estimate]:
             estimates.append(pipeline.feed_imu(m))
         else:
             pipeline.feed_frame(m)
+            estimates += [e for e in [pipeline.without_packets(m)] if e is not None]
     return estimates
 
 
@@ -117,6 +121,64 @@ def test_a_recording_begun_between_a_stamp_and_its_feeding_is_tracked_again_alik
     assert len(recorded) == len(again) > 50
     for a, b in zip(recorded, again, strict=True):
         np.testing.assert_array_equal(a.keypoints, b.keypoints)
+
+
+def unplugged(messages: list, start: float, stop: float) -> list:
+    """Without the packets between two instants (s)."""
+    return [m for m in messages if not (isinstance(m, ImuSample) and start < m.t < stop)]
+
+
+@pytest.mark.parametrize("begun", [0.5, 1.25])
+def test_what_is_shown_without_packets_is_what_the_recording_contains(sim, begun):
+    tape, shown = Tape(), []
+    loop, clock = loop_on(sim)
+    messages = unplugged(messages_of(sim), 1.2, 1.7)
+    first = next(i for i, m in enumerate(messages) if m.t > begun)
+    feed(loop, clock, messages[:first])
+    loop.set_recorder(tape)
+    end = loop.seen["right"].subscribe(shown.append)
+    feed(loop, clock, messages[first:])
+    end()
+    loop.set_recorder(None)
+    recorded = [m for m in tape.messages if isinstance(m, Estimate)]
+    assert [e.t for e in recorded] == [e.t for e in shown]
+    assert [e.t for e in shown] == sorted({e.t for e in shown})
+    packets = {m.t for m in messages if isinstance(m, ImuSample)}
+    by_images = [e for e in recorded if e.t not in packets]
+    assert len(by_images) > 5 and all(1.2 + SILENCE < e.t < 1.75 for e in by_images)
+    assert by_images[0].tracking == Tracking.TRACKING
+    assert all((e.keypoint_state < Validity.MEASURED).all() for e in by_images)
+    assert all((e.angle_state < Validity.MEASURED).all() for e in by_images)
+    said = [m.text for m in tape.messages if isinstance(m, Event) and m.kind == "device"]
+    assert said == [text.format("right") for text in (NO_PACKETS, PACKETS_AGAIN)]
+    again = tracked_again(sim, tape.messages)
+    assert [a.t for a in again] == [e.t for e in recorded]
+    for a, b in zip(recorded, again, strict=True):
+        np.testing.assert_array_equal(a.keypoints, b.keypoints)
+        np.testing.assert_array_equal(a.keypoint_state, b.keypoint_state)
+
+
+def test_time_never_goes_back_where_images_or_packets_are_late(sim):
+    """Stalls of the computer: images are fed long after their exposure, packets in bursts."""
+    loop, clock = loop_on(sim)
+    shown: list[Estimate] = []
+    loop.seen["right"].subscribe(shown.append)
+    rng = np.random.default_rng(3)
+    late = {}
+    for m in messages_of(sim):
+        stall = np.floor(m.t / 0.4)  # all of 0.4 s may come late, images and packets by their own
+        key = stall, isinstance(m, ImuSample)
+        late.setdefault(key, rng.uniform(0.0, 0.36) * (rng.random() < 0.7))
+        arrival = max(m.t_arrival, stall * 0.4 + late[key])
+        late[m] = replace(m, t_arrival=arrival)
+    messages = sorted((v for k, v in late.items() if not isinstance(k, tuple)), key=arrival_of)
+    feed(loop, clock, messages)
+    assert len(shown) > 100
+    assert [e.t for e in shown] == sorted({e.t for e in shown})
+
+
+def arrival_of(message: ImuSample | BlobFrame) -> float:
+    return message.t_arrival
 
 
 def test_one_thread_is_enough_to_track_a_hand(sim):

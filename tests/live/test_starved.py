@@ -239,6 +239,12 @@ def test_load_is_shed_in_its_order_and_taken_up_again(run: tuple[Run, Simulation
     assert max(s.values["load_shed"] for s in done.taped(Status)) == last
 
 
+def test_a_camera_that_stands_still_is_not_reported_as_moved(run: tuple[Run, Simulation]) -> None:
+    done, _ = run
+    assert not [e.text for e in done.events if "moved" in e.text or "jumped" in e.text]
+    assert max(s.values["camera_jumps"] for s in done.taped(Status)) == 0
+
+
 def test_what_was_shed_does_not_change_what_is_tracked_again(
     run: tuple[Run, Simulation],
 ) -> None:

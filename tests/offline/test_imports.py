@@ -1,6 +1,8 @@
 """Raw IMUs of other programs become sessions that hold what the files said, and can be tracked."""
 
 import os
+import time
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -112,6 +114,8 @@ BROKEN = {
     "no text": "\x00\x01\x02",
     "not a number of time": f"Time (s),{XIMU3}\nnan,1,2,3,4,5,6\ninf,1,2,3,4,5,6\n",
     "an endless line": "a" * 300_000,
+    "times beyond all clocks": f"Time (s),{XIMU3}\n0,1,2,3,4,5,6\n1e300,1,2,3,4,5,6\n",
+    "a start beyond all clocks": f"Time (s),{XIMU3}\n1e300,1,2,3,4,5,6\n2e300,1,2,3,4,5,6\n",
 }
 
 
@@ -122,6 +126,56 @@ def test_what_is_no_recording_is_refused_in_words(tmp_path: Path, case: str) -> 
     with pytest.raises((FileError, ConfigError), match=r"\.$"):
         import_imus([path], tmp_path / "out.mcap")
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.csv"]
+
+
+@pytest.mark.parametrize("damage", ["1e300", "-1e300", "1e9", "nan", ""])
+def test_a_damaged_time_costs_its_sample(tmp_path: Path, damage: str) -> None:
+    times = [f"{k / 100:.2f}" for k in range(50)]
+    times[20] = damage
+    path = tmp_path / "a.csv"
+    path.write_text(f"Time (s),{XIMU3}\n" + "".join(f"{t},1,2,3,0,0,1\n" for t in times))
+    report = import_imus([path], tmp_path / "out.mcap")
+    assert (report["packets"], report["left_out"]) == (49, 1)
+    assert report["duration_s"] == pytest.approx(0.49)
+
+
+def test_a_time_of_another_clock_costs_its_sample(tmp_path: Path) -> None:
+    """Whole nanoseconds, among them zero and more than 64 bits hold."""
+    began = 1_700_000_000_000_000_000
+    times = [began + 10_000_000 * k for k in range(40)]
+    times[7], times[9], times[11] = 0, 2**63 - 1, 10**24
+    path = tmp_path / "a.csv"
+    path.write_text(f"Time (ns),{XIMU3}\n" + "".join(f"{t},1,2,3,0,0,1\n" for t in times))
+    assert import_imus([path], tmp_path / "out.mcap")["left_out"] == 3
+    assert raw(tmp_path / "out.mcap").stamp_ns[[0, -1]].tolist() == [began, began + 390_000_000]
+
+
+def test_huge_and_endless_files_take_little_memory(tmp_path: Path) -> None:
+    """Zeros without a line end, a device in place of a file, and a file that swells."""
+    for name in ("huge.csv", "huge.mat"):
+        with (tmp_path / name).open("wb") as file:
+            file.truncate(3 * 10**9)
+    (tmp_path / "log").mkdir()
+    (tmp_path / "log" / "Inertial.csv").symlink_to("/dev/zero")
+    savemat(tmp_path / "zeros.mat", {"imu_acc": np.zeros((20_000_000, 3))}, do_compression=True)
+    started = time.process_time()
+    tracemalloc.start()
+    for source in ("huge.csv", "huge.mat", "log", "zeros.mat"):
+        with pytest.raises(FileError, match=r"\.$"):
+            import_imus([tmp_path / source], tmp_path / "out.mcap")
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 50_000_000 and time.process_time() - started < 10.0
+
+
+def test_a_row_of_many_imus_counts_as_what_it_becomes(tmp_path: Path, monkeypatch) -> None:
+    """A header may name a thousand IMUs of one axis each."""
+    monkeypatch.setattr("tracker.offline.imports.table._MOST_NUMBERS", 6_000_000)
+    header = ",".join(f"imu{k} acc x (g)" for k in range(1000))
+    path = tmp_path / "a.csv"
+    path.write_text(f"Time (s),{header}\n" + f"0{',0' * 1000}\n" * 1000)
+    with pytest.raises(FileError, match="more than 999 lines"):
+        import_imus([path], tmp_path / "out.mcap")
 
 
 def test_a_damaged_matlab_file_is_refused_in_words(tmp_path: Path) -> None:

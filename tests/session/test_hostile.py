@@ -93,6 +93,7 @@ def attached(path: Path, session_info, **texts: str) -> Path:
         "length = " + "1" * 400,
         "length = " + "1" * 5000,
         "name = '''" * 50_000,
+        'name = "' + '\\"' * 490_000,
         "x" * 30_000_000,
         "schema = 1e400",
     ],
@@ -263,3 +264,23 @@ def test_json_of_a_hostile_file_is_json(tmp_path: Path, capsys: pytest.CaptureFi
     out.finish()
     main(["info", str(tmp_path / "a.mcap"), "--json", "-"])
     assert json.loads(capsys.readouterr().out)["engine"] == '"\x1b]0;\\'
+
+
+def test_more_channels_than_the_format_counts_are_refused_in_words(tmp_path: Path) -> None:
+    """Reading allows all 65,536 ids; a writer has one fewer, since it begins with 1."""
+
+    def record_of(kind: int, body: bytes) -> bytes:
+        return bytes([kind]) + struct.pack("<Q", len(body)) + body
+
+    def text(value: str) -> bytes:
+        return struct.pack("<I", len(value)) + value.encode()
+
+    channels = [
+        record_of(4, struct.pack("<HH", k, 0) + text(f"/t{k}") + text("json") + bytes(4))
+        for k in range(65_536)
+    ]
+    message = record_of(5, struct.pack("<HIQQ", 1, 0, 10**18, 10**18) + b"{}")
+    (tmp_path / "a.mcap").write_bytes(MAGIC + HEADER + b"".join(channels) + message)
+    with pytest.raises(FileError, match="at most 65535 channels"):
+        recover(tmp_path / "a.mcap", tmp_path / "b.mcap")
+    assert [p.name for p in tmp_path.iterdir()] == ["a.mcap"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from tracker.session.motion import (
     COLUMNS,
     Take,
     Units,
+    curve,
     distance,
     measures,
     read_take,
@@ -66,6 +68,27 @@ def test_a_distance_forgets_where_the_hand_is_and_what_is_lost() -> None:
     assert shares == pytest.approx((0.5, 0.25, 0.25))
     assert aperture.claimed_sd == pytest.approx(0.003 * np.sqrt(2))
     assert aperture.fastest == pytest.approx(0.0, abs=1e-9)  # no speed over what was lost
+
+
+def with_hole(take: Take, start: float, stop: float) -> Take:
+    """Without the estimates between two instants (s)."""
+    rows = (take.t < start) | (take.t >= stop)
+    of_rows = ("t", "angles", "angle_state", "points", "point_sd", "point_state")
+    return replace(take, **{name: getattr(take, name)[rows] for name in of_rows})
+
+
+def test_time_without_estimates_is_lost_and_no_line_is_drawn_across_it() -> None:
+    take = with_hole(swinging(), 1.0, 2.0)
+    angle, aperture = measures(take, [APERTURE])
+    shares = angle.measured, angle.inferred, angle.lost
+    assert shares == pytest.approx((0.75, 0.0, 0.25), abs=1e-9)
+    shares = aperture.measured, aperture.inferred, aperture.lost
+    assert shares == pytest.approx((0.5, 0.0, 0.5), abs=1e-9)
+    t, values = curve(take, take.angles[:, 0], take.angle_state[:, 0])
+    assert t[np.isnan(values)] == pytest.approx([1.495])
+    t, values = curve(take, *distance(take, APERTURE)[::2])
+    lost = np.isnan(values)
+    assert lost[(t > 1.0) & (t < 3.0)].all() and not lost[(t < 1.0) | (t >= 3.0)].any()
 
 
 def test_noise_of_one_estimate_is_no_speed_and_a_gap_has_none() -> None:

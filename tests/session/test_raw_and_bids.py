@@ -100,6 +100,26 @@ def test_a_data_set_holds_the_numbers_and_says_which(
     assert "2025-10-09T" in scans
 
 
+def test_a_hole_is_part_of_the_duration(tmp_path: Path, record: Callable[..., Path], maker) -> None:
+    messages = list(maker.stream(2000, images=False))
+    start = messages[0].t
+    held = [m for m in messages if not 0.5 < m.t - start < 1.5]
+    export(record(tmp_path / "in.mcap", held), "bids", tmp_path / "set")
+    motion = tmp_path / "set" / "sub-P07" / "motion"
+    said = {
+        system: json.loads(
+            (motion / f"sub-P07_task-movement_tracksys-{system}_motion.json").read_text()
+        )
+        for system in ("hand", "imu")
+    }
+    length = max(m.t for m in held if isinstance(m, ImuSample)) - start + 0.01
+    for system, rate in (("hand", 100.0), ("imu", 50.0)):
+        assert said[system]["RecordingDuration"] == pytest.approx(length, abs=0.03), system
+        effective = said[system]["SamplingFrequencyEffective"]
+        assert effective == pytest.approx(rate, rel=0.05), system
+        assert said[system]["SamplingFrequency"] == pytest.approx(100.0, rel=0.01)
+
+
 def test_the_official_validator_finds_no_error(session: Session, tmp_path: Path) -> None:
     validator = shutil.which("bids-validator-deno", path=str(Path(sys.executable).parent))
     if validator is None:

@@ -23,7 +23,8 @@ from websockets.sync.client import ClientConnection, connect
 
 from tracker.hand.names import bones
 from tracker.messages import Validity
-from tracker.streaming.foxglove_live import BACKLOG, FoxglovePublisher
+from tracker.streaming.client_queue import BACKLOG
+from tracker.streaming.foxglove_live import FoxglovePublisher
 from tracker.streaming.publisher import Names, StreamError
 
 PROTOCOL, OLD_PROTOCOL, MESSAGE_DATA = "foxglove.sdk.v1", "foxglove.websocket.v1", 1

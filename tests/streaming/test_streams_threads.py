@@ -1,4 +1,4 @@
-"""Slow, dead and hanging outputs beside a healthy one; a tracker that is polled."""
+"""Slow, dead and hanging outputs next to a healthy one; trackers that publish or are polled."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 from tracker.messages import Estimate
 from tracker.streaming.attach import attach
-from tracker.streaming.streams import Streams
+from tracker.streaming.streams import BACKLOG, Streams, of_all_hands
 
 
 class Sink:
@@ -53,10 +53,12 @@ def test_a_blocked_output_holds_up_neither_caller_nor_neighbour(make_estimate, w
     assert time.monotonic() - started < 5
     assert healthy.got == [float(k) for k in range(200)]
     slow.open.set()
-    wait_for(lambda: len(slow.got) == 2)
-    assert slow.got == [0.0, 199.0], "it gets the newest, not the queue"
+    wait_for(lambda: len(slow.got) == 1 + BACKLOG)
+    newest = [float(k) for k in range(200 - BACKLOG, 200)]
+    assert slow.got == [0.0, *newest], "it misses the oldest"
+    wait_for(lambda: streams.counts()[0].sent == 1 + BACKLOG)
     count = streams.counts()[0]
-    assert (count.sent, count.dropped, count.failed) == (2, 198, 0)
+    assert (count.dropped, count.failed, count.left_out) == (199 - BACKLOG, 0, 199 - BACKLOG)
     streams.close()
 
 
@@ -115,6 +117,60 @@ def test_the_rate_is_held(make_estimate) -> None:
         time.sleep(0.002)
     attached.close()
     assert 2 <= len(sink.got) <= 11
+
+
+class Publishing(Tracker):
+    """A tracker that calls its subscribers, as live tracking does."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.subscribers: list = []
+
+    def subscribe(self, subscriber):
+        self.subscribers.append(subscriber)
+        return lambda: self.subscribers.remove(subscriber) if self.subscribers else None
+
+    def publish(self, estimate: Estimate) -> None:
+        for subscriber in self.subscribers:
+            subscriber(estimate)
+
+
+def test_a_burst_of_a_tracker_that_publishes_is_sent_whole(make_estimate, wait_for) -> None:
+    tracker, sink = Publishing(), Sink()
+    attached = attach(tracker, [sink])
+    burst = [k / 100 for k in range(BACKLOG)]  # as after half a second without the processor
+    for t in burst:
+        tracker.publish(make_estimate(t))
+    wait_for(lambda: len(sink.got) == len(burst))
+    assert sink.got == burst
+    wait_for(lambda: attached.counts()[0].sent == len(burst))
+    assert attached.counts()[0].left_out == 0
+    assert attached.counts()[0].rates_hz[0] > 0
+    attached.close()
+    attached.close()
+    assert not tracker.subscribers and sink.closed == 1
+
+
+def test_a_lower_rate_thins_by_the_estimates_times(make_estimate, wait_for) -> None:
+    tracker, sink = Publishing(), Sink()
+    attached = attach(tracker, [sink], rate_hz=25)
+    for k in range(40):
+        tracker.publish(make_estimate(k / 100))
+    attached.close()
+    assert sink.got == pytest.approx([k / 25 for k in range(10)])
+
+
+def test_both_hands_are_counted_together(make_estimate, wait_for) -> None:
+    parts = [Streams([Sink(side)]) for side in ("right", "left")]
+    for part, n in zip(parts, (3, 5), strict=True):
+        for k in range(n):
+            part.offer(make_estimate(float(k)))
+    wait_for(lambda: [p.counts()[0].sent for p in parts] == [3, 5])
+    both = of_all_hands([p.counts()[0] for p in parts])
+    assert (both.name, both.sent, both.dropped, len(both.rates_hz)) == ("right", 8, 0, 2)
+    assert both.rates_hz[1] > both.rates_hz[0] > 0
+    for part in parts:
+        part.close()
 
 
 @pytest.mark.parametrize("rate", [0.0, -1.0, 1000.0])

@@ -67,6 +67,9 @@ def test_a_client_that_does_not_read_slows_nobody(server, make_estimate, wait_fo
             longest = max(longest, time.perf_counter() - started)
             assert json.loads(healthy.recv(timeout=2))["t"] == k
         assert longest < 0.5
+        missed = server.missed()
+        assert sorted(n > 0 for n in missed.values()) == [False, False, True], missed
+    wait_for(lambda: server.missed()[""] > 0)
 
 
 def test_a_client_that_vanishes_is_forgotten(server, make_estimate, wait_for) -> None:

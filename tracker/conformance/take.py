@@ -18,6 +18,7 @@ from tracker.hand.names import FINGERS
 from tracker.hand.openxr import JOINTS
 from tracker.isaac.record import HandRecord
 from tracker.messages import Array, IntArray
+from tracker.toml_reader import read_text
 
 ROW = {name: i for i, name in enumerate(JOINTS)}
 WRIST, PALM = ROW["wrist"], ROW["palm"]
@@ -164,7 +165,7 @@ def read_labels(path: Path) -> list[Step]:
     if not path.is_file():
         return []
     try:
-        rows: Iterable[dict[str, Any]] = json.loads(path.read_text("utf-8"))["steps"]
+        rows: Iterable[dict[str, Any]] = json.loads(read_text(path))["steps"]
         return [Step(str(r["label"]), int(r["start_ns"]), int(r["end_ns"])) for r in rows]
     except (ValueError, KeyError, TypeError) as error:
         raise FileError(f"{path} is no list of labelled steps.") from error

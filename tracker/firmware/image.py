@@ -11,12 +11,15 @@ from importlib.resources import as_file
 from pathlib import Path
 
 import resources
-from tracker.errors import ConfigError
+from tracker.errors import ConfigError, FileError
+from tracker.files import read_bounded
 
 MAGIC = b"GLOVEIMG"
 BAUDS = (250_000, 115_200)
 """Speeds of the port that there is an image for."""
 FLASH_BYTES = 32768
+MOST_BYTES = 1_000_000
+"""Of a file; an image that fills the chip takes 92,000."""
 _DATA, _END = 0x00, 0x01
 _RECORD_BYTES = 16
 _LARGEST_ID = 2**32 - 1
@@ -87,8 +90,8 @@ def read_image(path: Path) -> FirmwareImage:
     """
     data = bytearray()
     try:
-        lines = path.read_text(encoding="ascii").split()
-    except (OSError, UnicodeDecodeError) as error:
+        lines = read_bounded(path, MOST_BYTES, "the glove's firmware").decode("ascii").split()
+    except (OSError, FileError, UnicodeDecodeError) as error:
         raise ConfigError(f"{path} cannot be read as firmware: {error}") from error
     for number, line in enumerate(lines, start=1):
         try:

@@ -10,6 +10,7 @@ from mcap.exceptions import McapError
 from mcap.reader import make_reader
 
 from tracker.errors import FileError
+from tracker.files import check_regular
 from tracker.isaac.record import HandRecord, decode
 from tracker.isaac.schema import NAME
 from tracker.isaac.writer import SIDES
@@ -18,6 +19,7 @@ from tracker.isaac.writer import SIDES
 def read_records(path: Path) -> Iterator[tuple[str, HandRecord]]:
     """(side, record) in the order of log times. Raises FileError for what is no such file."""
     try:
+        check_regular(Path(path))
         with Path(path).open("rb") as file:
             for schema, channel, message in make_reader(file).iter_messages():
                 leaf = channel.topic.rsplit("/", 1)[-1]

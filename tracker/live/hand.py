@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Callable
 
 import numpy as np
@@ -38,7 +39,10 @@ OF_TWO = {
 
 
 Follower = Callable[[Estimate, float], None]
-"""Hears of each estimate of a packet, and when (s) that came; at once, so it must not wait."""
+"""Receives each estimate, and when (s) its packet arrived, or its image while packets are missing;
+at once, so it must not wait."""
+Subscriber = Callable[[Estimate], None]
+"""Receives each estimate that the screen shows, in order of time; it must not wait."""
 
 
 class LiveHand:
@@ -71,6 +75,8 @@ class LiveHand:
         self.applications = ApplicationThread(self.stage, self.telemetry, clock, way)
         self.on_used: Callable[[ShownFrame], object] = lambda used: None  # each image, once
         self.followers: tuple[Follower, ...] = ()
+        self._subscribers: tuple[Subscriber, ...] = ()  # replaced, never changed
+        self._subscribing = threading.Lock()
         self.sides: SideWatch | None = None
         self.watch_side(pipeline)
         self._begun = clock()
@@ -95,13 +101,33 @@ class LiveHand:
         """The state of tracking in a sentence."""
         return OF_ONE[self.tracking] if self._alone else OF_TWO[self.tracking].format(self.side)
 
+    def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
+        """Call ``subscriber`` with each estimate that is shown; what is returned ends that."""
+        with self._subscribing:
+            self._subscribers += (subscriber,)
+
+        def unsubscribe() -> None:
+            with self._subscribing:
+                self._subscribers = tuple(s for s in self._subscribers if s is not subscriber)
+
+        return unsubscribe
+
+    def is_newer(self, estimate: Estimate) -> bool:
+        """Whether it is of a later instant than the one that is shown."""
+        return self.estimate is None or estimate.t > self.estimate.t
+
     def show(self, estimate: Estimate, by_packet: bool) -> bool:
         """Take over the newest estimate; whether the state of tracking is another one.
 
-        Before the first packet nothing is looked for, whatever images come.
+        An estimate of an instant before the last one is not shown: time never goes back on the
+        screen and in streams. Before the first packet nothing is looked for, whatever images come.
         """
+        if not self.is_newer(estimate):
+            return False
         self.estimate, state = estimate, estimate.tracking
         self.telemetry.tick("estimate", self._clock())
+        for subscriber in self._subscribers:
+            subscriber(estimate)
         if self._said is None and not by_packet and state == Tracking.SEARCHING:
             return False
         before, self._said = self._said, state

@@ -34,6 +34,7 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.online.colour_watch import ColourWatch
+from tracker.pipeline import SILENCE
 from tracker.two_hands import Hands, Sided, TwoHands
 from tracker.vision.region_prediction import RegionPrediction, together
 from tracker.vision.rig import StereoRig
@@ -41,7 +42,6 @@ from tracker.vision.rig import StereoRig
 BEST = (Tracking.SEARCHING, Tracking.LOST, Tracking.COASTING, Tracking.TRACKING)
 """The better known, the later."""
 
-SILENCE = 0.1  # s without packets after which the screen follows the images alone
 SAID_BEFORE = 5.0  # s for which one hand's words are not said of the other's sake again
 
 
@@ -149,10 +149,7 @@ class LiveLoop:
             hand.history.add(sample)
             self.journal.record(sample, side)
             estimate = self.hands.feed_imu(side, sample)
-            hand.applications.put(estimate, sample.t_arrival)
-            for follow in hand.followers:
-                follow(estimate, sample.t_arrival)
-            self._show(hand, estimate, record=True)
+            self._publish(hand, estimate, sample.t_arrival)
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
         if self._exchange is not None:
@@ -169,18 +166,39 @@ class LiveLoop:
                 hand.frames.wait_for(DetectedFrame(found.frame, blobs))
             self.journal.record(blobs)
             self.hands.feed_frame(blobs)
+            for hand in self.seen.values():
+                self._follow_images(hand, blobs)
         self._feed_reference(blobs)
         if self._exchange is not None:
             self._exchange.frame(blobs)
-        for side, hand in self.seen.items():
+        for hand in self.seen.values():
             if hand.sides is not None:
                 hand.sides.frame(blobs)
-            if hand.history.silent(blobs.t_arrival, SILENCE):
-                self._show(hand, self.hands.pipelines[side].predict(blobs.t), record=False)
         if any(hand.estimate is not None for hand in self.seen.values()):
             self.colours.look(blobs, _best(hand.tracking for hand in self.seen.values()))
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
+
+    def _follow_images(self, hand: LiveHand, blobs: BlobFrame) -> None:
+        """While a glove's packets are missing: what is shown is what is recorded.
+
+        Before its first packet the hand is shown as not found, of which a file needs no record.
+        """
+        pipeline = self.hands.pipelines[hand.side]
+        estimate = pipeline.without_packets(blobs)
+        if estimate is not None:
+            self._publish(hand, estimate, blobs.t_arrival)
+        elif hand.history.silent(blobs.t, SILENCE):
+            unfound = pipeline.predict(blobs.t)
+            if unfound.tracking == Tracking.SEARCHING:
+                self._show(hand, unfound, record=False)
+
+    def _publish(self, hand: LiveHand, estimate: Estimate, t_arrival: float) -> None:
+        """Hand an estimate to all that it is for."""
+        hand.applications.put(estimate, t_arrival)
+        for follow in hand.followers if hand.is_newer(estimate) else ():
+            follow(estimate, t_arrival)
+        self._show(hand, estimate, record=True)
 
     def _feed_reference(self, message: Sided | BlobFrame) -> None:
         reference = self._reference

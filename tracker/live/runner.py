@@ -234,6 +234,11 @@ class HandOfTracker:
         """The pose is over; ``held``: it was not skipped."""
         self._inbox.put(GuidedCommand(pose, False, self.side, held))
 
+    def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
+        """Call ``subscriber``, which must not wait, with each estimate, in order of time; what is
+        returned ends that."""
+        return self._hand.subscribe(subscriber)
+
     def latest_estimate(self) -> Estimate | None:
         """The hand as it is; None before the first packet."""
         return self._hand.estimate

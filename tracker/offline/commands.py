@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from tracker.offline.options import TrackOptions
 
 
+LENSES_BY_NUMBER = {"2": "both", "1": "one", "0": "none"}
+
+
 def add_commands(commands: Any) -> None:
     """Add them to the sub-parsers of ``glovetrack``."""
     _add_simulate(commands.add_parser("simulate", help="a session with truth from the simulator"))
@@ -67,9 +70,9 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--lenses",
-        choices=("both", "one", "none"),
+        choices=(*LENSES_BY_NUMBER.values(), *LENSES_BY_NUMBER),
         default="both",
-        help="a camera with one lens alone, or a glove without a camera",
+        help="a camera with one lens alone (1), or a glove without a camera (0); 2 is both",
     )
     parser.add_argument(
         "--right-late-ms",
@@ -101,7 +104,19 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-o", "--out", type=Path, required=True, help="the new session; for several IN a folder"
     )
-    parser.add_argument("--engine", default="", help="chain, vist, switching or madgwick")
+    parser.add_argument(
+        "--engine",
+        default="",
+        help="chain, vist, switching, madgwick, or inertial, which needs no camera; default: the "
+        "recorded one, and inertial for a session without a camera",
+    )
+    parser.add_argument(
+        "--settings",
+        default="",
+        metavar="FILE|default",
+        help="settings of tracking, .toml, or default: those of this version; without this option "
+        "the recorded ones",
+    )
     parser.add_argument("--hand", default="", help="name or file")
     parser.add_argument("--glove", default="", help="name or file")
     parser.add_argument("--colours", default="", help="name or file")
@@ -218,7 +233,7 @@ def _simulate(args: argparse.Namespace) -> int:
         scene=args.scene,
         photo=args.photo,
         light=args.light,
-        lenses=args.lenses,
+        lenses=LENSES_BY_NUMBER.get(args.lenses, args.lenses),
         right_late=args.right_late_ms / 1000,
         camera=args.camera,
         guided=args.guided,
@@ -229,7 +244,7 @@ def _simulate(args: argparse.Namespace) -> int:
 
 def _track(args: argparse.Namespace) -> int:
     from tracker.offline.batch import plan
-    from tracker.offline.options import TrackOptions
+    from tracker.offline.options import USUAL, TrackOptions
     from tracker.offline.track import track
 
     options = TrackOptions(
@@ -238,6 +253,7 @@ def _track(args: argparse.Namespace) -> int:
         args.glove,
         args.colours,
         args.with_sensors,
+        settings=USUAL if args.settings == "default" else args.settings,
         smooth=args.smooth,
         lenses=args.lenses,
         guided=not args.no_guided,
@@ -280,4 +296,6 @@ def _summary(report: dict[str, Any]) -> str:
     )
     if "error_mm" in report:
         text += f", mean error {report['error_mm']['mean']:.1f} mm"
+    if "error_deg" in report:
+        text += f", of the joint angles {report['error_deg']:.1f}°"
     return text + "."

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,8 +17,8 @@ KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 
 @dataclass(eq=False)
 class TrackReport:
-    """``error_mm`` is filled where the session holds the truth; ``hands``, by side, where it is one
-    of both."""
+    """``error_mm`` and ``error_deg`` are filled where the session contains the truth, the former
+    where positions were found too; ``hands``, by side, where it is a session of both."""
 
     duration_s: float = 0.0
     wall_s: float = 0.0
@@ -26,16 +27,20 @@ class TrackReport:
     losses: dict[str, int] = field(default_factory=dict)
     lost_s: float = 0.0
     error_mm: dict[str, float] = field(default_factory=dict)
+    error_deg: float | None = None  # mean absolute error of the joint angles
     hands: dict[str, TrackReport] = field(default_factory=dict)
     words: list[str] = field(default_factory=list)  # what was said of the session on the way
+    note: str = ""  # the one of them that says which recorded settings were ignored
 
     def to_json(self) -> dict[str, object]:
         out = dict(vars(self))
         if not self.error_mm:
             del out["error_mm"]
+        if self.error_deg is None:
+            del out["error_deg"]
         if not self.words:
             del out["words"]
-        del out["hands"]
+        del out["hands"], out["note"]
         if self.hands:
             out["hands"] = {side: report.to_json() for side, report in self.hands.items()}
         return out
@@ -49,6 +54,7 @@ class TrackReport:
         }
         errors = [r.error_mm for r in reports if r.error_mm]
         worse = max(errors, key=lambda error: error["mean"], default={})
+        angles = [r.error_deg for r in reports if r.error_deg is not None]
         return TrackReport(
             duration_s=max(r.duration_s for r in reports),
             estimates=sum(r.estimates for r in reports),
@@ -56,6 +62,7 @@ class TrackReport:
             losses=losses,
             lost_s=max(r.lost_s for r in reports),
             error_mm=worse,
+            error_deg=max(angles, default=None),
             hands=hands,
             words=[text for report in reports for text in report.words],
         )
@@ -125,29 +132,39 @@ class StatusClock:
         return Status(sample.t, tracking, values)
 
 
+class TruthErrors(NamedTuple):
+    """``mm``: mean errors of keypoints, the share of instants with all within 20 mm, and of those
+    with all tracked; empty where nothing can be compared. ``deg``: of the joint angles."""
+
+    mm: dict[str, float]
+    deg: float | None
+
+
 class TruthCheck:
-    """Errors of four keypoints against the truth; holds little more than their places."""
+    """Errors of four keypoints and the joint angles against the truth; stores little more."""
 
     def __init__(self, names: Iterable[str]) -> None:
         names = list(names)
         self._names = [k for k in KEYPOINTS if k in names]
         self._rows = [names.index(k) for k in self._names]
-        self._shown: dict[int, Array] = {}  # (4, 3) m by instant, µs
+        self._shown: dict[int, tuple[Array, Array]] = {}  # (4, 3) m and (J,) rad by instant, µs
 
     def add(self, estimate: Estimate) -> None:
-        self._shown[_instant(estimate)] = estimate.keypoints[self._rows]
+        self._shown[_instant(estimate)] = estimate.keypoints[self._rows], estimate.angles
 
-    def against(self, truth: Iterable[Estimate]) -> dict[str, float]:
-        """Mean errors in mm, the share of instants with all four within 20 mm, and of those
-        with all four tracked; empty where nothing can be compared."""
-        pairs = [
-            np.linalg.norm(self._shown[key] - e.keypoints[self._rows], axis=1)
-            for e in truth
-            if (key := _instant(e)) in self._shown
-        ]
-        if not pairs:
-            return {}
-        distance_mm = 1e3 * np.array(pairs)
+    def against(self, truth: Iterable[Estimate]) -> TruthErrors:
+        points, angles = [], []
+        for e in truth:
+            shown = self._shown.get(_instant(e))
+            if shown is None:
+                continue
+            points.append(np.linalg.norm(shown[0] - e.keypoints[self._rows], axis=1))
+            if shown[1].shape == e.angles.shape:  # not another hand's joints
+                angles.append(np.abs(shown[1] - e.angles))
+        return TruthErrors(self._of_points(points), _mean_deg(angles))
+
+    def _of_points(self, distances: list[Array]) -> dict[str, float]:
+        distance_mm = 1e3 * np.array(distances).reshape(-1, len(self._names))
         seen = distance_mm[np.isfinite(distance_mm).all(axis=1)]
         if len(seen) == 0:
             return {}
@@ -156,6 +173,12 @@ class TruthCheck:
         out["pck20"] = float((seen.max(axis=1) < 20).mean())
         out["tracked_share"] = len(seen) / len(distance_mm)
         return out
+
+
+def _mean_deg(errors: list[Array]) -> float | None:
+    """Mean of the known ones, degrees."""
+    known = np.array(errors)[np.isfinite(errors)]
+    return float(np.degrees(known.mean())) if len(known) else None
 
 
 def _instant(estimate: Estimate) -> int:

@@ -117,12 +117,16 @@ class Output:
         """The camera as it is from ``t`` on."""
         self._recorder.write_rig(rig, t)
 
-    def estimate(self, sample: ImuSample, estimate: Estimate) -> None:
+    def between(self, estimate: Estimate) -> None:
+        """An estimate of an image, while packets are missing."""
         self._recorder.write(estimate, side=self._side)
         for phase in self._gestures.feed(estimate):
             self._recorder.write(gesture_event(phase, self._gestures.side))
         if self._check is not None:
             self._check.add(estimate)
+
+    def estimate(self, sample: ImuSample, estimate: Estimate) -> None:
+        self.between(estimate)
         self._counter.count(sample, estimate.tracking)
         status = self._status.packet(sample, estimate.tracking, self.report)
         if status is not None:
@@ -130,6 +134,11 @@ class Output:
 
     def calibration(self, calibration: Calibration) -> None:
         self._recorder.write(calibration, side=self._side)
+
+    def source(self, t: float, pipeline: Pipeline) -> None:
+        """Record what the hand follows from ``t`` (s) on, where that has changed."""
+        for text in pipeline.take_source_words():
+            self._recorder.write(Event(t, "device", text))
 
     def say(self, event: Event) -> None:
         """A sentence about the session, for its log and the report."""
@@ -153,9 +162,13 @@ class NoOutput(Output):
 
     def rig(self, rig: StereoRig, t: float) -> None: ...
 
+    def between(self, estimate: Estimate) -> None: ...
+
     def estimate(self, sample: ImuSample, estimate: Estimate) -> None: ...
 
     def calibration(self, calibration: Calibration) -> None: ...
+
+    def source(self, t: float, pipeline: Pipeline) -> None: ...
 
     def say(self, event: Event) -> None: ...
 
@@ -210,8 +223,7 @@ class LiveRun:
         if isinstance(message, PackedFrame):
             return
         if isinstance(message, BlobFrame):
-            self._pipeline.feed_frame(message)
-            self._sides.frame(message)
+            self._feed_frame(message)
         elif isinstance(message, CameraImuSample):
             self._pipeline.feed_camera_imu(message)
         elif isinstance(message, Event):
@@ -255,8 +267,18 @@ class LiveRun:
         self._pipeline.set_state(what.state)
         self._output.state(what)
 
+    def _feed_frame(self, frame: BlobFrame) -> None:
+        self._pipeline.feed_frame(frame)
+        self._sides.frame(frame)
+        estimate = self._pipeline.without_packets(frame)
+        if estimate is not None:
+            self._tracking = estimate.tracking
+            self._output.source(frame.t, self._pipeline)
+            self._output.between(estimate)
+
     def _feed_imu(self, sample: ImuSample) -> None:
         estimate = self._pipeline.feed_imu(sample)
+        self._output.source(sample.t, self._pipeline)
         self._sides.packet(sample, estimate.tracking)
         for text in self._sides.take_words():
             self._output.say(Event(sample.t, "device", text))

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tracker import __version__, library
-from tracker.config import from_toml, to_toml
+from tracker.config import from_dict, from_toml, to_toml
 from tracker.errors import ConfigError, FileError
 from tracker.files import check_target, sha256
 from tracker.fusion.engine import Engine
@@ -49,19 +49,22 @@ from tracker.offline.smooth_two import GivingPipeline, SmoothTwoRun
 from tracker.offline.two_hands import TwoHandsRun, with_other
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
+from tracker.session import engine_state
 from tracker.session.arithmetic import arithmetic
 from tracker.session.description import COLOURS, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 from tracker.session.writer import new_session
 from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
-from tracker.toml_reader import read_text
+from tracker.toml_reader import parse_toml, read_text
 from tracker.two_hands import TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
 from tracker.workers import usable_cores
 
+MOST_NAMED = 8
+"""Settings that a sentence names."""
 MakePipeline = Callable[[HandModel, GloveModel, StereoRig | None, Settings], Pipeline]
 
 
@@ -93,6 +96,8 @@ def track(
         colours = _own_colours(reader, info, options)
         messages = _messages(reader, info, options, threads or usable_cores(), colours)
         described = _output_info(info, settings, source, options)
+        note = _version_note(reader, options)
+        start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
         if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
             described = replace(described, moving_camera=True)  # by what its IMU tells
         with new_session(out, described, force, [source]) as recorder:
@@ -102,8 +107,9 @@ def track(
                 for side, check in checks.items()
             }
             run = _run(reader, info, settings, outputs, options, colours)
+            if note:
+                outputs[info.side].say(Event(start, "tracking", note))
             forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
-            start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
                 run.feed(message)
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
@@ -111,9 +117,11 @@ def track(
             by_side.keep(run.engines, kept)
         for side, check in checks.items():
             if check is not None:
-                outputs[side].report.error_mm = check.against(_truth(reader, side))
+                report = outputs[side].report
+                report.error_mm, report.error_deg = check.against(_truth(reader, side))
         reports = {side: output.report for side, output in outputs.items()}
         report = TrackReport.of_both(reports) if info.other else reports[info.side]
+        report.note = note
     report.wall_s = time.perf_counter() - started
     return report
 
@@ -192,6 +200,7 @@ def _run(
         return TwoHands({w.side: partial(make, engine, rig, w) for w in info.hands})
 
     same = not options.settings and settings == _settings(reader, TrackOptions())
+    same = same and not _unusable_settings(reader)
     same = same and info.version == __version__
     others = (options.hand, options.glove, options.colours, options.wearer, options.hand_length)
     replaced = any(others)
@@ -241,7 +250,7 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
         settings = from_toml(Settings, read_text(Path(options.settings)), options.settings)
     else:
         settings = _recorded_settings(reader, options.settings == USUAL)
-    blind = not reader.info.engine and not any(_camera_topics(reader))
+    blind = reader.info.rig is None and not any(_camera_topics(reader))
     engine = options.engine or ("inertial" if blind else "")
     changes: dict[str, Any] = {"engine": engine, "lenses": options.lenses}
     return replace(settings, **{name: value for name, value in changes.items() if value})
@@ -253,17 +262,56 @@ def _camera_topics(reader: SessionReader) -> Iterator[str]:
 
 
 def _recorded_settings(reader: SessionReader, engine_alone: bool) -> Settings:
-    """Raises ConfigError that says what to do where another version wrote them."""
+    """Those of this version; where another version wrote them, without what this one cannot use."""
     text, engine = reader.info.settings_text, reader.info.engine
     if engine_alone or not text:
         return replace(Settings(), engine=engine) if engine in ENGINES else Settings()
+    return _usable_settings(text)[0]
+
+
+def _usable_settings(text: str) -> tuple[Settings, list[str]]:
+    """Settings of TOML text, and the keys in it that this version cannot use.
+
+    Raises ConfigError for what is not TOML.
+    """
+    unusable: list[str] = []
     try:
-        return from_toml(Settings, text, SETTINGS)
-    except ConfigError as error:
-        raise ConfigError(
-            f"Another version recorded {reader.path.name}, with settings that this one does not "
-            f"know ({str(error).rstrip('.')}). Track it with the usual settings."
-        ) from error
+        data = parse_toml(text, SETTINGS)
+    except FileError as error:
+        raise ConfigError(f"{error} Use the default settings: --settings default.") from error
+    found = from_dict(Settings, data, lambda path, why: unusable.append(path))
+    if found.engine not in ENGINES:
+        unusable.append("engine")
+        found = replace(found, engine=Settings().engine)
+    return found, unusable
+
+
+def _unusable_settings(reader: SessionReader) -> list[str]:
+    """Keys of the recorded settings that this version cannot use."""
+    text = reader.info.settings_text
+    return _usable_settings(text)[1] if text else []
+
+
+def _version_note(reader: SessionReader, options: TrackOptions) -> str:
+    """What of an older session is not used, in sentences; empty where all of it is."""
+    if options.settings:
+        return ""
+    name, by, notes = reader.path.name, reader.info.version[:20], []
+    left_out = _unusable_settings(reader)
+    if left_out:
+        named = ", ".join(key[:60] for key in left_out[:MOST_NAMED])
+        more = f" and {len(left_out) - MOST_NAMED} more" if len(left_out) > MOST_NAMED else ""
+        notes.append(
+            f"This version cannot use these settings of {name}: {named}{more}. They were "
+            f"ignored; the other recorded settings were used."
+        )
+    states = any(a.name == engine_state.NAME for a in reader.source.attachments())
+    if states and (left_out or by != __version__):
+        notes.append(
+            f"{name} was recorded by version {by or 'unknown'} in the middle of tracking: the "
+            f"recorded state of tracking was not used, so the first seconds may differ."
+        )
+    return " ".join(notes)
 
 
 def _output_info(

@@ -75,7 +75,7 @@ class TwoHandsRun:
         self._camera_tells |= isinstance(message, CameraImuSample)
         self._outputs[self._main].message(self._posed(message))
         if isinstance(message, BlobFrame):
-            self._hands.feed_frame(message)
+            self._feed_frame(message)
         elif isinstance(message, CameraImuSample):
             self._hands.feed_camera_imu(message)
         elif isinstance(message, Event):
@@ -124,10 +124,20 @@ class TwoHandsRun:
         self._hands.set_state(what.state)
         output.state(what)
 
+    def _feed_frame(self, frame: BlobFrame) -> None:
+        self._hands.feed_frame(frame)
+        for side, output in self._outputs.items():
+            estimate = self._hands.pipelines[side].without_packets(frame)
+            if estimate is not None:
+                self._tracking[side] = estimate.tracking
+                output.source(frame.t, self._hands.pipelines[side])
+                output.between(estimate)
+
     def _feed_imu(self, side: str, sample: ImuSample) -> None:
         output = self._outputs[side]
         output.message(sample)
         estimate = self._hands.feed_imu(side, sample)
+        output.source(sample.t, self._hands.pipelines[side])
         output.estimate(sample, estimate)
         self._tracking[side] = estimate.tracking
         if sample.t >= self._next_calibration[side]:

@@ -6,18 +6,16 @@ Three signs, none of which needs to know where the hand is:
   way round and few the right way, left is right. Such an image is not to be used.
 - **Row shift**: the row difference that most pairs agree on. It is 0 for a calibrated pair;
   a lens that moved up or down, turned or was knocked shows here for good.
-- **Jump**: all markers stand elsewhere than the filter expected, by one and the same vector, from
-  one image to the next, where the image before agreed. No hand does that. Along the baseline a
-  moved lens shows only so: afterwards it looks like a hand of another size farther away.
+- **Jump**: all markers are elsewhere than the filter expected, by the same vector, from one image
+  to the next, and stay there (`jump_watch`). No hand does that. A lens moved along the baseline
+  shows in no other sign: afterwards it looks like a hand of another size farther away.
 
-What cannot be seen: a lens that was already moved along the baseline when tracking began.
+A lens that had already moved along the baseline when tracking began cannot be detected.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections import deque
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
@@ -25,13 +23,13 @@ from typing import Any
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
-from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray, Tracking
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix
+from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray
+from tracker.online.jump_watch import Jump, JumpParams, JumpWatch
 from tracker.vision.rig import StereoRig
 
 SHIFTS = 24  # rows, either way, among which the commonest shift is looked for
 RIGHT_WAY, WRONG_WAY = 0, 1
-EXPECTED = 6  # images over which the markers' velocity is told
 
 
 @dataclass(frozen=True)
@@ -46,14 +44,6 @@ class RigWatchParams:
     shift_px: float = 1.5  # row shift of a camera that has moved
     shift_pictures: int = 15  # over which the median is taken
     swapped_pictures: int = 3  # in a row, before it is said
-    jump_px: float = 5.0
-    jump_markers: int = 5
-    jump_gap: float = 0.15  # s since the last image that agreed
-    usual_gap: float = 0.07  # s without an image that agreed, up to which ``jump_px`` is meant
-    packet_gap: float = 0.035  # s without a packet: then it is the hand that was not followed
-    ahead: float = 0.015  # s that an image is of after the last packet: neither was it then
-    settle: float = 0.3  # s after such a gap, and after markers were not seen to agree
-    late: float = 0.2  # s that an image may be older or newer than its stamp says
 
 
 @dataclass(frozen=True)
@@ -70,20 +60,20 @@ class RigState:
 class RigWatch:
     """Takes every image before the filter and every result after it."""
 
-    def __init__(self, rig: StereoRig, params: RigWatchParams | None = None) -> None:
+    def __init__(
+        self, rig: StereoRig, params: RigWatchParams | None = None, jumps: JumpParams | None = None
+    ) -> None:
         self._rig, self._params = rig, params or RigWatchParams()
         self._scale = rig.fx / 640.0
         self._shifts: deque[float] = deque(maxlen=self._params.shift_pictures)
         self._wrong_way = self._right_way = 0
-        self._agreed = -np.inf  # when markers last stood where they were expected
-        self._agreed_since = np.inf  # how long they have
-        self._packet = self._gap_end = -np.inf
-        self._expected: deque[tuple[float, Array]] = deque(maxlen=EXPECTED)
+        self._jumps = JumpWatch(rig.fx, jumps)
         self._words: list[str] = []
         self.state = RigState()
 
     def usable(self, frame: BlobFrame) -> bool:
         """Whether left is left in this image, as far as it shows. Depends on it alone."""
+        self._jumps.image(frame.t, frame.t_arrival)
         if frame.left is None or frame.right is None:
             return True
         right, wrong, others, shift = leaders(*self._votes(frame.left, frame.right))
@@ -94,56 +84,15 @@ class RigWatch:
             self._note_shift(shift)
         return not swapped
 
-    def packet(self, t: float) -> None:
+    def packet(self, t: float, t_arrival: float) -> None:
         """A packet of the glove, sampled at ``t`` (s): without them a jump means nothing."""
-        if t - self._packet > self._params.packet_gap:
-            self._gap_end = t
-        self._packet = max(t, self._packet)
+        self._jumps.packet(t, t_arrival)
 
     def check(self, result: FrameResult) -> None:
         """Compare an image with what the filter expected of it."""
-        p = self._params
-        if result.t > self._packet + p.ahead:
-            self._gap_end = result.t
-        if result.t < self._gap_end + p.settle:
-            self._agreed = -np.inf
-            return
-        if result.tracking != Tracking.TRACKING:
-            self._expected.clear()
-            return
-        self._expected.append((result.t, result.predicted_left))
-        both, (left_u, left_v, right_u, right_v) = median_residual(result.residual)
-        if both < p.jump_markers:
-            return
-        apart = float(np.hypot(right_u - left_u, right_v - left_v)) / self._scale
-        together = float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / self._scale
-        # Carried on for longer, the hand itself is farther from where it was expected, in both
-        # images alike: a double integral, so that limit grows with the square of the gap.
-        gap = max((result.t - self._agreed) / p.usual_gap, 1.0)
-        if max(apart, together) < p.jump_px:
-            if result.t - self._agreed > p.jump_gap:
-                self._agreed_since = result.t
-            self._agreed = result.t
-        elif apart < p.jump_px and together < p.jump_px * gap**2:
-            return
-        elif result.t - self._agreed <= p.jump_gap:
-            settled = self._agreed - self._agreed_since >= p.settle
-            self._agreed = -np.inf  # one jump is told once
-            vector = np.array([right_u + left_u, right_v + left_v]) / 2 / self._scale
-            # settled: else how fast the hand moves is hardly known yet
-            if settled and (apart > together or not self._is_late(vector)):
-                self._note_jump(apart, together)
-
-    def _is_late(self, jump: Array) -> bool:
-        """Whether ``jump`` (2,) px is how far the markers move in the time by which the stamp of an
-        image may be wrong: a busy computer takes images from a webcam late and unevenly."""
-        velocity = _velocity(self._expected) / self._scale
-        speed_2 = float(velocity @ velocity)
-        if not speed_2 > 0:
-            return False
-        late = float(jump @ velocity) / speed_2
-        beside = float(np.linalg.norm(jump - late * velocity))
-        return abs(late) <= self._params.late and beside < self._params.jump_px
+        jump = self._jumps.check(result)
+        if jump is not None:
+            self._note_jump(jump)
 
     def take_words(self) -> list[str]:
         """Sentences for the log since the last call."""
@@ -189,17 +138,17 @@ class RigWatch:
         elif self.state.moved and not moved:
             self._words.append("The two images fit the stereo calibration again.")
 
-    def _note_jump(self, apart: float, together: float) -> None:
+    def _note_jump(self, jump: Jump) -> None:
         self._set(jumps=self.state.jumps + 1)
-        if apart > together:
+        if jump.apart > jump.together:
             text = (
-                f"The images have moved against each other by {apart:.0f} pixels at once: a lens "
-                "was knocked. Calibrate the camera again if this stays."
+                f"The images have moved against each other by {jump.apart:.0f} pixels at once: "
+                "a lens was knocked. Calibrate the camera again if this stays."
             )
         else:
             text = (
-                f"All markers have jumped by {together:.0f} pixels at once: the camera was moved. "
-                "Places are measured from where it stands now."
+                f"All markers have jumped by {jump.together:.0f} pixels at once: "
+                "the camera was moved. Places are measured from where it stands now."
             )
         self._words.append(text)
 
@@ -216,32 +165,6 @@ class RigWatch:
             (focal / p.farthest, focal / p.nearest),
             p.row_px * self._scale,
         )
-
-
-def _velocity(expected: Sequence[tuple[float, Array]]) -> Array:
-    """(2,) px/s of the markers in the left image, as expected from image to image; 0 if unknown."""
-    steps = []
-    for (t, before), (t_next, after) in itertools.pairwise(expected):
-        moved = after - before
-        moved = moved[np.isfinite(moved).all(axis=1)]
-        if len(moved) and t_next > t:
-            steps.append(np.median(moved, axis=0) / (t_next - t))
-    return np.median(steps, axis=0) if steps else np.zeros(2)
-
-
-@kernel(nogil=False)
-def median_residual(residual: Matrix) -> tuple[int, Vector]:
-    """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
-    finite = np.empty(residual.shape)
-    n = 0
-    for row in residual:
-        if np.isfinite(row.sum()):
-            finite[n] = row
-            n += 1
-    out = np.full(4, np.nan)
-    for k in range(4 if n else 0):
-        out[k] = np.median(finite[:n, k])
-    return n, out
 
 
 @kernel(nogil=False)

@@ -15,6 +15,7 @@ from tracker.robot.library import MODELS, model_path, need_mujoco
 from tracker.robot.mirror import mirrored
 from tracker.robot.settings import RobotSettings
 
+MOST_BYTES = 20_000_000  # of a hand's MJCF, without the meshes that it refers to
 USUAL_TORQUE = 1.0  # N m, of a joint whose file says none
 
 
@@ -39,6 +40,8 @@ def load_hand(settings: RobotSettings) -> RobotHand:
     need_mujoco()
     path = model_path(settings.model)
     try:
+        if path.stat().st_size > MOST_BYTES:
+            raise ConfigError(f"The robot hand {path.name} is larger than {MOST_BYTES} bytes.")
         text, torque_of = _prepared(path)
         model = mujoco.MjModel.from_xml_string(text)
         anatomy = read_anatomy(model)

@@ -16,7 +16,9 @@ from tracker.clock import NS
 from tracker.errors import ConfigError, FileError
 from tracker.files import write_whole
 from tracker.messages import Array, Estimate, ImuSample
+from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
+from tracker.toml_reader import read_text
 
 WAYS = ("clock", "movement")
 RATE = 100.0  # Hz
@@ -25,7 +27,6 @@ LEAST = 0.5  # correlation of a match
 RIVAL = 0.95  # share of it that another place may reach
 APART = 0.5  # s from the best one, from which on it is another place
 _SMOOTH = 0.05  # s
-_GAP = 0.1  # s
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +117,7 @@ def _even(course: Course) -> Array:
     x = np.convolve(np.interp(at, t, speed), np.ones(width) / width, "same")
     x = np.log(x + 0.05)
     after = np.clip(np.searchsorted(t, at), 1, len(t) - 1)
-    return np.where(t[after] - t[after - 1] > _GAP, np.nan, x)
+    return np.where(t[after] - t[after - 1] > LONGEST_FILLED, np.nan, x)
 
 
 def _correlations(x: Array, y: Array) -> Array:
@@ -208,7 +209,7 @@ def keep(alignment: Alignment, path: Path, force: bool = False) -> None:
 def read_alignment(path: Path) -> Alignment:
     """Raises FileError for what is none."""
     try:
-        said = json.loads(path.read_text("utf-8"))
+        said = json.loads(read_text(path))
         numbers = [float(said[k]) for k in ("offset_s", "clocks_differ_s")]
         words = [str(said[k]) for k in ("first", "second", "by")]
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:

@@ -13,8 +13,8 @@ from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.files import whole_file
 from tracker.messages import Array, IntArray
-from tracker.session.export.holes import LONGEST_FILLED
 from tracker.session.export.series import EstimateSeries, recorded_series
+from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
 
 _ALIGNED_NS = 1_000_000

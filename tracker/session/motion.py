@@ -1,7 +1,7 @@
 """What a take's motion measures: ranges and speeds of angles, distances between points.
 
 Angles in rad, lengths in m, times in s. What is lost counts for nothing; what is inferred counts,
-and its share is said.
+and its share is given. Time without estimates (`holes`) counts as lost.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
+from tracker.session.holes import LONGEST_FILLED, time_shares, with_breaks
 from tracker.session.reader import SessionReader
 
 APERTURE = ("thumb_tip", "index_tip")
 """Points whose distance is the aperture of a grasp."""
 SMOOTH = 0.05  # s over which a speed is taken: noise of one estimate is no motion
-GAP = 0.1  # s without an estimate over which no speed is taken
 Pair = tuple[str, str]
 
 
@@ -118,10 +118,16 @@ def speed(t: Array, values: Array) -> Array:
     before = np.searchsorted(at, at - 0.5 * SMOOTH - 1e-9)
     after = np.searchsorted(at, at + 0.5 * SMOOTH + 1e-9, side="right") - 1
     span = at[after] - at[before]
-    jumps = np.concatenate([[0], np.cumsum(np.diff(at) > GAP)])
+    jumps = np.concatenate([[0], np.cumsum(np.diff(at) > LONGEST_FILLED)])
     fine = (span > 0.3 * SMOOTH) & (jumps[after] == jumps[before])
     out[known[fine]] = (x[after] - x[before])[fine] / span[fine]
     return out
+
+
+def curve(take: Take, values: Array, state: IntArray) -> tuple[Array, Array]:
+    """Times and values (N,) of an angle or a distance to draw a line through: NaN where it is lost,
+    and a break in each hole."""
+    return with_breaks(take.t, np.where(state == Validity.LOST, np.nan, values))
 
 
 def measures(take: Take, pairs: Sequence[Pair]) -> list[Measure]:
@@ -152,7 +158,10 @@ def _measure(
 ) -> Measure:
     known = np.isfinite(values) & (state != Validity.LOST)
     kept = np.where(known, values, np.nan)
-    shares = [float((state[known] == s).sum() / len(t)) for s in (Validity.MEASURED, 1)]
+    of_time = time_shares(t)
+    shares = [
+        float(of_time[known & (state == s)].sum()) for s in (Validity.MEASURED, Validity.INFERRED)
+    ]
     if not known.any():
         nan = float("nan")
         return Measure(name, is_angle, nan, nan, nan, nan, nan, 0.0, 0.0, 1.0, nan)

@@ -18,6 +18,7 @@ from tracker.session.decode import MESSAGE_KINDS, Decoded, MessageDecoder
 from tracker.session.decode_estimate import EstimateDecoder
 from tracker.session.decode_sensors import Timing, foreign_timing
 from tracker.session.description import SessionInfo
+from tracker.session.engine_parts import register_all
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import FOREVER, McapInput
 from tracker.session.mcap.ordering import last_before, ordered
@@ -104,6 +105,7 @@ class SessionReader:
 
         Raises FileError where one is damaged or of another version.
         """
+        register_all()
         found = [
             EngineState(self.anchor.monotonic(a.log_time), *engine_state.unpack(a.data))
             for a in self.source.attachments()

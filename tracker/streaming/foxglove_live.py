@@ -5,25 +5,24 @@ Topics, per hand:
     /glovetrack/right         the JSON of `payload`, with its schema
     /glovetrack/right/scene   foxglove.SceneUpdate in the frame ``world``; see `foxglove_scene`
 
-A client that reads slowly loses the oldest of `BACKLOG` waiting messages. Pages of other sites than
+A client that reads slowly misses the oldest of `client_queue.BACKLOG` waiting messages, which are
+counted. Pages of other sites than
 Foxglove's own and this machine's are turned away, as the WebSocket server does.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import json
 import time
-from collections import deque
 from collections.abc import Callable, Collection, Sequence
 from functools import partial
 
 from websockets.asyncio.server import ServerConnection
-from websockets.exceptions import ConnectionClosed
 from websockets.typing import Origin, Subprotocol
 
 from tracker.messages import Estimate
+from tracker.streaming.client_queue import ClientQueue
 from tracker.streaming.foxglove_protocol import (
     SUBPROTOCOLS,
     Channel,
@@ -40,7 +39,6 @@ from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 DEFAULT_PORT = 8765  # where Foxglove looks by itself
-BACKLOG = 64  # messages kept per client
 MAX_SAID = 2**16  # bytes of a client's message
 ESTIMATE, SCENE = 1, 2  # channels of the first hand; those of the next are 3 and 4
 FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
@@ -68,6 +66,7 @@ class FoxglovePublisher:
         self._hands = [_HandChannels(n, 2 * i) for i, n in enumerate((names, *others))]
         self._greeting = _greeting(self._hands, session_id=str(time.time_ns()))
         self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed
+        self._missed = 0  # by clients that have left
         self._closed = False
         self._server = ServerThread(
             "Foxglove",
@@ -85,6 +84,10 @@ class FoxglovePublisher:
     def clients(self) -> int:
         """How many have subscribed to something."""
         return sum(bool(c.wants.by_channel) for c in self._clients)
+
+    def missed(self) -> dict[str, int]:
+        """Messages that slow clients missed, by their address; under "" those of former clients."""
+        return {"": self._missed} | {c.queue.name: c.queue.dropped for c in self._clients}
 
     def send(self, estimate: Estimate) -> None:
         self._send(self._hands[0], estimate)
@@ -119,11 +122,12 @@ class FoxglovePublisher:
         channels = {channel for hand in self._hands for channel in hand.encoders}
         client = _Client(connection, channels)
         self._clients += (client,)
-        sending = asyncio.create_task(client.send())
+        sending = asyncio.create_task(client.queue.send())
         try:
             await client.listen()
         finally:
             self._clients = tuple(c for c in self._clients if c is not client)
+            self._missed += client.queue.dropped
             sending.cancel()
 
 
@@ -153,15 +157,13 @@ class _Client:
     def __init__(self, connection: ServerConnection, channels: set[int]) -> None:
         self._connection = connection
         self.wants = Subscriptions(channels)
-        self._waiting: deque[bytes] = deque(maxlen=BACKLOG)
-        self._fresh = asyncio.Event()
+        self.queue = ClientQueue(connection)
 
     def offer(self, channel: int, stamp_ns: int, payload: bytes) -> None:
         """Leave a message, where the client wants this channel's."""
         subscription = self.wants.by_channel.get(channel)
         if subscription is not None:
-            self._waiting.append(message_data(subscription, stamp_ns, payload))
-            self._fresh.set()
+            self.queue.put(message_data(subscription, stamp_ns, payload))
 
     async def listen(self) -> None:
         """Hear the client until it leaves."""
@@ -170,15 +172,6 @@ class _Client:
                 self.wants.hear(text)
             except ProtocolError as trouble:
                 await self._connection.send(error(str(trouble)))
-
-    async def send(self) -> None:
-        """Send what waits, for ever; a slow client is waited for here."""
-        with contextlib.suppress(ConnectionClosed):
-            while True:
-                while self._waiting:
-                    await self._connection.send(self._waiting.popleft())
-                self._fresh.clear()
-                await self._fresh.wait()
 
 
 def _greeting(hands: Sequence[_HandChannels], session_id: str) -> tuple[str, str]:

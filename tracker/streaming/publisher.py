@@ -27,7 +27,8 @@ STATE_WORDS = {
 class Publisher(Protocol):
     """One output. ``send`` and ``close`` are called from the output's own thread.
 
-    A server also has ``clients``, how many are connected.
+    A server also has ``clients``, how many are connected, and ``missed()``, the messages that slow
+    clients missed by their address ("" for clients that have left).
     """
 
     @property

@@ -1,32 +1,59 @@
-"""Threads around the outputs: each has a slot of one, so that none waits for another.
+"""Threads around the outputs: each has a bounded queue, so that none waits for another.
 
-An estimate that a client had no time for is merely old: the newer one takes its place and the loss
-is counted. Nothing here is ever called by the engine's threads.
+Messages are composed and sent in the output's own thread. An output that cannot keep up discards
+the oldest estimates, which are counted. The engine's threads only put estimates into the queues.
 """
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+import time
+from collections import deque
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 
-from tracker.channels import Closed, Latest
+from tracker.channels import Backlog, Closed
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
 
+BACKLOG = 50  # estimates: half a second, after which a live client is better off without them
+RATE_WINDOW = 3.0  # s over which rates are counted
 END_WAIT = 1.0  # s that `close` gives an output to finish what it is sending
 
 
 @dataclass(frozen=True)
 class StreamCounts:
-    """What became of the estimates offered to one output."""
+    """What became of the estimates offered to one output, of one hand or of all of them."""
 
     name: str
     sent: int
-    dropped: int  # overtaken by a newer one before the output was ready
+    dropped: int  # discarded because the output could not keep up
     failed: int
     error: str  # of the last failure; empty while the last one went out
     clients: int | None = None  # connected now; None where the protocol does not know its readers
+    rates_hz: tuple[float, ...] = ()  # sent a second in the last `RATE_WINDOW`, of each hand
+    missed: Mapping[str, int] = field(default_factory=dict)
+    """Messages that slow clients missed, by address; "" has those of clients that have left."""
+
+    @property
+    def left_out(self) -> int:
+        """Messages that at least one reader did not get, summed over readers."""
+        return self.dropped + self.failed + sum(self.missed.values())
+
+
+def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
+    """The counts of one output of several hands, whose clients are the same."""
+    first = counts[0]
+    return StreamCounts(
+        first.name,
+        sum(c.sent for c in counts),
+        sum(c.dropped for c in counts),
+        sum(c.failed for c in counts),
+        next((c.error for c in counts if c.error), ""),
+        first.clients,
+        tuple(rate for c in counts for rate in c.rates_hz),
+        first.missed,
+    )
 
 
 class Streams:
@@ -44,7 +71,7 @@ class Streams:
     def offer(self, estimate: Estimate) -> None:
         """Leave an estimate for every output; never waits."""
         for output in self._outputs:
-            output.slot.put(estimate)
+            output.queue.put(estimate)
 
     def counts(self) -> tuple[StreamCounts, ...]:
         return tuple(output.counts() for output in self._outputs)
@@ -52,17 +79,20 @@ class Streams:
     def close(self) -> None:
         """End all outputs; one that hangs is left behind after a second. May be called again."""
         for output in self._outputs:
-            output.slot.close()
+            output.queue.close()
         for output in self._outputs:
             output.thread.join(END_WAIT)
 
 
 class _Output:
-    """One publisher, its slot and its thread."""
+    """One publisher, its queue and its thread."""
 
     def __init__(self, publisher: Publisher, say: Callable[[str], None]) -> None:
         self._publisher, self._say = publisher, say
-        self.slot: Latest[Estimate] = Latest()
+        self.queue: Backlog[Estimate] = Backlog(BACKLOG)
+        self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
+        self._began = time.monotonic()
+        self._timing = threading.Lock()
         self._sent = self._failed = 0
         self._error = ""
         name = f"glovetrack-stream-{publisher.name}"
@@ -73,16 +103,26 @@ class _Output:
         return StreamCounts(
             self._publisher.name,
             self._sent,
-            self.slot.dropped,
+            self.queue.dropped,
             self._failed,
             self._error,
             getattr(self._publisher, "clients", None),
+            (self._rate(time.monotonic()),),
+            getattr(self._publisher, "missed", dict)(),
         )
+
+    def _rate(self, now: float, sent: int = 0) -> float:
+        """Messages a second, after ``sent`` more."""
+        with self._timing:
+            self._times.extend([now] * sent)
+            while self._times and self._times[0] < now - RATE_WINDOW:
+                self._times.popleft()
+            return len(self._times) / min(max(now - self._began, 0.5), RATE_WINDOW)
 
     def _run(self) -> None:
         try:
             while True:
-                estimate = self.slot.get(None)
+                estimate = self.queue.get(None)
                 if estimate is not None:
                     self._send(estimate)
         except Closed:
@@ -96,6 +136,7 @@ class _Output:
             self._tell(str(error) or type(error).__name__)
         else:
             self._sent += 1
+            self._rate(time.monotonic(), sent=1)
             self._tell("")
 
     def _tell(self, error: str) -> None:

@@ -1,6 +1,7 @@
-"""A WebSocket server that sends every client the newest estimates as JSON; see `payload`.
+"""A WebSocket server that sends every client all estimates as JSON; see `payload`.
 
-A client that reads slowly misses estimates instead of receiving old ones. Pages of other sites that
+A client that reads slowly misses the oldest of `client_queue.BACKLOG` waiting messages, which are
+counted. Pages of other sites that
 a browser on this machine shows are turned away: a WebSocket is not held back by the same-origin
 rule, so the server has to look at ``Origin`` itself (RFC 6455, 10.2).
 """
@@ -14,6 +15,7 @@ from websockets.asyncio.server import ServerConnection
 
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
+from tracker.streaming.client_queue import ClientQueue
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
@@ -27,8 +29,8 @@ class WebSocketPublisher:
 
     def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
         self._names, self._gestures = names, names.recogniser()
-        self._texts: dict[str, str] = {}  # the newest of each hand, by its side
-        self._fresh = asyncio.Event()
+        self._clients: tuple[ClientQueue, ...] = ()  # replaced by the server's thread, not changed
+        self._missed = 0  # by clients that have left
         self._closing = False
         self._server = ServerThread(
             "WebSocket", self._feed, host, port, origins=[None, LOCAL_PAGE], max_size=MAX_SAID
@@ -41,6 +43,10 @@ class WebSocketPublisher:
         """How many are connected."""
         return self._server.connected
 
+    def missed(self) -> dict[str, int]:
+        """Messages that slow clients missed, by their address; under "" those of former clients."""
+        return {"": self._missed} | {c.name: c.dropped for c in self._clients}
+
     def send(self, estimate: Estimate) -> None:
         self._send(self._names, self._gestures, estimate)
 
@@ -52,30 +58,27 @@ class WebSocketPublisher:
         if self._closing:
             raise StreamError("the WebSocket server is closed")
         if self.clients:
-            self._server.call(self._show, names.side, to_json(estimate, names, gestures))
+            self._server.call(self._hand_out, to_json(estimate, names, gestures))
 
     def close(self) -> None:
         self._closing = True
-        self._server.call(self._fresh_again)
         self._server.close()
 
     # ---- in the server's own thread
 
-    def _show(self, side: str, text: str) -> None:
-        self._texts[side] = text
-        self._fresh_again()
-
-    def _fresh_again(self) -> None:
-        fresh, self._fresh = self._fresh, asyncio.Event()
-        fresh.set()
+    def _hand_out(self, text: str) -> None:
+        for client in self._clients:
+            client.put(text)
 
     async def _feed(self, connection: ServerConnection) -> None:
-        """One client: the newest text of each hand, whenever it has taken the last one."""
-        sent = dict(self._texts)
-        while not self._closing:
-            fresh = [side for side, text in self._texts.items() if text is not sent.get(side)]
-            if not fresh:
-                await self._fresh.wait()
-            for side in fresh:
-                sent[side] = self._texts[side]
-                await connection.send(sent[side])  # waits while the client is slow
+        """One client, until it leaves; what it sends is ignored."""
+        client = ClientQueue(connection)
+        self._clients += (client,)
+        sending = asyncio.create_task(client.send())
+        try:
+            async for _ in connection:
+                continue
+        finally:
+            self._clients = tuple(c for c in self._clients if c is not client)
+            self._missed += client.dropped
+            sending.cancel()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections import deque
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ from app.engines.replay.tell_markers import MarkerTeller
 from tracker.applications.stage import ApplicationStage
 from tracker.messages import Calibration, Estimate, Event, ImuSample, Message, Status
 from tracker.session.decode import MESSAGE_KINDS
+from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
 
 OF_A_HAND = (ImuSample, Estimate, Calibration, Status)
@@ -78,6 +79,20 @@ class HandsInFile:
             return
         for moment in self.moments.values():
             moment.take(read.message)
+
+    def begin_hole(self, read: OfFile) -> None:
+        """No estimate of this hand follows for longer than `LONGEST_FILLED`."""
+        self.moments[read.side].begin_hole(read.arrival + LONGEST_FILLED)
+
+    def arrive(self) -> None:
+        """All that is shown is of the position that the replay was sent to."""
+        for moment in self.moments.values():
+            moment.arrive()
+
+    def follow(self, position: Callable[[], float]) -> None:
+        """``position`` gives where the replay is, s of the file's monotonic clock."""
+        for moment in self.moments.values():
+            moment.position = position
 
     def forget(self) -> None:
         """See `ReplayMoment.forget`; applications begin anew."""

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
 
 from app.engines.replay.tell_markers import MarkerTeller
 from tracker.live.imu_history import HISTORY_S
@@ -18,6 +21,7 @@ from tracker.messages import (
     Status,
     StereoFrame,
     Tracking,
+    Validity,
 )
 
 IMAGES_WAITING = 30
@@ -31,13 +35,17 @@ class ReplayMoment:
     ``markers``: how many the glove has. ``has_images``: whether the file holds any, so that blobs
     wait for theirs. At one arrival time either may come first: images are packed by another process
     than the one that writes. ``teller`` tells which blob is which marker; None where no camera is
-    known.
+    known. ``position``: where the replay is, s of the file's monotonic clock.
     """
 
     def __init__(self, markers: int, has_images: bool, teller: MarkerTeller | None = None) -> None:
         self._markers, self._has_images, self._teller = markers, has_images, teller
         self._hands: deque[Estimate] = deque(maxlen=HANDS)
         self._estimate: Estimate | None = None
+        self._in_hole: Estimate | None = None  # what is shown after it; None where no hole follows
+        self._hole = np.inf  # s, where that begins
+        self._is_fresh = False  # whether an estimate was read since the last `forget`
+        self.position: Callable[[], float] = lambda: -np.inf
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
         self._calibration: Calibration | None = None
         self._status = Status(0.0, Tracking.SEARCHING, {})
@@ -48,6 +56,7 @@ class ReplayMoment:
         """What belongs to the position that is left; the hand stands until another one comes."""
         self._images: dict[float, StereoFrame] = {}
         self._hands.clear()
+        self._is_fresh = False
         self._imu: deque[ImuSample] = deque()
         self._searched: float | None = None  # t of the last blobs, or of the first image
         self._pictured: float | None = None  # t of the last image, or of the first blobs
@@ -60,7 +69,8 @@ class ReplayMoment:
             while self._imu[-1].t - self._imu[0].t > HISTORY_S:
                 self._imu.popleft()
         elif isinstance(message, Estimate):
-            self._estimate = message
+            self._estimate, self._is_fresh = message, True
+            self._hole, self._in_hole = np.inf, None
             self._hands.append(message)
         elif isinstance(message, StereoFrame):
             self._take_image(message)
@@ -108,8 +118,24 @@ class ReplayMoment:
             result = FrameResult.nothing(blobs.t, tracking, self._markers)
         self._frame = (image, blobs, result)
 
+    def begin_hole(self, at: float) -> None:
+        """The hand is lost from ``at`` (s) to the next estimate, as the file has none."""
+        if self._estimate is not None:
+            self._hole, self._in_hole = at, lost(self._estimate)
+
+    def arrive(self) -> None:
+        """Where a replay was sent to: what was shown before is not of here."""
+        if not self._is_fresh:
+            self.begin_hole(-np.inf)
+
+    @property
+    def is_in_hole(self) -> bool:
+        """Whether the file has no estimates around the position."""
+        return self._in_hole is not None and self.position() >= self._hole
+
     def latest_estimate(self) -> Estimate | None:
-        return self._estimate
+        hole = self._in_hole
+        return hole if hole is not None and self.position() >= self._hole else self._estimate
 
     def latest_frame(
         self, t: float | None = None
@@ -122,7 +148,8 @@ class ReplayMoment:
         return self._calibration
 
     def status(self) -> Status:
-        return self._status
+        status = self._status
+        return replace(status, tracking=Tracking.LOST) if self.is_in_hole else status
 
     def recent_imu(self) -> Sequence[ImuSample]:
         """The samples of the last seconds."""
@@ -134,3 +161,14 @@ class ReplayMoment:
         while self._events:
             events.append(self._events.popleft())
         return events
+
+
+def lost(estimate: Estimate) -> Estimate:
+    """What is known in a hole after this estimate: nothing."""
+    known = ("keypoints", "keypoint_q", "keypoint_sd", "angles", "segment_R", "segment_p")
+    nothing = {name: np.full_like(getattr(estimate, name), np.nan) for name in known}
+    states = {
+        name: np.full_like(getattr(estimate, name), int(Validity.LOST))
+        for name in ("keypoint_state", "angle_state")
+    }
+    return replace(estimate, tracking=Tracking.LOST, **nothing, **states)

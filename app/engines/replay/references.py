@@ -12,10 +12,10 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate
+from tracker.session.holes import is_hole
 from tracker.session.reader import SessionReader
 
 LEAD = 0.2  # s; an estimate may have been fed this long after its instant
-CLOSE = 0.05  # s between two instants that still are the same one
 
 
 class ReferenceTrack:
@@ -58,7 +58,7 @@ class ReferenceTrack:
     def pose(self, t: float) -> ReferenceHand | None:
         """The hand there at ``t``; None where it was lost or nothing is known."""
         found = self._last
-        if found is None or abs(found.t - self._shift - t) > CLOSE:
+        if found is None or is_hole(found.t - self._shift, t):
             return None
         p, q = found.keypoints[self._rows], found.keypoint_q[self._rows]
         if not (np.isfinite(p).all() and np.isfinite(q).all()):

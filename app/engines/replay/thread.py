@@ -6,6 +6,7 @@ import threading
 import time
 
 from app.engines.replay.hands import HandsInFile, OfFile, holds
+from app.engines.replay.holes import marked
 from app.engines.replay.sights import sights
 from app.engines.replay.transport import Transport
 from tracker.errors import GlovetrackError
@@ -24,6 +25,7 @@ class ReplayThread:
         self._hands, self._transport = hands, transport
         reader = hands.main
         self.start_t = reader.anchor.monotonic(reader.span_ns[0])
+        hands.follow(lambda: self.start_t + transport.position)
         self._thread: threading.Thread | None = None
         self._shown_at = 0.0  # where the image on screen stands
         # Without blobs (a session tracked again) there is no image: one steps by estimates.
@@ -82,16 +84,20 @@ class ReplayThread:
         begin = self.start_t + start - LEAD_IN_S
         self._hands.seek(begin)
         there = shows = False
-        for read in self._hands.messages(start=begin):
+        for read, before_hole in marked(self._hands.messages(start=begin)):
             position = read.arrival - self.start_t
             if not there and position > start + SAME_S:
                 there = True
+                self._hands.arrive()
                 self._count(shows)  # only now: a step that is asked for meanwhile goes on from here
             if there and not self._wait_for(position):
                 return
             shown = self._take(read, position >= start - SAME_S)
+            if before_hole:
+                self._hands.begin_hole(read)
             shows |= shown
             self._count(shown and there)
+        self._hands.arrive()
         self._transport.end(self._transport.duration)
 
     def _count(self, shown: bool) -> None:

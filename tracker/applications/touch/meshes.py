@@ -11,6 +11,7 @@ import numpy as np
 
 from resources import folder
 from tracker.errors import FileError
+from tracker.files import read_bounded
 from tracker.geometry.triangles import Triangles, triangles_of
 from tracker.messages import Array, IntArray
 
@@ -58,9 +59,7 @@ def load_mesh(name: str) -> MeshFile:
             raise FileError(f"There is no mesh {name!r}; a file is told with its ending.")
         return _centred(*_obj(shipped.read_text("utf-8").splitlines(), name))
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise FileError(f"{path} is larger than {MOST_BYTES // 1_000_000} MB.")
-        data = path.read_bytes()
+        data = read_bounded(path, MOST_BYTES, "a mesh that can be read")
     except OSError as error:
         raise FileError(f"{path} cannot be read: {error.strerror}.") from error
     if path.suffix.lower() == ".stl":

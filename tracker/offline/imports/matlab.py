@@ -6,16 +6,28 @@ rate (``sampling_rate``, ``rate``, ``fs``) Hz. Several: structs with ``acc`` and
 
 from __future__ import annotations
 
+import contextlib
+import math
+import os
+import struct
+import zlib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from tracker.errors import FileError
+from tracker.files import check_regular
 from tracker.messages import Array
 from tracker.offline.imports.samples import MOST, Samples
 
 _ACC, _GYR = ("acc", "imu_acc"), ("gyr", "imu_gyr")
+_MOST_BYTES = 400_000_000
+"""Of a file once unpacked: two hours of seven IMUs at 1 kHz in 64 bits."""
+_MOST_NUMBERS = 100_000_000
+"""Of one array; a damaged header may declare any number."""
+_HEADER, _TAG, _COMPRESSED = 128, 8, 15  # bytes, bytes, kind of element of version 5
+_PIECE = 1_000_000
 _RATES = ("sampling_rate", "rate", "fs")
 
 
@@ -35,10 +47,17 @@ def read_matlab(path: Path, imu: str) -> Samples:
 
 
 def _loaded(path: Path) -> dict[str, Any]:
-    from scipy.io import loadmat
+    from scipy.io import loadmat, whosmat
 
     try:
+        check_regular(path)
+        if _unpacked_bytes(path) > _MOST_BYTES:
+            raise FileError(f"{path} contains more than {_MOST_BYTES // 10**6} MB.")
+        if sum(math.prod(shape) for _, shape, _ in whosmat(path)) > _MOST_NUMBERS:
+            raise FileError(f"{path} contains more than {_MOST_NUMBERS} numbers.")
         loaded = loadmat(path, squeeze_me=True, struct_as_record=False)
+    except FileError:
+        raise
     except OSError as error:
         raise FileError(f"{path} cannot be read: {error.strerror or error}.") from error
     except NotImplementedError as error:  # version 7.3
@@ -46,6 +65,31 @@ def _loaded(path: Path) -> dict[str, Any]:
     except Exception as error:  # scipy raises whatever a damaged file leads it to
         raise FileError(f"{path} is no MATLAB file that can be read: {error}.") from error
     return {name: value for name, value in loaded.items() if not name.startswith("__")}
+
+
+def _unpacked_bytes(path: Path) -> int:
+    """Bytes of all elements once decompressed, counted no further than beyond the bound."""
+    total = path.stat().st_size
+    with path.open("rb") as file:
+        head = file.read(_HEADER)
+        order = "<" if head[-2:] == b"IM" else ">"
+        while total <= _MOST_BYTES and len(tag := file.read(_TAG)) == _TAG:
+            kind, length = struct.unpack(f"{order}II", tag)
+            if kind != _COMPRESSED:
+                file.seek(length, os.SEEK_CUR)
+                continue
+            total += _inflated_bytes(file.read(min(length, _MOST_BYTES)), _MOST_BYTES - total)
+    return total
+
+
+def _inflated_bytes(packed: bytes, most: int) -> int:
+    """Bytes that they become, up to a little more than ``most``; damage ends the count."""
+    unpack, total = zlib.decompressobj(), 0
+    with contextlib.suppress(zlib.error):
+        while packed and total <= most:
+            total += len(unpack.decompress(packed, _PIECE))
+            packed = unpack.unconsumed_tail
+    return total
 
 
 def _has_both(part: dict[str, Any]) -> bool:

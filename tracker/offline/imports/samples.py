@@ -12,6 +12,10 @@ from tracker.messages import Array, IntArray
 
 SINCE_1970 = 3e8
 """s: a time beyond this (July 1979) is of the calendar, one before of a clock of the device."""
+LATEST = 4e9
+"""s since 1970: a time beyond this (2096) is damage. The file format ends at 9.2e9."""
+LONGEST = 1e7
+"""s between the middle sample of a file and another: 115 days. Beyond it a time is damage."""
 MOST = 20_000_000
 """Samples of one file: 55 hours at 100 Hz."""
 GRAVITY = 9.80665  # m/s²
@@ -58,11 +62,13 @@ class Samples:
 
 def in_order(samples: Samples, name: str) -> tuple[Samples, int]:
     """Rising in time, and how many samples had to go for it. FileError without two."""
-    known = np.flatnonzero(np.isfinite(samples.t))
+    known = np.flatnonzero(np.isfinite(samples.t) & (np.abs(samples.t) < LATEST))
+    if len(known):
+        known = known[np.abs(samples.t[known] - np.median(samples.t[known])) < LONGEST]
     rows = known[np.argsort(samples.t[known], kind="stable")]
     rising = np.diff(samples.t[rows], prepend=-np.inf) > 0
     if rising.sum() < 2:
-        raise FileError(f"{name} holds no two samples of different times.")
+        raise FileError(f"{name} does not contain two samples of different, possible times.")
     return samples.rows(rows[rising]), len(samples.t) - int(rising.sum())
 
 

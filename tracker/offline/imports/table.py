@@ -7,16 +7,19 @@ before the quantity is the IMU's name, and where nothing does it is the file's.
 from __future__ import annotations
 
 import csv
+import math
 import re
+from array import array
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TextIO
 
 import numpy as np
 
 from tracker.errors import FileError
-from tracker.messages import Array
-from tracker.offline.imports.samples import GRAVITY, MOST, SINCE_1970, Clocks, Samples
+from tracker.files import check_regular
+from tracker.messages import Array, IntArray
+from tracker.offline.imports.samples import GRAVITY, LATEST, MOST, SINCE_1970, Clocks, Samples
 
 _DEG = np.pi / 180
 _UNITS = {
@@ -34,6 +37,10 @@ _TIME = re.compile(
     re.IGNORECASE,
 )
 _LONGEST_LINE = 100_000  # characters
+_LONGEST_NAME = 200  # characters of a column's name: what finds units in it takes longer than that
+_MOST_NUMBERS = 100_000_000
+"""Of one file, 0.8 GB of memory: five hours of seven IMUs at 100 Hz."""
+_CLOCKS = ("time", "arrived", "device")
 
 
 class _Column(NamedTuple):
@@ -49,27 +56,33 @@ def read_table(path: Path, imu: str) -> Samples:
     Raises FileError, naming the line, for what is no such table.
     """
     try:
+        check_regular(path)
         with path.open(encoding="utf-8-sig", newline="") as file:
             rows = csv.reader(_short(file, path))
             header = [cell.strip() for cell in next(rows, [])]
             columns = [_column(cell, imu, path) for cell in header]
-            numbers = _numbers(rows, len(header), path)
+            table = _numbers(rows, columns, path)
     except (UnicodeDecodeError, csv.Error) as error:
         raise FileError(f"{path} is no table of text: {error}.") from error
     except OSError as error:
         raise FileError(f"{path} cannot be read: {error.strerror}.") from error
-    return _samples(path, columns, numbers)
+    return _samples(path, columns, table)
 
 
-def _short(file: Iterator[str], path: Path) -> Iterator[str]:
-    for n, line in enumerate(file):
+def _short(file: TextIO, path: Path) -> Iterator[str]:
+    """Lines, none read beyond its bound: a file without line ends does not fill the memory."""
+    n = 0
+    while line := file.readline(_LONGEST_LINE + 1):
+        n += 1
         if len(line) > _LONGEST_LINE:
-            raise FileError(f"{path}: line {n + 1} is too long for a table.")
+            raise FileError(f"{path}: line {n} is too long for a table.")
         yield line
 
 
 def _column(cell: str, imu: str, path: Path) -> _Column | None:
     """None for one that is none of ours. Raises FileError for units that are not known."""
+    if len(cell) > _LONGEST_NAME:
+        return None
     if cell == "packet":
         return _Column("packet", "", "", 1.0)
     found = _TIME.fullmatch(cell)
@@ -92,53 +105,91 @@ def _clock(word: str) -> str:
     return word if word in ("arrived", "device") else "time"
 
 
-def _numbers(rows: Iterator[list[str]], width: int, path: Path) -> list[list[str]]:
-    out: list[list[str]] = []
+class _Table(NamedTuple):
+    """Numbers by column, NaN where empty; ``whole`` those of clocks as integers, -1 where none."""
+
+    values: dict[int, Array]
+    whole: dict[int, IntArray]
+
+
+def _numbers(rows: Iterator[list[str]], columns: list[_Column | None], path: Path) -> _Table:
+    """The columns that are used. Raises FileError, naming the line."""
+    used = [k for k, column in enumerate(columns) if column is not None]
+    clocks = [k for k in used if columns[k].what in _CLOCKS]  # type: ignore[union-attr]
+    values, whole = {k: array("d") for k in used}, {k: array("q") for k in clocks}
+    most = min(MOST, _MOST_NUMBERS // _numbers_of_row(columns))
+    count = 0
     for n, row in enumerate(rows):
         if not row:
             continue
-        if len(row) != width:
-            raise FileError(f"{path}: line {n + 2} has {len(row)} cells, the header {width}.")
-        if len(out) == MOST:
-            raise FileError(f"{path} has more than {MOST} lines.")
-        out.append(row)
-    return out
+        if len(row) != len(columns):
+            raise FileError(
+                f"{path}: line {n + 2} has {len(row)} cells, the header {len(columns)}."
+            )
+        if count == most:
+            raise FileError(f"{path} has more than {most} lines.")
+        count += 1
+        for k in used:
+            values[k].append(_number(row[k], n + 2, path))
+        for k in clocks:
+            whole[k].append(_whole(row[k]))
+    return _Table(
+        {k: np.frombuffer(column, np.float64) for k, column in values.items()},
+        {k: np.frombuffer(column, np.int64) for k, column in whole.items()},
+    )
 
 
-def _samples(path: Path, columns: list[_Column | None], rows: list[list[str]]) -> Samples:
+def _numbers_of_row(columns: list[_Column | None]) -> int:
+    """Numbers that one row becomes: six of an IMU, even where the file has only some of them."""
+    used = [column for column in columns if column is not None]
+    return 6 * len({c.imu for c in used if c.imu}) + 2 * sum(not c.imu for c in used) or 1
+
+
+def _number(cell: str, line: int, path: Path) -> float:
+    """NaN of an empty one."""
+    cell = cell.strip()
+    try:
+        return float(cell) if cell else math.nan
+    except ValueError:
+        raise FileError(f"{path}: {cell[:40]!r} in line {line} is not a number.") from None
+
+
+def _whole(cell: str) -> int:
+    """The number of a cell where it is a whole one of 64 bits, as times are; else -1."""
+    text = cell.strip()
+    number = int(text) if text.isascii() and text.isdigit() and len(text) < 20 else -1
+    return number if number < 2**63 else -1
+
+
+def _samples(path: Path, columns: list[_Column | None], table: _Table) -> Samples:
     clocks = {c.what: k for k, c in enumerate(columns) if c is not None and not c.imu}
     if "time" not in clocks:
         raise FileError(f"{path} has no column of time with its unit, as 'Time (s)'.")
     names = tuple(dict.fromkeys(c.imu for c in columns if c is not None and c.imu))
     if not names:
         raise FileError(f"{path} has no column of an IMU with its unit, as 'Gyroscope X (deg/s)'.")
-    motion = np.full((2, len(rows), len(names), 3), np.nan)
+    with np.errstate(over="ignore"):  # a number beyond all floats in another unit is infinite
+        motion = _motion(columns, names, table)
+        began, t = _seconds(table, clocks["time"], columns, path)
+        more = _clocks(table, clocks, columns, began)
+    return Samples(names, t, motion[0], motion[1], began, more)
+
+
+def _motion(columns: list[_Column | None], names: tuple[str, ...], table: _Table) -> Array:
+    """acc and gyr (2, N, IMUs, 3), NaN where the file has no such column."""
+    row = {name: k for k, name in enumerate(names)}
+    count = max(len(column) for column in table.values.values())
+    motion = np.full((2, count, len(names), 3), np.nan)
     for k, column in enumerate(columns):
         if column is not None and column.imu:
-            values = _values(rows, k, path) * column.factor
             what = ("acc", "gyr").index(column.what)
-            motion[what, :, names.index(column.imu), "xyz".index(column.axis)] = values
-    began, t = _seconds(rows, clocks["time"], columns, path)
-    return Samples(
-        names, t, motion[0], motion[1], began, _clocks(rows, clocks, columns, began, path)
-    )
-
-
-def _values(rows: list[list[str]], k: int, path: Path) -> Array:
-    """(N,) of column ``k``; NaN where it is empty. Raises FileError, naming the line."""
-    out = np.full(len(rows), np.nan)
-    for n, row in enumerate(rows):
-        cell = row[k].strip()
-        if cell:
-            try:
-                out[n] = float(cell)
-            except ValueError:
-                raise FileError(f"{path}: {cell[:40]!r} in line {n + 2} is no number.") from None
-    return out
+            values = table.values.pop(k)
+            motion[what, :, row[column.imu], "xyz".index(column.axis)] = values * column.factor
+    return motion
 
 
 def _seconds(
-    rows: list[list[str]], k: int, columns: list[_Column | None], path: Path
+    table: _Table, k: int, columns: list[_Column | None], path: Path
 ) -> tuple[int | None, Array]:
     """The instant of the first row, ns since 1970 where it is of the calendar, and s from it.
 
@@ -146,40 +197,33 @@ def _seconds(
     """
     column = columns[k]
     assert column is not None
-    values = _values(rows, k, path)
+    values, whole = table.values[k], table.whole[k]
     known = np.flatnonzero(np.isfinite(values))
     if len(known) == 0:
         raise FileError(f"{path} holds no sample.")
     first = int(known[0])
-    if values[first] * column.factor < SINCE_1970:
+    began = values[first] * column.factor
+    if began < SINCE_1970:
         return None, values * column.factor
-    zero, unit_ns = _whole(rows[first][k]), round(column.factor * 1e9)
-    if zero is None or unit_ns == 0:
-        return round(values[first] * column.factor * 1e9), (values - values[first]) * column.factor
-    steps = [(_whole(row[k]) or zero) - zero for row in rows]
-    t = np.where(np.isfinite(values), np.array(steps, float) * column.factor, np.nan)
-    return zero * unit_ns, t
-
-
-def _whole(cell: str) -> int | None:
-    """The number of a cell where it is a whole one of a length that a time has."""
-    text = cell.strip()
-    return int(text) if text.isascii() and text.isdigit() and len(text) < 20 else None
+    if began > LATEST:
+        raise FileError(f"{path}: {values[first]:g} is not a time.")
+    zero, unit_ns = int(whole[first]), round(column.factor * 1e9)
+    if zero < 0 or unit_ns == 0:
+        return round(began * 1e9), (values - values[first]) * column.factor
+    steps = np.where(whole >= 0, whole - zero, values - values[first])
+    return zero * unit_ns, np.where(np.isfinite(values), steps * column.factor, np.nan)
 
 
 def _clocks(
-    rows: list[list[str]],
-    at: dict[str, int],
-    columns: list[_Column | None],
-    began: int | None,
-    path: Path,
+    table: _Table, at: dict[str, int], columns: list[_Column | None], began: int | None
 ) -> Clocks | None:
-    """What our own tables tell beside the time; None of others."""
+    """What our own tables contain next to the time; None of others."""
     if "arrived" not in at or "packet" not in at or "device" not in at:
         return None
-    zero = 0 if began is None else began
-    arrival = np.array([(_whole(r[at["arrived"]]) or zero) - zero for r in rows], float) * 1e-9
-    seq = np.nan_to_num(_values(rows, at["packet"], path), nan=-1.0).astype(np.int64)
+    zero, arrived = 0 if began is None else began, table.whole[at["arrived"]]
+    arrival = (np.where(arrived >= 0, arrived, zero) - zero) * 1e-9
+    packets = table.values[at["packet"]]
+    seq = np.where(np.abs(packets) < 2**62, packets, -1.0).astype(np.int64)
     column = columns[at["device"]]
     assert column is not None
-    return Clocks(arrival, _values(rows, at["device"], path) * column.factor, seq)
+    return Clocks(arrival, table.values[at["device"]] * column.factor, seq)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Array, ImuSample
-from tracker.offline.imports.samples import Clocks, Samples
+from tracker.offline.imports.samples import MOST, Clocks, Samples
 
 GAP = 0.05
 """s between two samples, beyond which nothing is put between them."""
@@ -79,6 +79,8 @@ def together(files: Sequence[Samples], imus: Sequence[str], wanted: dict[str, st
     fast = files[main].rate > FASTEST * RATE
     low = max(shifted[k][0] for k in used)
     high = min(shifted[k][-1] for k in used)
+    if fast and (high - low) * RATE > MOST:
+        raise FileError(f"The files last longer than {MOST / RATE:.0f} s, the most that fits.")
     t = np.arange(low, high, 1 / RATE) if fast else shifted[main]
     t = t[(t >= low) & (t <= high)]
     if len(t) < 2:

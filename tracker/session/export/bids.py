@@ -38,13 +38,15 @@ class Channel(NamedTuple):
 
 
 class System(NamedTuple):
-    """A tracking system: (N, C) values, a row each ``1 / rate`` s."""
+    """A tracking system: (N, C) values, a row each ``1 / rate`` s except in holes; ``duration`` s
+    from the first row to the end of the last one's period."""
 
     name: str
     words: str
     rate: float
     channels: list[Channel]
     values: Array
+    duration: float
 
 
 def export_bids(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
@@ -80,7 +82,8 @@ def _hand(m: EstimateSeries, unit: str) -> System:
     for j, name in enumerate(m.joint_names):
         channels.append(Channel(name, "n/a", "JNTANG", name.rsplit("_", 1)[0], "rad"))
         columns.append(m.angles[:, j])
-    return System("hand", "Glovetrack, fused hand", m.rate, channels, np.array(columns).T)
+    values = np.array(columns).T
+    return System("hand", "Glovetrack, fused hand", m.rate, channels, values, len(values) / m.rate)
 
 
 def _imu(raw: RawImu, m: EstimateSeries) -> System:
@@ -93,7 +96,8 @@ def _imu(raw: RawImu, m: EstimateSeries) -> System:
         channels.append(Channel(name, axis, kind, imu, unit))
     latency = (raw.stamp_ns - (m.stamp_ns[0] + m.zero_ns)) * 1e-9
     table = np.column_stack([latency, values])
-    return System("imu", "Glovetrack, inertial sensors", raw.rate, channels, table)
+    duration = float(latency[-1] - latency[0]) + 1.0 / raw.rate
+    return System("imu", "Glovetrack, inertial sensors", raw.rate, channels, table, duration)
 
 
 def _write(stem: Path, system: System, m: EstimateSeries) -> None:
@@ -115,13 +119,13 @@ def _write(stem: Path, system: System, m: EstimateSeries) -> None:
         "TaskName": TASK,
         "TaskDescription": "Movement of a hand that wears a sensor glove",
         "SamplingFrequency": round(system.rate, 6),
-        "SamplingFrequencyEffective": round(system.rate, 6),
+        "SamplingFrequencyEffective": round(len(system.values) / system.duration, 6),
         "MotionChannelCount": len(types),
         **counts,
         "TrackedPointsCount": len(points),
         "TrackingSystemName": system.words,
         "RecordingType": "continuous",
-        "RecordingDuration": round(len(system.values) / system.rate, 6),
+        "RecordingDuration": round(system.duration, 6),
         "SoftwareVersions": f"Glovetrack {__version__}",
         "MissingValues": "n/a",
     }

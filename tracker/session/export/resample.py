@@ -13,8 +13,8 @@ from scipy.spatial.transform import Rotation, Slerp
 from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.messages import Array, IntArray, Validity
-from tracker.session.export.holes import runs
 from tracker.session.export.series import EstimateSeries
+from tracker.session.holes import runs
 
 MOST_ROWS = 1_000_000
 """Beside twenty for each estimate: more come of stamps that are wrong."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tracker import __version__
-from tracker.errors import ConfigError
+from tracker.errors import ConfigError, FileError
 from tracker.files import check_target, sha256, whole_files
 from tracker.messages import Validity
 from tracker.session.export.options import (
@@ -27,6 +27,7 @@ from tracker.session.export.options import (
 )
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
+from tracker.toml_reader import read_text
 from tracker.workers import ALL_CORES, WorkersAsked
 
 _WRITERS = {
@@ -152,8 +153,8 @@ def _forget_orphan(sidecar: Path, path: Path, others: Sequence[Path]) -> None:
     if os.path.lexists(path) or not sidecar.is_file():
         return
     try:
-        said = json.loads(sidecar.read_text("utf-8"))
-    except (ValueError, OSError, RecursionError):
+        said = json.loads(read_text(sidecar))
+    except (ValueError, FileError, RecursionError):
         return
     if isinstance(said, dict) and "glovetrack" in said and said.get("file") == path.name:
         for left in (*others, sidecar):

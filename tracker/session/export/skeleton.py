@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 from tracker.errors import FileError
 from tracker.hand.names import CHAINS
 from tracker.messages import Array
-from tracker.session.export.holes import gaps
 from tracker.session.export.series import EstimateSeries
+from tracker.session.holes import gaps
 
 ROOT = "wrist"
 STIFF = 1e-5

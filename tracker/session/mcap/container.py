@@ -8,6 +8,7 @@ from typing import NamedTuple
 from mcap.writer import CompressionType, Writer
 
 from tracker import __version__
+from tracker.errors import FileError
 from tracker.session.mcap.disk import WholeRecordFile
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.sync import SyncBeside
@@ -18,6 +19,10 @@ COMPRESSION = {
     "zstd": CompressionType.ZSTD,
     "none": CompressionType.NONE,
 }
+
+
+MOST_CHANNELS = 65_535
+"""The format counts them, and their schemas, in 16 bits; schema 0 stands for none."""
 
 
 class _Waiting(NamedTuple):
@@ -59,6 +64,7 @@ class McapOutput:
         self._beside = SyncBeside(self._file.sync) if sync and sync_beside else None
         self._schemas: dict[str, int] = {}
         self._channels: dict[str, int] = {}
+        self._n_channels = self._n_schemas = 0
         self._chunk_bytes = chunk_bytes
         self._waiting: list[_Waiting] = []
         self._held = 0  # bytes that wait
@@ -79,11 +85,17 @@ class McapOutput:
         self._writer.add_metadata(name, values)
 
     def add_schema(self, name: str, encoding: str, data: bytes) -> int:
+        self._n_schemas += 1
+        if self._n_schemas > MOST_CHANNELS:
+            raise FileError(f"A session has at most {MOST_CHANNELS} types of messages.")
         return self._writer.register_schema(name, encoding, data)
 
     def add_channel(
         self, topic: str, encoding: str, schema_id: int, metadata: dict[str, str]
     ) -> int:
+        self._n_channels += 1
+        if self._n_channels > MOST_CHANNELS:
+            raise FileError(f"A session has at most {MOST_CHANNELS} channels.")
         return self._writer.register_channel(topic, encoding, schema_id, metadata)
 
     def channel(self, topic: str, type_name: str) -> int:

@@ -16,6 +16,7 @@ from typing import IO, NamedTuple
 from mcap.exceptions import McapError
 
 from tracker.errors import FileError
+from tracker.files import check_regular
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
@@ -85,6 +86,7 @@ class RecordFile:
 
 def _open(path: Path) -> IO[bytes]:
     try:
+        check_regular(path)
         return path.open("rb")
     except FileNotFoundError as error:
         raise FileError(f"There is no file {path}.") from error

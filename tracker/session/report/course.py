@@ -9,7 +9,7 @@ from scipy.interpolate import CubicSpline
 from scipy.signal import butter, sosfiltfilt
 
 from tracker.messages import Array, IntArray
-from tracker.session.export.holes import runs
+from tracker.session.holes import runs
 
 CUTOFF = 6.0  # Hz, of a second-order Butterworth run both ways: hands do not move faster
 HIGHEST = 10.0  # Hz up to which the spectrum's arc is measured

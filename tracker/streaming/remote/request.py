@@ -21,6 +21,7 @@ from tracker.errors import GlovetrackError
 from tracker.hand.names import CHAINS
 
 MOST_BYTES = 2048  # of a request
+MOST_REPLY = 16384  # characters of an answer; a path may have 4096
 MOST_TEXT = 500  # characters of a note
 MOST_NAME = 64  # characters of the name of a thing
 MOST_ID = 64  # characters of an id
@@ -35,6 +36,9 @@ FIELDS: Mapping[str, tuple[str, ...]] = {
     "contact": ("finger", "strength", "object"),
 }
 """The words, and what each may say besides ``do`` and ``id``."""
+
+
+_REPLY_VALUES = (str, int, float, bool, type(None))
 
 
 class RequestError(GlovetrackError):
@@ -99,6 +103,25 @@ def parse(data: bytes | str, t: float) -> Request | None:
     except (ValueError, RecursionError) as error:
         raise RequestError("A request is JSON or plain words, in UTF-8.") from error
     return None if "ok" in said else from_fields(said, t)
+
+
+def is_reply(data: bytes | str) -> bool:
+    """Whether this is one line as `Reply.as_json` writes them, and nothing else."""
+    try:
+        text = data.decode("utf-8") if isinstance(data, bytes) else data
+        said = json.loads(text)
+    except (ValueError, RecursionError):
+        return False
+    if not isinstance(said, dict) or "\n" in text.rstrip("\n") or len(text) > MOST_REPLY:
+        return False
+    ok = said.get("ok")
+    return (
+        isinstance(ok, bool)
+        and (said.get("do") == "" or said.get("do") in FIELDS)
+        and isinstance(said.get("text" if ok else "error"), str)
+        and all(isinstance(said.get(key, ""), str) for key in ("text", "error", "file"))
+        and all(isinstance(value, _REPLY_VALUES) for value in said.values())
+    )
 
 
 def _words(text: str) -> dict[str, Any]:

@@ -1,0 +1,142 @@
+"""Where the window's local socket is, and whose process is at its other end.
+
+Everybody may create names in the shared temporary folder, so the socket is in a folder that only
+this user can write to: `XDG_RUNTIME_DIR`, else a folder in the user's cache. Both ends also compare
+the user id of the other process with their own.
+
+Windows: pipes have no folders. The pipe's name contains a random text from a file in the user's own
+folder, which other users cannot read, and Qt limits access to the pipe to its user. This branch and
+that for macOS follow the systems' documentation; they have not been run there.
+"""
+
+from __future__ import annotations
+
+import os
+import secrets
+import socket
+import stat
+import struct
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import platformdirs
+
+from tracker.errors import GlovetrackError
+from tracker.files import disk_error
+
+WINDOWS = sys.platform == "win32"
+LONGEST_PATH = 100  # bytes; Linux takes 107, macOS 103
+_SECRET = "pipe-name"
+_SECRET_BYTES = 32
+_SOL_LOCAL, _LOCAL_PEERCRED, _XUCRED_BYTES = 0, 1, 76  # sys/un.h and sys/ucred.h of macOS
+_UCRED = "3i"  # pid, uid, gid of Linux
+
+
+class ForeignSocket(GlovetrackError):
+    """The socket, or the folder for it, belongs to another user."""
+
+
+def addresses(name: str) -> list[str]:
+    """Where a window may listen, the place for a new one first.
+
+    There may be two: a script that is started by cron has no `XDG_RUNTIME_DIR`, but the window has.
+    Raises ForeignSocket, DiskError where no folder of the user's own can be made.
+    """
+    if WINDOWS:
+        return [f"{name}-{_pipe_secret()}"]
+    found = [str(folder / name) for folder in _runtime_folders() if _fits(folder / name)]
+    return found or [str(_fallback(name) / name)]
+
+
+def check_peer(descriptor: int, address: str) -> None:
+    """Raises ForeignSocket unless the process at the other end of a socket is this user's."""
+    if WINDOWS:
+        return
+    uid = _peer_uid(descriptor)
+    if uid != os.getuid():
+        whose = "an unknown user" if uid is None else f"another user (id {uid})"
+        raise ForeignSocket(
+            f"The program that listens at {address} belongs to {whose}, not to you. Remove that "
+            f"file, or set XDG_RUNTIME_DIR to a folder of your own, then start again."
+        )
+
+
+def _runtime_folders() -> Iterator[Path]:
+    """Folders that the system makes for a logged-in user and that are this user's alone."""
+    named = [os.environ.get("XDG_RUNTIME_DIR", ""), f"/run/user/{os.getuid()}"]
+    for text in dict.fromkeys(named):
+        if text.startswith("/") and _is_private(Path(text)):
+            yield Path(text)
+
+
+def _fallback(name: str) -> Path:
+    """A folder of mode 0700 in the user's cache; in the temporary folder if that path is too long.
+
+    Raises ForeignSocket, DiskError.
+    """
+    kept = platformdirs.user_cache_path("glovetrack", appauthor=False) / "run"
+    if _fits(kept / name):
+        return _made_private(kept)
+    return _made_private(Path(tempfile.gettempdir()) / f"glovetrack-{os.getuid()}")
+
+
+def _fits(path: Path) -> bool:
+    return len(os.fsencode(path)) <= LONGEST_PATH
+
+
+def _is_private(folder: Path) -> bool:
+    """Whether it is a folder, not a link, of this user, that nobody else can enter."""
+    try:
+        found = folder.lstat()
+    except OSError:
+        return False
+    own = stat.S_ISDIR(found.st_mode) and found.st_uid == os.getuid()
+    return own and not stat.S_IMODE(found.st_mode) & 0o077
+
+
+def _made_private(folder: Path) -> Path:
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, exist_ok=True)
+    except FileExistsError:
+        pass  # a file or a link, which is refused below
+    except OSError as error:
+        raise disk_error(folder, error) from error
+    if not _is_private(folder):
+        raise ForeignSocket(
+            f"{folder}, the folder for the window's socket, must be a folder of your own that no "
+            f"other user can enter (mode 0700). Remove it, or set XDG_RUNTIME_DIR to a folder of "
+            f"your own, then start again."
+        )
+    return folder
+
+
+def _peer_uid(descriptor: int) -> int | None:
+    """The user id of the process that connected or listened; None where it is not known."""
+    with socket.socket(fileno=os.dup(descriptor)) as line:
+        try:
+            if hasattr(socket, "SO_PEERCRED"):
+                size = struct.calcsize(_UCRED)
+                found = line.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, size)
+                return int(struct.unpack(_UCRED, found)[1])
+            found = line.getsockopt(_SOL_LOCAL, _LOCAL_PEERCRED, _XUCRED_BYTES)
+            return int(struct.unpack_from("II", found)[1])
+        except (OSError, struct.error):
+            return None
+
+
+def _pipe_secret() -> str:
+    """A random text that only this user can read; made by the first window."""
+    path = platformdirs.user_data_path("glovetrack", appauthor=False) / _SECRET
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists():
+            part = path.with_name(f"{_SECRET}.{secrets.token_hex(8)}")
+            with os.fdopen(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as file:
+                file.write(secrets.token_hex(_SECRET_BYTES))
+            part.replace(path)
+        return path.read_text("ascii").strip()
+    except (OSError, UnicodeError) as error:
+        raise GlovetrackError(f"{path} cannot be used: {error}.") from error

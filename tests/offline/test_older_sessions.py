@@ -1,0 +1,146 @@
+"""Sessions of other versions, and sessions without a camera, are tracked without options."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from tracker import __version__
+from tracker.cli import main
+from tracker.config import to_toml
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, EngineState, Event, ImuSample
+from tracker.offline.options import USUAL, TrackOptions
+from tracker.offline.simulate import SimulateOptions, build, simulate
+from tracker.offline.track import track
+from tracker.pipeline import Pipeline
+from tracker.session.compare import compare
+from tracker.session.reader import SessionReader
+from tracker.session.writer import SessionRecorder
+from tracker.settings import Settings
+
+BEGIN = 0.8  # s
+OLD = "[chain.constraint]\nthumb_abduction = 0.3\n[warp]\nspeed = 9\n"
+
+
+def recorded(path: Path, settings: str, version: str = __version__, state: bool = False) -> Path:
+    """A session that says it was recorded with these settings by that version."""
+    sim, info = build(SimulateOptions(seed=5, duration=2.0, fps=30, images=False))
+    info = replace(info, settings_text=settings, version=version)
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
+    begun = False
+    with SessionRecorder(path, info) as recorder:
+        for m in sim.feed():
+            if not isinstance(m, ImuSample | BlobFrame):
+                continue
+            if m.t_arrival >= BEGIN and not begun:
+                begun = True
+                if state:
+                    recorder.write(EngineState(m.t_arrival, "chain", pipeline.get_state()))
+            if begun:
+                recorder.write(m)
+            elif isinstance(m, BlobFrame):
+                pipeline.feed_frame(m)
+            else:
+                pipeline.feed_imu(m)
+    return path
+
+
+def test_settings_that_are_gone_are_named_and_the_others_used(tmp_path: Path) -> None:
+    changed = to_toml(replace(Settings(), engine="vist")) + OLD.replace("[chain.", "[old.")
+    old = recorded(tmp_path / "old.mcap", changed)
+    now = recorded(tmp_path / "now.mcap", to_toml(replace(Settings(), engine="vist")))
+    report = track(old, tmp_path / "a.mcap")
+    assert track(now, tmp_path / "b.mcap").words == []
+    assert len(report.words) == 1 and report.words[0].startswith(
+        "This version cannot use these settings of old.mcap: "
+    )
+    assert "warp" in report.words[0] and "old" in report.words[0]
+    with SessionReader(tmp_path / "a.mcap") as reader:
+        assert reader.info.engine == "vist"
+        said = [m.text for m in reader.messages() if isinstance(m, Event) and m.kind == "tracking"]
+    assert report.words[0] in said, "the new session says it too"
+    assert compare(tmp_path / "a.mcap", tmp_path / "b.mcap")["identical"]
+
+
+def test_the_command_line_tracks_them_and_takes_other_settings(tmp_path: Path, capsys) -> None:
+    old = recorded(tmp_path / "old.mcap", OLD)
+    assert main(["track", str(old), "-o", str(tmp_path / "a.mcap")]) == 0
+    assert "chain.constraint.thumb_abduction, warp" in capsys.readouterr().out
+    (tmp_path / "mine.toml").write_text('engine = "switching"\n')
+    for name, settings, engine in (("b", "default", "chain"), ("c", "mine.toml", "switching")):
+        asked = settings if settings == "default" else str(tmp_path / settings)
+        words = ["track", str(old), "-o", str(tmp_path / f"{name}.mcap"), "--settings", asked]
+        assert main([*words, "--json", str(tmp_path / f"{name}.json")]) == 0
+        assert "words" not in json.loads((tmp_path / f"{name}.json").read_text())
+        with SessionReader(tmp_path / f"{name}.mcap") as reader:
+            assert reader.info.engine == engine
+    assert "cannot use these settings" not in capsys.readouterr().out
+    (tmp_path / "bad.toml").write_text("warp = 9\n")
+    bad = ["track", str(old), "-o", str(tmp_path / "d.mcap"), "--settings"]
+    assert main([*bad, str(tmp_path / "bad.toml")]) == 1
+    assert "warp is not a setting" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("settings", "named"),
+    [('engine = "kalman_9"\n', "engine"), ("[chain]\nwarp = nan\n", "chain.warp"),
+     ('engine = "vist"\nlenses = 3\n', "lenses"),
+     ("".join(f"gone{k} = 1\n" for k in range(50)), "gone7 and 42 more")],
+)  # fmt: skip
+def test_whatever_the_settings_are(tmp_path: Path, settings: str, named: str) -> None:
+    old = recorded(tmp_path / "old.mcap", settings)
+    report = track(old, tmp_path / "a.mcap")
+    assert report.estimates > 50 and f"{named}. They were ignored" in report.words[0]
+
+
+def test_settings_that_are_not_toml_are_refused_with_the_remedy(tmp_path: Path) -> None:
+    old = recorded(tmp_path / "old.mcap", "engine = \n")
+    with pytest.raises(ConfigError, match="--settings default"):
+        track(old, tmp_path / "a.mcap")
+    assert track(old, tmp_path / "a.mcap", TrackOptions(settings=USUAL)).estimates > 50
+
+
+def test_a_state_of_another_version_is_reported_as_not_used(tmp_path: Path) -> None:
+    old = recorded(tmp_path / "old.mcap", to_toml(Settings()), "0.0.9", state=True)
+    words = track(old, tmp_path / "a.mcap").words
+    assert len(words) == 1 and "recorded by version 0.0.9 in the middle of tracking" in words[0]
+    new = recorded(tmp_path / "new.mcap", to_toml(Settings()), state=True)
+    assert track(new, tmp_path / "b.mcap").words == []
+
+
+def test_a_real_session_of_an_older_version_is_tracked(data_folder: Path, tmp_path: Path) -> None:
+    source = data_folder / "overload" / "session.mcap"
+    report = track(source, tmp_path / "a.mcap")
+    assert "chain.constraint.thumb_abduction" in report.note
+    assert report.estimates > 600 and report.error_mm["mean"] < 40
+
+
+@pytest.mark.parametrize("lenses", ["none", "0"])
+def test_a_session_without_a_camera_is_tracked_by_inertial(tmp_path: Path, lenses: str) -> None:
+    source = tmp_path / "in.mcap"
+    words = ["simulate", "-o", str(source), "--lenses", lenses, "--duration", "3", "--guided"]
+    assert main(words if lenses == "none" else words[:-1]) == 0
+    report = track(source, tmp_path / "a.mcap")
+    with SessionReader(tmp_path / "a.mcap") as reader:
+        assert reader.info.engine == "inertial"
+    assert report.error_mm == {}, "its position is not known"
+    assert report.error_deg is not None and 0.5 < report.error_deg < 15
+
+
+def test_angles_are_judged_wherever_the_truth_is_known(tmp_path: Path, capsys) -> None:
+    simulate(tmp_path / "in.mcap", SimulateOptions(seed=2, duration=3.0, fps=30, images=False))
+    done = tmp_path / "a.json"
+    words = ["track", str(tmp_path / "in.mcap"), "-o", str(tmp_path / "a.mcap")]
+    assert main([*words, "--json", str(done)]) == 0
+    said = json.loads(done.read_text())
+    assert said["error_mm"]["mean"] > 0 and 0 < said["error_deg"] < 15
+    assert "of the joint angles" in capsys.readouterr().out
+
+
+def test_the_help_names_every_engine_and_what_becomes_of_settings(capsys) -> None:
+    with pytest.raises(SystemExit):
+        main(["track", "--help"])
+    said = capsys.readouterr().out
+    assert "inertial" in said and "--settings FILE|default" in said

@@ -1,0 +1,60 @@
+"""A recorded state of tracking is read whatever was imported before."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from tracker.offline.crop import crop
+from tracker.offline.simulate import SimulateOptions, simulate
+
+ROOT = Path(__file__).resolve().parents[2]
+DECORATED = re.compile(r"^@record\(|^\w+ = record\(", re.MULTILINE)
+
+READ = """
+import sys
+from pathlib import Path
+from tracker.session.reader import SessionReader
+assert "tracker.pipeline" not in sys.modules, "it was imported without being asked for"
+with SessionReader(Path(sys.argv[1])) as session:
+    print([state.engine for state in session.engine_states()])
+"""
+REGISTERED = """
+import sys
+from importlib import import_module
+for name in sys.argv[1:]:
+    import_module(name)
+from tracker.session.engine_parts import register_all
+register_all()
+from tracker.records import RECORDS
+print(*RECORDS)
+"""
+
+
+def output(script: str, *arguments: str) -> str:
+    """What a fresh Python process prints that runs ``script``."""
+    command = [sys.executable, "-c", script, *arguments]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_all_records_of_the_source_are_registered() -> None:
+    modules = [
+        ".".join(path.relative_to(ROOT).with_suffix("").parts)
+        for path in (ROOT / "tracker").rglob("*.py")
+        if DECORATED.search(path.read_text("utf-8"))
+    ]
+    assert len(modules) > 20 and "tracker.fusion.chain.state" in modules
+    alone, with_all = (set(output(REGISTERED, *m).split()) for m in ((), modules))
+    assert {"chain.state", "vist.state", "two_hands"} <= alone
+    assert with_all - alone == set()
+
+
+def test_a_script_that_imports_only_the_reader_reads_states(tmp_path: Path) -> None:
+    whole, part = tmp_path / "whole.mcap", tmp_path / "part.mcap"
+    simulate(whole, SimulateOptions(seed=3, duration=2.0, fps=30, images=False))
+    assert crop(whole, part, 1.0, None)["engine_state"], "the state at 1 s is in it"
+    assert output(READ, str(part)) == "['chain']"

@@ -1,0 +1,204 @@
+"""Notices that a camera was knocked: all markers are seen elsewhere than expected, at once.
+
+One image is not enough: it may be of another instant than its stamp says, and then the hand's own
+motion explains what is seen. A jump is reported when
+
+- the images before agreed with what the filter expected, which knows the hand's motion by its IMUs;
+- the time stamps of packets and images were right before, during and after it;
+- no instant nearby explains it by where the markers were or by how fast they move; and
+- the images that follow show the markers displaced by the same vector from the course that they
+  were on, whatever the filter makes of it meanwhile.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Vector
+from tracker.messages import Array, FrameResult, Tracking
+from tracker.online.stamp_trust import StampTrust
+
+EXPECTED = 6  # images over which the markers' velocity is measured
+
+
+@dataclass(frozen=True)
+class JumpParams:
+    """Limits. Pixels are for a focal length of 640 and grow with it."""
+
+    jump_px: float = 5.0
+    jump_markers: int = 5
+    jump_gap: float = 0.15  # s since the last image that agreed
+    usual_gap: float = 0.07  # s without an image that agreed, up to which ``jump_px`` is meant
+    ahead: float = 0.015  # s that an image may be of after the last packet
+    settle: float = 0.3  # s after that, and after markers were not seen to agree
+    late: float = 0.4  # s that an image may be older or newer than its stamp says
+    confirm: int = 3  # images after it that have to show it
+    within: float = 0.35  # s in which they arrive
+    persists: float = 0.5  # share of the jump that they show at least
+
+
+class Jump(NamedTuple):
+    """px, by which both images moved ``together``, and ``apart`` from each other."""
+
+    apart: float
+    together: float
+
+
+class _Pending(NamedTuple):
+    """A jump (4,) px at ``t`` (s) from the course ``at`` (4,) px, (4,) px/s; images that agreed."""
+
+    t: float
+    jump: Array
+    at: Array
+    velocity: Array
+    confirmed: int
+
+
+class JumpWatch:
+    """Takes every packet and image before the filter and every result after it."""
+
+    def __init__(self, focal_px: float, params: JumpParams | None = None) -> None:
+        self._scale, self._params = focal_px / 640.0, params or JumpParams()
+        self._trust = StampTrust()
+        self._agreed = -np.inf  # when markers last were where they were expected
+        self._agreed_since = np.inf
+        self._packet = self._ahead = -np.inf
+        self._expected: deque[tuple[float, Array]] = deque()
+        self._pending: _Pending | None = None
+
+    def packet(self, t: float, t_arrival: float) -> None:
+        """A packet of the glove, sampled at ``t`` (s)."""
+        self._trust.packet(t, t_arrival)
+        self._packet = max(t, self._packet)
+
+    def image(self, t: float, t_arrival: float) -> None:
+        """An image, exposed at ``t`` (s)."""
+        self._trust.image(t, t_arrival)
+
+    def check(self, result: FrameResult) -> Jump | None:
+        """Compare an image with what the filter expected of it; a jump that is certain now."""
+        p = self._params
+        if result.t > self._packet + p.ahead:
+            self._ahead = result.t
+        if not self._trust.is_given(result.t) or result.t < self._ahead + p.settle:
+            self._agreed, self._pending = -np.inf, None
+            return None
+        if result.tracking != Tracking.TRACKING:
+            self._expected.clear()
+            self._pending = None
+            return None
+        both, residual = median_residual(result.residual)
+        places = np.hstack((result.predicted_left, result.predicted_right))
+        before = list(self._expected)
+        self._remember(result.t, places)
+        if both < p.jump_markers:
+            return None
+        if self._pending is not None:
+            return self._confirm(self._pending, result, places)
+        return self._look(result.t, residual, before, places)
+
+    def _remember(self, t: float, places: Array) -> None:
+        self._expected.append((t, places))
+        while self._expected[0][0] < t - self._params.late - 0.1:
+            self._expected.popleft()
+
+    def _look(
+        self, t: float, residual: Array, before: Sequence[tuple[float, Array]], places: Array
+    ) -> None:
+        """Whether this image begins a jump, which those that follow have to show."""
+        p = self._params
+        apart, together = sizes(residual, self._scale)
+        # Carried on for longer, the hand itself is farther from where it was expected, in both
+        # images alike: a double integral, so that limit grows with the square of the gap.
+        gap = max((t - self._agreed) / p.usual_gap, 1.0)
+        if max(apart, together) < p.jump_px:
+            if t - self._agreed > p.jump_gap:
+                self._agreed_since = t
+            self._agreed = t
+        elif apart < p.jump_px and together < p.jump_px * gap**2:
+            return
+        elif t - self._agreed <= p.jump_gap:
+            settled = self._agreed - self._agreed_since >= p.settle
+            self._agreed = -np.inf  # one jump is reported once
+            # settled: else how fast the hand moves is hardly known yet
+            is_new = apart > together or not self._is_of_another_instant(residual, before, places)
+            if settled and is_new:
+                velocity = _velocity([*before, (t, places)])
+                self._pending = _Pending(t, residual, places, velocity, 0)
+
+    def _confirm(self, pending: _Pending, result: FrameResult, places: Array) -> Jump | None:
+        """Whether another image shows the jump, and enough of them do."""
+        p = self._params
+        later = result.t - pending.t
+        offset = places + result.residual - (pending.at + later * pending.velocity)
+        _, seen = median_residual(offset)
+        share = float(seen @ pending.jump) / float(pending.jump @ pending.jump)
+        if later > p.within or not share >= p.persists:
+            self._pending = None
+            return None
+        self._pending = pending._replace(confirmed=pending.confirmed + 1)
+        if self._pending.confirmed < p.confirm:
+            return None
+        self._pending = None
+        return Jump(*sizes(pending.jump, self._scale))
+
+    def _is_of_another_instant(
+        self, jump: Array, before: Sequence[tuple[float, Array]], now: Array
+    ) -> bool:
+        """Whether the markers were at a place like this a moment ago, or will be as they move."""
+        limit = self._params.jump_px * self._scale
+        for _, places in before:
+            _, way = median_residual(places - now)
+            if np.hypot(*_in_common(jump - way)) < limit:
+                return True
+        velocity = _in_common(_velocity([*before, (self._expected[-1][0], now)]))
+        speed_2, moved = float(velocity @ velocity), _in_common(jump)
+        if not speed_2 > 0:
+            return False
+        late = float(moved @ velocity) / speed_2
+        across = float(np.linalg.norm(moved - late * velocity))
+        return abs(late) <= self._params.late and across < limit
+
+
+def sizes(residual: Array, scale: float) -> tuple[float, float]:
+    """How far (4,) px have moved the images apart, and together."""
+    left_u, left_v, right_u, right_v = residual
+    apart = float(np.hypot(right_u - left_u, right_v - left_v)) / scale
+    return apart, float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / scale
+
+
+def _in_common(columns: Array) -> Array:
+    """(2,) of both images of (4,)."""
+    return (columns[:2] + columns[2:]) / 2
+
+
+def _velocity(expected: Sequence[tuple[float, Array]]) -> Array:
+    """(4,) px/s of the markers in both images, as expected from image to image; 0 if unknown."""
+    steps = []
+    for (t, before), (t_next, after) in itertools.pairwise(expected[-EXPECTED:]):
+        n, moved = median_residual(after - before)
+        if n and t_next > t:
+            steps.append(moved / (t_next - t))
+    return np.median(steps, axis=0) if steps else np.zeros(4)
+
+
+@kernel(nogil=False)
+def median_residual(residual: Matrix) -> tuple[int, Vector]:
+    """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
+    finite = np.empty(residual.shape)
+    n = 0
+    for row in residual:
+        if np.isfinite(row.sum()):
+            finite[n] = row
+            n += 1
+    out = np.full(4, np.nan)
+    for k in range(4 if n else 0):
+        out[k] = np.median(finite[:n, k])
+    return n, out

@@ -1,0 +1,83 @@
+"""Holes in a series of estimates: missing instants and lost values.
+
+The one definition of a hole: more than `LONGEST_FILLED` between two known values. Nothing is
+interpolated, drawn, measured or counted as tracked across it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array
+
+LONGEST_FILLED = 0.1
+"""s between two known values, beyond which nothing is put between them."""
+_ROUNDING = 1e-9  # s
+
+
+def runs(t: Array, known: NDArray[np.bool_]) -> list[slice]:
+    """Stretches of the rising times ``t`` (s) whose known rows lie close to one another.
+
+    Each begins and ends with a known row. Rows inside that are not known are bridged: from the
+    known one before to the one behind is no longer than `LONGEST_FILLED`.
+    """
+    rows = np.flatnonzero(known)
+    if len(rows) == 0:
+        return []
+    breaks = np.flatnonzero(np.diff(t[rows]) > LONGEST_FILLED + _ROUNDING)
+    first = np.r_[0, breaks + 1]
+    last = np.r_[breaks, len(rows) - 1]
+    return [slice(int(rows[a]), int(rows[b]) + 1) for a, b in zip(first, last, strict=True)]
+
+
+def gaps(t: Array, known: NDArray[np.bool_]) -> list[tuple[float, float]]:
+    """(from, to) in s of `t` where nothing is known for longer than `LONGEST_FILLED`.
+
+    From the last known instant to the next; from the first or to the last instant at the ends.
+    """
+    found = runs(t, known)
+    if not found:
+        return [(float(t[0]), float(t[-1]))]
+    ends = [float(t[0]), *(float(t[r.stop - 1]) for r in found)]
+    starts = [*(float(t[r.start]) for r in found), float(t[-1])]
+    pairs = list(zip(ends, starts, strict=True))
+    return [(a, b) for a, b in pairs if b - a > LONGEST_FILLED + _ROUNDING]
+
+
+def is_hole(before: float, after: float) -> bool:
+    """Whether nothing is known between two instants (s) of consecutive known values."""
+    return after - before > LONGEST_FILLED + _ROUNDING
+
+
+def with_breaks(t: Array, values: Array) -> tuple[Array, Array]:
+    """``t`` (N,) s and ``values`` (N, ...) with a row of NaN in the middle of each hole, so that a
+    line drawn through them is interrupted there."""
+    after = np.flatnonzero(np.diff(t) > LONGEST_FILLED + _ROUNDING) + 1
+    middle = (t[after] + t[after - 1]) / 2
+    return np.insert(t, after, middle), np.insert(np.asarray(values, float), after, np.nan, axis=0)
+
+
+def durations(t: Array) -> Array:
+    """(N,) s that each value at the rising times ``t`` (N,) s stands for: half the way to both
+    neighbours, at an end of a run as far outwards as inwards. Nothing stands for a hole."""
+    half = np.diff(t) / 2
+    half[half * 2 > LONGEST_FILLED + _ROUNDING] = np.nan
+    before, after = np.r_[np.nan, half][: len(t)], np.r_[half, np.nan][: len(t)]
+    outwards = np.where(np.isnan(before), after, before), np.where(np.isnan(after), before, after)
+    return np.asarray(np.nan_to_num(outwards[0]) + np.nan_to_num(outwards[1]))
+
+
+def time_shares(t: Array) -> Array:
+    """(N,) share of the time that each value at ``t`` (N,) s stands for; 1 in all without holes."""
+    each = durations(t)
+    if len(t) == 0 or not each.any():
+        return np.full(len(t), 1.0 / max(len(t), 1))
+    outside = (each[0] - _inside(t[:2])) + (each[-1] - _inside(t[-2:]))
+    return np.asarray(each / (t[-1] - t[0] + outside))
+
+
+def _inside(pair: Array) -> float:
+    """s of the way between two neighbours that one of them stands for."""
+    step = float(pair[-1] - pair[0])
+    return 0.0 if step > LONGEST_FILLED + _ROUNDING else step / 2
