@@ -15,6 +15,7 @@ import tracker  # noqa: F401, I001  (before numpy: it holds BLAS to one thread, 
 import crash_traces
 import kernel_twins  # before the kernels
 
+from tests.live_recordings import LiveRecordings
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -70,3 +71,10 @@ def glove(hand: HandModel) -> GloveModel:
 @pytest.fixture(scope="session")
 def distal_glove(hand: HandModel) -> GloveModel:
     return load_glove(RESOURCES / "gloves" / "vist-small-distal.toml", hand)
+
+
+@pytest.fixture(scope="session")
+def live_recordings(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> LiveRecordings:
+    """Recordings that the application writes, made once for all processes of a run."""
+    folder = tmp_path_factory.getbasetemp()
+    return LiveRecordings((folder if worker_id == "master" else folder.parent) / "live")

@@ -135,5 +135,5 @@ def test_it_is_reported_and_judged(
     run("report", recording, "-o", tmp_path / "report.html")
     assert "<html" in (tmp_path / "report.html").read_text("utf-8")
     capsys.readouterr()
-    run("verify", recording, "--json")
+    run("verify", recording, "--json", "-")
     assert json.loads(capsys.readouterr().out)

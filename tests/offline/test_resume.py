@@ -135,3 +135,32 @@ def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
     assert compare(tmp_path / "a.mcap", tmp_path / "c.mcap")["identical"]
     with pytest.raises(FileError, match="calibration"):
         track(told, tmp_path / "d.mcap", TrackOptions(smooth=True))
+
+
+@pytest.fixture(scope="module")
+def unsearched(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Recorded by a computer that had no time to search one image."""
+    path = tmp_path_factory.mktemp("unsearched") / "in.mcap"
+    sim, info = build(SimulateOptions(seed=5, duration=1.5, fps=10, scene="plain"))
+    info = replace(info, settings_text=to_toml(Settings()))
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
+    with SessionRecorder(path, info) as recorder:
+        recorder.write(EngineState(-1.0, "chain", pipeline.get_state()))
+        for m in sim.feed(images=True):
+            recorder.write(m)
+            if isinstance(m, ImuSample):
+                recorder.write(pipeline.feed_imu(m))
+    return path
+
+
+def test_images_that_were_not_searched_live_are_not_searched_again(
+    unsearched: Path, tmp_path: Path
+) -> None:
+    report = track(unsearched, tmp_path / "again.mcap")
+    assert report.frames == 0 and compare(unsearched, tmp_path / "again.mcap")["identical"]
+
+
+def test_another_engine_searches_images_that_were_not_searched_live(
+    unsearched: Path, tmp_path: Path
+) -> None:
+    assert track(unsearched, tmp_path / "other.mcap", TrackOptions(engine="vist")).frames > 10

@@ -49,7 +49,6 @@ from tracker.offline.smooth_two import GivingPipeline, SmoothTwoRun
 from tracker.offline.two_hands import TwoHandsRun, with_other
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
-from tracker.session import engine_state
 from tracker.session.arithmetic import arithmetic
 from tracker.session.description import COLOURS, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
@@ -199,18 +198,23 @@ def _run(
     def make_both(engine: str, rig: StereoRig | None) -> TwoHands:
         return TwoHands({w.side: partial(make, engine, rig, w) for w in info.hands})
 
-    same = not options.settings and settings == _settings(reader, TrackOptions())
-    same = same and not _unusable_settings(reader)
-    same = same and info.version == __version__
-    others = (options.hand, options.glove, options.colours, options.wearer, options.hand_length)
-    replaced = any(others)
-    if same and options.guided and not replaced:
+    if _goes_on(reader, options):
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
     if info.other:
         engine, main = settings.engine, info.side
         return TwoHandsRun(make_both, info.rig, engine, outputs, main, changes, colours)
     return LiveRun(make, settings.engine, info.rig, output, changes, colours)
+
+
+def _goes_on(reader: SessionReader, options: TrackOptions) -> bool:
+    """Whether tracking goes on from the recorded states, as it did live: nothing is replaced."""
+    others = (options.hand, options.glove, options.colours, options.wearer, options.hand_length)
+    if any(others) or options.settings or not options.guided:
+        return False
+    if reader.info.version != __version__ or _unusable_settings(reader):
+        return False
+    return _settings(reader, options) == _settings(reader, TrackOptions())
 
 
 def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
@@ -305,8 +309,7 @@ def _version_note(reader: SessionReader, options: TrackOptions) -> str:
             f"This version cannot use these settings of {name}: {named}{more}. They were "
             f"ignored; the other recorded settings were used."
         )
-    states = any(a.name == engine_state.NAME for a in reader.source.attachments())
-    if states and (left_out or by != __version__):
+    if reader.has_start_state and (left_out or by != __version__):
         notes.append(
             f"{name} was recorded by version {by or 'unknown'} in the middle of tracking: the "
             f"recorded state of tracking was not used, so the first seconds may differ."
@@ -374,9 +377,16 @@ def _of_reader(
 
 
 def _is_searched(reader: SessionReader, options: TrackOptions) -> bool:
-    """Whether the images are searched: there are no blobs, or other colours are asked for."""
-    has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
-    return not has_blobs or bool(options.colours)
+    """Whether the images are searched: there are no blobs, or other colours are asked for.
+
+    Of a live recording that is tracked as it was live, images without blobs are those that the
+    computer had no time to search.
+    """
+    if options.colours:
+        return True
+    if any(topics.blobs(c) in reader.topic_names for c in topics.SIDES):
+        return False
+    return options.smooth or not (reader.has_start_state and _goes_on(reader, options))
 
 
 def _own_colours(

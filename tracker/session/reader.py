@@ -100,6 +100,11 @@ class SessionReader:
                 continue  # not one of ours: ours are TOML
         return {**out, **self._replace}
 
+    @property
+    def has_start_state(self) -> bool:
+        """Whether a live tracker recorded what it knew."""
+        return any(a.name == engine_state.NAME for a in self.source.attachments())
+
     def engine_states(self) -> list[EngineState]:
         """What the engine knew when the recording began, and after each change from outside.
 
