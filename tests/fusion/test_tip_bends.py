@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tests.cloth_masks import cloth_of, looked_at
 from tests.fusion.guided.test_guided_rows import somehow
 from tracker.fusion.chain.distal import ASIDE, OFFSET, DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import driven_points
@@ -13,8 +14,7 @@ from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.chain.tip_bends import APART, LASTS, TipBends
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, BlobFrame, Blobs, CameraPose, Cloth
-from tracker.vision.cloth import SIDE, STEP, TILE
+from tracker.messages import Array, BlobFrame, Blobs, CameraPose
 from tracker.vision.rig import StereoRig, ideal_rig
 
 ABOVE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.array([0.09, 0.0, 0.42]))
@@ -74,16 +74,12 @@ def drawn(rig: StereoRig, joint: Array, end: Array, radius: float, right: bool) 
         np.stack([joint, end - radius * (end - joint) / np.linalg.norm(end - joint)]), right
     )
     r = rig.fx * radius / end[2]
-    rows, columns = rig.left.height // TILE, rig.left.width // TILE
-    y, x = np.mgrid[: rows * TILE : STEP, : columns * TILE : STEP]
+    x, y = looked_at(rig.left.height, rig.left.width)
     d = uv[1] - uv[0]
     t = np.clip(((x - uv[0, 0]) * d[0] + (y - uv[0, 1]) * d[1]) / (d @ d), 0, 1)
     mask = np.hypot(x - uv[0, 0] - t * d[0], y - uv[0, 1] - t * d[1]) <= r
-    tiles = mask.reshape(rows, SIDE, columns, SIDE).transpose(0, 2, 1, 3).reshape(-1, SIDE**2)
-    bits = (tiles * np.left_shift(np.int64(1), np.arange(SIDE**2))).sum(axis=1)
     none = Blobs.empty()
-    cloth = Cloth(columns, rows, np.arange(rows * columns), bits)
-    return Blobs(none.uv, none.size, none.hue, none.score, cloth)
+    return Blobs(none.uv, none.size, none.hue, none.score, cloth_of(mask))
 
 
 def seen(worn: Worn, rig: StereoRig, state: ChainState, k: int, bent: float, t: float) -> BlobFrame:
