@@ -181,6 +181,7 @@ CLOCKS = {
     "app/engines/replay/thread.py": "how much of the session has passed",
     "app/panels/colours/source.py": "names of kept images",
     "app/panels/recording.py": "how fast the file grows",
+    "app/platform/single_instance.py": "how long it waits for an answer",
     "app/tools/recording_load.py": "measures",
     "app/tools/screenshots.py": "waits",
     "app/tools/soak.py": "measures",
@@ -209,6 +210,7 @@ CLOCKS = {
     "tracker/live/right_of_way.py": "how long a painter has waited in vain",
     "tracker/simulation/glove_device.py": "a device in real time",
     "tracker/streaming/foxglove_live.py": "stamps of the wall clock, which clients want",
+    "tracker/streaming/streams.py": "how many a second were sent, for display",
     "tracker/streaming/lsl.py": "the default of a clock that is handed over",
     "tracker/workers.py": "how long is left",
 }

@@ -3536,6 +3536,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
+      <source>No estimates here: showing the last pose</source>
+      <translation>Hier gibt es keine Schätzungen: letzte Haltung wird gezeigt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/hand_scene.py" />
       <source>Position lost: the hand stands where it was last seen</source>
       <translation>Ort verloren: Die Hand steht, wo sie zuletzt zu sehen war</translation>
     </message>
@@ -4413,6 +4418,26 @@ change {}: {}</source>
       <location filename="app/viewmodels/streams.py" />
       <source>sending</source>
       <translation>sendet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>clients that have left</source>
+      <translation>getrennte Empfänger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>{} discarded: this computer is overloaded</source>
+      <translation>{} verworfen: dieser Rechner ist überlastet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>{} could not be sent</source>
+      <translation>{} konnten nicht gesendet werden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>{} missed by {}</source>
+      <translation>{} verpasst von {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/take_names.py" />
@@ -6331,11 +6356,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/applications/touch/meshes.py" />
-      <source>{} is larger than {} MB.</source>
-      <translation>{} ist größer als {} MB.</translation>
-    </message>
-    <message>
-      <location filename="tracker/applications/touch/meshes.py" />
       <source>{} cannot be read: {}.</source>
       <translation>{} kann nicht gelesen werden: {}.</translation>
     </message>
@@ -6701,6 +6721,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/files.py" />
+      <source>{} is not a regular file.</source>
+      <translation>{} ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
+      <source>{} is larger than {} bytes: not {}.</source>
+      <translation>{} ist größer als {} Byte: keine {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
       <source>{} exists already and {}; choose another name.</source>
       <translation>{} gibt es schon und {}; einen anderen Namen wählen.</translation>
     </message>
@@ -6946,6 +6976,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/pipeline.py" />
+      <source>No packets from the {} glove: the hand follows the images alone.</source>
+      <translation>Keine Pakete vom Handschuh ({}): Die Hand folgt nur den Bildern.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
+      <source>Packets from the {} glove arrive again.</source>
+      <translation>Pakete vom Handschuh ({}) kommen wieder an.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
       <source>The hand was given up: patches on it are not where the glove's markers of their hues would be. Fit the colours, or look whether two of their hues are exchanged.</source>
       <translation>Die Hand wurde aufgegeben: Flecken auf ihr liegen nicht dort, wo die Marker des Handschuhs in ihren Farben wären. Die Farben anpassen, oder nachsehen, ob zwei von ihnen vertauscht sind.</translation>
     </message>
@@ -6983,6 +7023,11 @@ change {}: {}</source>
       <location filename="tracker/robot/command.py" />
       <source>A robot is asked {}, not {}.</source>
       <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/hand.py" />
+      <source>The robot hand {} is larger than {} bytes.</source>
+      <translation>Die Roboterhand {} ist größer als {} Byte.</translation>
     </message>
     <message>
       <location filename="tracker/robot/library.py" />
@@ -7570,6 +7615,16 @@ change {}: {}</source>
       <translation>Ein Bild von {} ist beschädigt.</translation>
     </message>
     <message>
+      <location filename="tracker/session/mcap/container.py" />
+      <source>A session has at most {} types of messages.</source>
+      <translation>Eine Sitzung hat höchstens {} Nachrichtentypen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/container.py" />
+      <source>A session has at most {} channels.</source>
+      <translation>Eine Sitzung hat höchstens {} Kanäle.</translation>
+    </message>
+    <message>
       <location filename="tracker/session/mcap/disk.py" />
       <source>{} exists already; a recording never overwrites.</source>
       <translation>{} gibt es schon; eine Aufnahme überschreibt nie.</translation>
@@ -7783,6 +7838,11 @@ change {}: {}</source>
       <location filename="tracker/toml_reader.py" />
       <source>{} is not valid TOML: it is nested too deeply.</source>
       <translation>{} ist kein gültiges TOML: zu tief verschachtelt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/toml_reader.py" />
+      <source>{} is not valid TOML: line {} has a text without its end.</source>
+      <translation>{} ist kein gültiges TOML: In Zeile {} fehlt das Ende eines Textes.</translation>
     </message>
     <message>
       <location filename="tracker/toml_reader.py" />

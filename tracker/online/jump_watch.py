@@ -102,7 +102,8 @@ class JumpWatch:
             return None
         if self._pending is not None:
             return self._confirm(self._pending, result, places)
-        return self._look(result.t, residual, before, places)
+        self._look(result.t, residual, before, places)
+        return None
 
     def _remember(self, t: float, places: Array) -> None:
         self._expected.append((t, places))
@@ -112,7 +113,7 @@ class JumpWatch:
     def _look(
         self, t: float, residual: Array, before: Sequence[tuple[float, Array]], places: Array
     ) -> None:
-        """Whether this image begins a jump, which those that follow have to show."""
+        """Note a jump that begins with this image; the images that follow have to confirm it."""
         p = self._params
         apart, together = sizes(residual, self._scale)
         # Carried on for longer, the hand itself is farther from where it was expected, in both

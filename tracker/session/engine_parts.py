@@ -10,12 +10,13 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 
-MODULES = ("tracker.pipeline", "tracker.two_hands")
-"""They import every module with a ``@record``; a test compares that with the source."""
+MODULES = ("..pipeline", "..two_hands")
+"""They import every module with a ``@record``; a test compares that with the source. Relative, since
+an installed program has them in another package."""
 
 
 @cache
 def register_all() -> None:
     """Import `MODULES`, so that every record of a state is known."""
     for name in MODULES:
-        import_module(name)
+        import_module(name, __package__)
