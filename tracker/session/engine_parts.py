@@ -11,8 +11,8 @@ from functools import cache
 from importlib import import_module
 
 MODULES = ("..pipeline", "..two_hands")
-"""They import every module with a ``@record``; a test compares that with the source. Relative, since
-an installed program has them in another package."""
+"""They import every module with a ``@record``; a test compares that with the source. The names are
+relative because an installed program has these modules in another package."""
 
 
 @cache
