@@ -295,7 +295,9 @@ def wheels(work: Path) -> None:
     there = work / "wheels"
     if not there.exists():
         words = [sys.executable, "-m", "pip", "download", "-q", "--dest", str(there)]
-        subprocess.run([*words, "-r", str(ROOT / "requirements.lock"), "uv", "pip"], check=True)
+        lock = str(ROOT / "requirements.lock")
+        for wanted in (["--require-hashes", "-r", lock], ["uv", "pip"]):  # these two have no hashes
+            subprocess.run([*words, *wanted], check=True)
 
 
 def source(work: Path) -> None:

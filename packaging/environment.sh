@@ -46,10 +46,10 @@ if ! is_new_enough "$folder/bin/python"; then
 fi
 pip() { "$folder/bin/python" -m pip --disable-pip-version-check install --quiet "$@"; }
 
-install() { # the packages of a lock file
-    packaging/uv.sh "$folder/bin/python" install --requirements "$1" && return
+install() { # the packages of a lock file; a file with another hash than it names is refused
+    packaging/uv.sh "$folder/bin/python" install --require-hashes --requirements "$1" && return
     echo "uv could not install them; pip tries." >&2
-    pip -r "$1"
+    pip --require-hashes --requirement "$1"
 }
 
 lock=requirements.lock

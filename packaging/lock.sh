@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Writes requirements.lock, every package of the program, and requirements-test.lock, those of its
-# tests besides, each at its newest version that all others agree with.
+# tests besides, each at its newest version that all others agree with and with the SHA-256 hashes of
+# all files that were published of that version, so that the lock serves every platform.
 #
 #   packaging/lock.sh [PYTHON]
 #
@@ -11,12 +12,12 @@ python=${1:-python3.11}
 
 write_lock() { # file, what it is for, options
     {
-        echo "# Every package of $2, at one version (Python 3.11, Linux)."
+        echo "# Every package of $2, at one version (Python 3.11, Linux), with the hashes of its files."
         echo "# Made by \`make lock\`; do not edit by hand."
         # setuptools: what environment.sh builds this checkout with
         echo setuptools | packaging/uv.sh "$python" compile pyproject.toml - --upgrade \
-            --no-annotate --no-header --no-emit-index-url --no-emit-find-links "${@:3}" |
-            LC_ALL=C sort --ignore-case
+            --generate-hashes --no-annotate --no-header --no-emit-index-url --no-emit-find-links \
+            "${@:3}"
     } >"$1.new"
     mv "$1.new" "$1"
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -57,13 +58,27 @@ def test_the_version_is_the_same_everywhere() -> None:
     assert project()["version"] == tracker.__version__ == version("glovetrack")
 
 
+def locked_hashes(name: str) -> dict[str, tuple[str, set[str]]]:
+    """Version and SHA-256 hashes by package, of a lock file without repetitions or other lines."""
+    text = "".join(
+        line
+        for line in (ROOT / name).read_text().splitlines(keepends=True)
+        if not line.startswith("#")
+    )
+    pins = [shlex.split(line) for line in text.replace("\\\n", " ").splitlines()]
+    found = {}
+    for pin, *hashes in pins:
+        package, version = pin.split("==")
+        assert hashes and all(re.fullmatch("--hash=sha256:[0-9a-f]{64}", h) for h in hashes), pin
+        found[canonicalize_name(package)] = version, set(hashes)
+    assert len(found) == len(pins)
+    assert list(found) == sorted(found)
+    return found
+
+
 def locked(name: str) -> dict[str, str]:
-    """Versions by package, of a lock file without repetitions."""
-    pins = [line for line in (ROOT / name).read_text().splitlines() if not line.startswith("#")]
-    assert pins == sorted(pins, key=str.lower)
-    versions = {canonicalize_name(n): v for n, v in (pin.split("==") for pin in pins)}
-    assert len(versions) == len(pins)
-    return versions
+    """Versions by package, of a lock file."""
+    return {package: version for package, (version, _) in locked_hashes(name).items()}
 
 
 def test_the_locks_pin_what_the_project_asks_for() -> None:
@@ -81,7 +96,22 @@ def test_the_locks_pin_what_the_project_asks_for() -> None:
 
 
 def test_the_tests_run_with_the_programs_own_versions() -> None:
-    assert locked("requirements.lock").items() <= locked("requirements-test.lock").items()
+    program, tests = locked_hashes("requirements.lock"), locked_hashes("requirements-test.lock")
+    assert program.items() <= tests.items()
+
+
+def test_the_locks_have_the_hashes_of_every_platform() -> None:
+    for name in ("requirements.lock", "requirements-test.lock"):
+        _, hashes = locked_hashes(name)["numpy"]
+        # source, and wheels of at least three versions of Python for Linux, Windows and macOS
+        assert len(hashes) > 9
+
+
+def test_what_installs_a_lock_requires_its_hashes() -> None:
+    script = (ROOT / "packaging" / "environment.sh").read_text()
+    installs = re.findall(r"^.*--requirement.*$", script, re.MULTILINE)
+    assert len(installs) == 2, "uv, and pip where uv cannot"
+    assert all("--require-hashes" in line for line in installs)
 
 
 @pytest.mark.parametrize("path", HANDS, ids=lambda p: p.stem)
