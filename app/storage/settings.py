@@ -50,8 +50,10 @@ class AppSettings:
     countdown: int = 0  # s before a recording begins
     countdown_sound: bool = False
     guided_sound: bool = True  # a beep when a guided pose has been held
-    wearer: str = ""  # whose calibration is put on at the start
-    left_wearer: str = ""  # the same of the left hand, where both are worn
+    wearer: str = ""  # whose calibration the right hand starts with
+    left_wearer: str = ""  # the same for the left hand
+    demo_wearer: str = ""  # the same in the demo, which never uses a real wearer's calibration
+    demo_left_wearer: str = ""
     engine: str = "chain"  # what tracks
     curves: str = ""  # which of the sensors panel are shown
     angle_unit: str = "deg"  # or "rad": of the motion panel
@@ -160,6 +162,11 @@ def _settings_from(data: dict[str, Any]) -> AppSettings:
             raise ValueError(f"{key} {why}")
 
     return from_dict(AppSettings, data, complain)
+
+
+def wearer_field(side: str, of_demo: bool = False) -> str:
+    """The setting that names the wearer of a hand, "left" or "right"."""
+    return ("demo_" if of_demo else "") + ("left_" if side == "left" else "") + "wearer"
 
 
 def sessions_folder(settings: AppSettings) -> Path:

@@ -7,7 +7,12 @@ from pathlib import Path
 from app.words import tr
 from tracker.errors import GlovetrackError
 from tracker.files import kept_name
-from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
+from tracker.fusion.chain.calibration.profile_file import (
+    WearerFile,
+    is_for,
+    read_wearer,
+    write_wearer,
+)
 from tracker.fusion.chain.layout import ChainLayout
 
 SUFFIX = ".toml"
@@ -19,8 +24,10 @@ class WearerStore:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
 
-    def names(self) -> list[str]:
-        return sorted(p.stem for p in self.folder.glob(f"*{SUFFIX}"))
+    def names(self, layout: ChainLayout | None = None) -> list[str]:
+        """All profiles, or those for the hand and glove of ``layout``."""
+        paths = self.folder.glob(f"*{SUFFIX}")
+        return sorted(p.stem for p in paths if layout is None or is_for(p, layout))
 
     def path(self, name: str) -> Path:
         return self.folder / f"{kept_name(name)}{SUFFIX}"
@@ -30,7 +37,10 @@ class WearerStore:
         return read_wearer(self.path(name), layout)
 
     def save(self, name: str, wearer: WearerFile) -> str:
-        """Write the file; the name that it is kept under. Raises FileError."""
+        """Write the file and return the name it has: ``name``, or with the glove's name appended
+        where a profile of that name is for another hand or glove. Raises FileError."""
+        if self.path(name).exists() and not is_for(self.path(name), wearer.layout):
+            name = f"{name} {wearer.layout.glove.name}"
         write_wearer(self.path(name), wearer)
         return kept_name(name)
 

@@ -1,4 +1,8 @@
-"""Who wears which glove: remembered for the next start, and the kept profiles of each hand."""
+"""Who wears which glove: remembered for the next start, and the kept profiles of each hand.
+
+The demo has profiles and names of its own, so that a simulated wearer never gets a real one's
+calibration, nor the other way round.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +10,12 @@ from dataclasses import replace
 
 from app.engines.engine import EngineSetup
 from app.storage.bound_gloves import bound, with_bound
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsStore, wearer_field
 from app.storage.wearers import WearerStore
 from app.viewmodels.worn_calibration import WornCalibration
+from tracker.fusion.chain.layout import ChainLayout
+
+FOLDER, DEMO = "wearers", "demo"
 
 
 class WearersOfHands:
@@ -16,13 +23,20 @@ class WearersOfHands:
 
     def __init__(self, store: SettingsStore) -> None:
         self._store = store
-        self._files = WearerStore(store.path.parent / "wearers")
+        folder = store.path.parent / FOLDER
+        self._files, self._demo_files = WearerStore(folder), WearerStore(folder / DEMO)
         self.worn = WornCalibration(self._files)
         self.by_side: dict[str, WornCalibration] = {}
 
     def open(self, setups: list[EngineSetup]) -> None:
         """Other gloves: nobody wears them yet."""
-        self.by_side = {setup.side: WornCalibration(self._files) for setup in setups}
+        self.by_side = {
+            setup.side: WornCalibration(self._files_of(setup), ChainLayout(setup.hand, setup.glove))
+            for setup in setups
+        }
+
+    def _files_of(self, setup: EngineSetup) -> WearerStore:
+        return self._demo_files if setup.simulated else self._files
 
     def show(self, setup: EngineSetup) -> str:
         """Turn to this hand; the name of who wore its glove last."""
@@ -31,20 +45,26 @@ class WearersOfHands:
         own = bound(settings, setup.glove_id)  # of a glove that is known again
         if own is not None:
             return own.wearer
-        return settings.left_wearer if _is_left_of_two(setup) else settings.wearer
+        name = str(getattr(settings, _field(setup)))
+        # Earlier versions stored the name for a left glove alone as they did for a right one.
+        earlier = settings.wearer if not setup.simulated else ""
+        return name or (earlier if earlier in self.worn.names() else "")
 
     def remember(self, name: str, setup: EngineSetup | None) -> None:
         """Whose calibration this hand has at the next start."""
+        if setup is None:
+            return
         settings = self._store.value
-        own = bound(settings, setup.glove_id) if setup is not None else None
-        if setup is not None and setup.glove_id is not None and own is not None:
+        own = bound(settings, setup.glove_id)
+        if setup.glove_id is not None and own is not None:
             gloves = with_bound(settings, setup.glove_id, replace(own, wearer=name))
             self._store.update(gloves=gloves)
-        if setup is not None and _is_left_of_two(setup):
-            self._store.update(left_wearer=name)
-        else:
-            self._store.update(wearer=name)
+        changes = {_field(setup): name}
+        if not setup.simulated and settings.wearer in self.worn.names():
+            changes = {"wearer": "", **changes}  # where an earlier version stored it
+        self._store.update(**changes)
 
 
-def _is_left_of_two(setup: EngineSetup) -> bool:
-    return setup.other is not None and setup.side == "left"
+def _field(setup: EngineSetup) -> str:
+    """The setting that names the wearer of this hand."""
+    return wearer_field(setup.side, setup.simulated)

@@ -19,10 +19,13 @@ HAND_MM = (1000 * SHORTEST, 1000 * LONGEST)
 
 
 class WornCalibration:
-    """``latest`` is the calibration as it is; the last fit is what was kept, worn or reset last."""
+    """``latest`` is the calibration as it is; the last fit is what was kept, worn or reset last.
 
-    def __init__(self, store: WearerStore) -> None:
-        self._store = store
+    ``layout`` is of the hand and glove whose profiles are offered; None before there is one.
+    """
+
+    def __init__(self, store: WearerStore, layout: ChainLayout | None = None) -> None:
+        self._store, self._layout = store, layout
         self._worn: WearerFile | None = None
         self._last_fit: Calibration | None = None
         self._saving = ""  # the name that an answer of the engine is to be saved under
@@ -34,8 +37,8 @@ class WornCalibration:
         self._worn = self._last_fit = self.latest = None
 
     def names(self) -> list[str]:
-        """Whose profiles are kept."""
-        return self._store.names()
+        """The stored profiles for this hand and glove."""
+        return self._store.names(self._layout) if self._layout is not None else []
 
     @property
     def profile(self) -> WearerProfile | None:

@@ -43,7 +43,7 @@ class Commanded(ScriptedEngine):
 
 
 def setup_of(engine: Commanded):
-    return dataclasses.replace(scripted_setup(engine), command=engine.command)
+    return dataclasses.replace(scripted_setup(engine), command=engine.command, simulated=False)
 
 
 def calibration_covariance(engine: ChainEngine) -> Array:

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.storage.bound_gloves import BoundGlove, bound
-from app.storage.settings import AppSettings
+from app.storage.settings import AppSettings, wearer_field
 from app.widgets.question import answer
 from app.words import told, tr
 from tracker import library
@@ -46,7 +46,6 @@ class ChoicePage(QWidget):
         self.wearers.addItem(self.tr("Somebody new"), "")
         for name in wearers:
             self.wearers.addItem(name, name)
-        self.wearers.setCurrentIndex(max(0, self.wearers.findData(settings.wearer)))
         self.again = QPushButton(self.tr("&Look again"))
         self.again.clicked.connect(self.search)
         self.other = QPushButton(self.tr("&Other port…"))
@@ -67,7 +66,9 @@ class ChoicePage(QWidget):
         self.side.setCurrentIndex(max(0, self.side.findData(_side("gloves", settings.glove))))
         self._fill(settings.glove, settings.hand)
         self.show_ports([], SESSION if with_session else settings.port)
+        self._show_wearer()
         self.side.currentIndexChanged.connect(lambda _i: self._fill("", ""))
+        self.side.currentIndexChanged.connect(lambda _i: self._show_wearer())
         self.ports.currentIndexChanged.connect(lambda _i: self._recall())
         for box in (self.gloves, self.hands, self.ports, self.speed):
             box.currentIndexChanged.connect(lambda _i: self.changed.emit())
@@ -104,6 +105,11 @@ class ChoicePage(QWidget):
         if not glove:
             self._match_hand()
         self.changed.emit()
+
+    def _show_wearer(self) -> None:
+        """Who wore a glove of the chosen side last."""
+        name = getattr(self._settings, wearer_field(str(self.side.currentData())))
+        self.wearers.setCurrentIndex(max(0, self.wearers.findData(name)))
 
     def _match_hand(self) -> None:
         """The hand that the glove's file refers to."""

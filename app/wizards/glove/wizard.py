@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.bound_gloves import bound, with_bound
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsStore, wearer_field
 from app.storage.wearers import WearerStore
 from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
 from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
@@ -169,12 +169,13 @@ class GloveSetup(QDialog):
         port = self.choice.port()
         kept = self._store.value.port if port in (SESSION, SIMULATED) else port
         self._bind(port)
+        chosen = self.choice.bound()
         self._store.update(
             port=kept,
             baud=self.choice.baud(),
-            glove=self.choice.gloves.currentText(),
-            hand=self.choice.hands.currentText(),
-            wearer=str(self.choice.wearers.currentData()),
+            glove=chosen.glove,
+            hand=chosen.hand,
+            **{wearer_field(chosen.side): chosen.wearer},
         )
         self.use.setEnabled(False)
         self._leave(self._used)

@@ -72,15 +72,31 @@ def wearer_text(wearer: WearerFile) -> str:
     return tomli_w.dumps(said)
 
 
+def is_for(path: Path, layout: ChainLayout) -> bool:
+    """False where the file names another hand or glove; reads no more than its first lines.
+
+    A damaged file counts as one for this hand: `read_wearer` says what is wrong with it.
+    """
+    try:
+        head = read_text(path).split("\n[", 1)[0]
+        return not _is_of_another(parse_toml(head, path.name), layout)
+    except FileError:
+        return True
+
+
+def _is_of_another(said: dict[str, Any], layout: ChainLayout) -> bool:
+    names = str(said.get("hand", "")), str(said.get("glove", ""))
+    return all(names) and names != (layout.hand.name, layout.glove.name)
+
+
 def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
     """Raises FileError where it is none, or of another hand or glove."""
     try:
         said = parse_toml(read_text(path), path.name)
     except FileError as error:
         raise FileError(f"{path.name} is no profile of a wearer: {error}") from error
-    names = str(said.get("hand", "")), str(said.get("glove", ""))
-    ours = layout.hand.name, layout.glove.name
-    if all(names) and names != ours:
+    if _is_of_another(said, layout):
+        names, ours = (said["hand"], said["glove"]), (layout.hand.name, layout.glove.name)
         raise FileError(
             f"{path.name} is of hand {names[0]} with glove {names[1]}; "
             f"this is hand {ours[0]} with glove {ours[1]}."
