@@ -40,7 +40,7 @@ demo: $(READY)
 ifneq ($(SCREEN),)
 	$(BIN)/glovetrack demo
 else
-	$(OFFSCREEN) $(BIN)/python -m app --demo --headless-report 30 --out demo
+	$(OFFSCREEN) $(BIN)/python -m app --demo --headless-report 30 --out demo --force
 endif
 
 test: $(READY_FOR_TESTS)

@@ -96,7 +96,8 @@ def free_path(path: Path) -> Path:
 def check_target(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -> None:
     """Raises FileError where ``path`` may not become an output.
 
-    An existing file may if ``force``; a folder, a device or one of the ``inputs`` never.
+    An empty file may, as `mktemp` makes one; another existing file only if ``force``; a folder, a
+    device or one of the ``inputs`` never.
     """
     if not os.path.lexists(path):
         return
@@ -106,8 +107,24 @@ def check_target(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -
     if path.exists() and not path.is_file():
         what = "is a folder" if path.is_dir() else "is a device, not a file"
         raise FileError(f"{path} exists already and {what}; choose another name.")
-    if not force:
+    if not force and not _is_empty(path):
         raise FileError(f"{path} exists already; choose another name, or --force to replace it.")
+
+
+def check_folder_target(folder: Path, force: bool = False) -> None:
+    """Raises FileError where ``folder`` may not be filled: it must be new or empty, or ``force``
+    allows to replace files in it. A file in its place is never replaced."""
+    try:
+        found = next(folder.iterdir(), None)
+    except FileNotFoundError:
+        return
+    except OSError as error:
+        raise disk_error(folder, error) from error
+    if found is not None and not force:
+        raise FileError(
+            f"The folder {folder} is not empty; choose another one, or --force to replace files "
+            f"in it."
+        )
 
 
 @contextlib.contextmanager
@@ -160,13 +177,13 @@ def write_whole(
         part.write_bytes(data)
 
 
-def write_kept(path: Path, text: str | bytes) -> None:
-    """`write_whole` in a folder that is made where it is missing. Raises DiskError."""
+def write_kept(path: Path, text: str | bytes, force: bool = True) -> None:
+    """`write_whole` in a folder that is made where it is missing. Raises FileError, DiskError."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise disk_error(path, error) from error
-    write_whole(path, text)
+    write_whole(path, text, force)
 
 
 def sha256(path: Path) -> str:
@@ -262,10 +279,23 @@ def _give_names(parts: Sequence[Path], paths: Sequence[Path], force: bool) -> No
         raise
 
 
+def _is_empty(path: Path) -> bool:
+    """Whether it is a regular file, not a link, without content."""
+    try:
+        found = path.lstat()
+    except OSError:
+        return False
+    return stat.S_ISREG(found.st_mode) and found.st_size == 0
+
+
 def _give_name(part: Path, path: Path, force: bool) -> None:
-    """Rename, but over nothing that has come up meanwhile unless ``force``."""
+    """Rename, but over nothing with content that has come up meanwhile unless ``force``."""
     if force and part.is_file():
         part.replace(path)  # a link is replaced, not what it points to
+        return
+    if part.is_file() and _is_empty(path):
+        part.chmod(stat.S_IMODE(path.stat().st_mode))  # which `mktemp` made private
+        part.replace(path)
         return
     if part.is_file():
         try:

@@ -5,17 +5,27 @@ from __future__ import annotations
 from pathlib import Path
 
 from app.words import tr
-from tracker.errors import GlovetrackError
+from tracker.errors import FileError, GlovetrackError
 from tracker.files import kept_name
 from tracker.fusion.chain.calibration.profile_file import (
     WearerFile,
     is_for,
     read_wearer,
+    wearer_text,
     write_wearer,
 )
 from tracker.fusion.chain.layout import ChainLayout
+from tracker.toml_reader import read_text
 
 SUFFIX = ".toml"
+
+
+def _is_same(path: Path, wearer: WearerFile) -> bool:
+    """Whether the file contains just this profile."""
+    try:
+        return read_text(path) == wearer_text(wearer)
+    except FileError:
+        return False
 
 
 class WearerStore:
@@ -45,8 +55,17 @@ class WearerStore:
         return kept_name(name)
 
     def take_in(self, path: Path, layout: ChainLayout) -> str:
-        """Keep a file of elsewhere under its own name; that name. Raises FileError."""
-        return self.save(path.stem, read_wearer(path, layout))
+        """Keep a file of elsewhere under its own name, with a number if another person's profile
+        has that name; the name that it is kept under. Raises FileError."""
+        wearer = read_wearer(path, layout)
+        stem = kept_name(path.stem)[:50].strip(" ._") or kept_name("")
+        name, n = stem, 1
+        while self.path(name).exists():
+            if _is_same(self.path(name), wearer):
+                return name
+            n += 1
+            name = f"{stem}_{n}"
+        return self.save(name, wearer)
 
     def remove(self, name: str) -> None:
         """Raises GlovetrackError where the disk refuses."""

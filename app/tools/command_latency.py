@@ -24,6 +24,8 @@ from PySide6.QtWidgets import QApplication
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.engine import RecordingRequest
 from app.platform.process_tuning import tune_process
+from tracker.files import check_target
+from tracker.terminal import add_force
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -33,6 +35,7 @@ START_TIMEOUT = 300.0
 SETTLE_S = 5.0  # after the start: a process that has just begun takes the machine
 THING = {"size": 0.2}  # m: so large that fingers which move at random are at its surface often
 PARTS = ("touch", "robot")
+SESSION, SETTINGS = "latency.mcap", "window.json"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -44,7 +47,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--only", choices=PARTS, default="", help="leave the other one out")
     parser.add_argument("--hidden", action="store_true", help="their panels are not in sight")
     parser.add_argument("-o", "--output", type=Path, default=None, help="a folder for the session")
+    add_force(parser)
     args = parser.parse_args(argv)
+    if args.output is not None:
+        for name in (SESSION, SETTINGS):
+            check_target(args.output / name, args.force)
     tune_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     app.setApplicationName("glovetrack")
@@ -65,11 +72,11 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
     from tracker.session.latency import latencies_of
 
     folder.mkdir(parents=True, exist_ok=True)
-    window = MainWindow(SettingsStore(folder / "window.json"))
+    window = MainWindow(SettingsStore(folder / SETTINGS))
     window.resize(*SIZE)
     keep_pauses_short(window.host)
     window.show()
-    path = folder / "latency.mcap"
+    path = folder / SESSION
     try:
         made = (
             hardware_factory(SettingsStore().value)

@@ -28,6 +28,8 @@ from PySide6.QtWidgets import QApplication
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.engine import RecordingRequest
 from app.platform.process_tuning import tune_process
+from tracker.files import check_target, write_whole
+from tracker.terminal import add_force
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -61,7 +63,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--seconds", type=float, default=60.0, help="of each stretch")
     parser.add_argument("--fps", type=float, nargs="+", default=[30.0, 60.0])
     parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
+    add_force(parser)
     args = parser.parse_args(argv)
+    if args.json is not None:
+        check_target(args.json, args.force)
     tune_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     app.setApplicationName("glovetrack")
@@ -70,7 +75,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     text = json.dumps([asdict(load) for load in loads], indent=2)
     print(text)
     if args.json is not None:
-        args.json.write_text(text + "\n", "utf-8")
+        write_whole(args.json, text + "\n", args.force)
     return 0
 
 

@@ -31,7 +31,9 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
+from tracker.files import check_target, write_whole
 from tracker.messages import Tracking
+from tracker.terminal import add_force
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -92,7 +94,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--lenses", choices=LENSES, default="both", help="that it has")
     parser.add_argument("--drawn", action="store_true", help="all its images before it begins")
     parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
+    add_force(parser)
     args = parser.parse_args(argv)
+    if args.json is not None:
+        check_target(args.json, args.force)
     tune_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
@@ -107,7 +112,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     text = json.dumps(figures, indent=2)
     print(text)
     if args.json is not None:
-        args.json.write_text(text + "\n", "utf-8")
+        write_whole(args.json, text + "\n", args.force)
     return 0
 
 

@@ -9,11 +9,11 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QEventLoop, QTimer
-from PySide6.QtWidgets import QApplication
 
 from app.engines.engine import RecordingRequest
 from app.engines.engine_host import SetupFactory
@@ -24,9 +24,9 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.log import words_of
 from app.window.main_window import MainWindow
 from app.window.pauses import keep_pauses_short
+from app.window.report_files import make_room
 from tracker.errors import GlovetrackError
 from tracker.messages import Array, Event, Tracking
-from tracker.session.description import SIDES
 from tracker.streaming.params import StreamParams
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
@@ -52,31 +52,41 @@ class Watched(NamedTuple):
     make: SetupFactory
 
 
+class Connected(NamedTuple):
+    """What other programs receive and may ask: streams, and names and an address for `DOORS`."""
+
+    streams: StreamParams
+    remote: str = ""
+    remote_host: str = ""
+
+
 def headless_report(
-    app: QApplication,
     duration: float,
     out: Path,
     watched: Watched,
-    streams: StreamParams,
+    connected: Connected,
     wearer: Path | None = None,
 ) -> int:
-    """Run what is ``watched`` for ``duration`` s of tracking and leave its results in ``out``;
-    ``wearer``: the profile to begin with."""
-    out.mkdir(parents=True, exist_ok=True)
-    store = SettingsStore(out / "window.json")
-    window = MainWindow(store)
-    window.resize(1440, 900)
-    window.set_theme("dark")
-    keep_pauses_short(window.host)
-    window.outputs.use(streams)
-    if wearer is not None:
-        window.calibration.profiles.begin_with(wearer)
-    window.show()
-    try:
-        return _run(window, duration, out, watched)
-    finally:
-        window.close()
-        (out / "window.json").unlink(missing_ok=True)
+    """Run what is ``watched`` for ``duration`` s of tracking and leave its results in ``out``,
+    where those of an earlier report are deleted; ``wearer``: the profile to begin with.
+
+    Raises DiskError.
+    """
+    make_room(out)
+    with TemporaryDirectory(prefix="glovetrack-") as folder:
+        window = MainWindow(SettingsStore(Path(folder) / "window.json"))
+        window.resize(1440, 900)
+        window.set_theme("dark")
+        keep_pauses_short(window.host)
+        window.outputs.use(connected.streams)
+        window.remote.use(connected.remote, connected.remote_host)
+        if wearer is not None:
+            window.calibration.profiles.begin_with(wearer)
+        window.show()
+        try:
+            return _run(window, duration, out, watched)
+        finally:
+            window.close()
 
 
 def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> int:
@@ -89,7 +99,7 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     if not window.host.running:
         print(f"The {watched.name} did not start: {' '.join(problems) or 'it took too long.'}")
         return 1
-    path, table = _free(out / "session.mcap"), _free(out / "session.csv")
+    path, table = out / "session.mcap", out / "session.csv"
     window.host.record(RecordingRequest(path, watched.name, "as they come"))
     began, ticks = time.monotonic(), window.ticker.ticks
     gathered = _gather(window, duration, out / "window.png")
@@ -118,14 +128,6 @@ class _Teller:
         if words and event.kind not in UNSAID:
             late = time.monotonic() - self._began
             print(f"{late:6.1f} s  {words}", file=sys.stderr, flush=True)
-
-
-def _free(path: Path) -> Path:
-    """The demo's own files of an earlier run, and what tells of them, give way."""
-    for name in (path.name, *(f"{path.stem}_{side}{path.suffix}" for side in SIDES)):
-        for old in (path.with_name(name), path.with_name(name + ".json")):
-            old.unlink(missing_ok=True)
-    return path
 
 
 def wait_until(done: Callable[[], bool], timeout: float) -> bool:

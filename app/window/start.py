@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,7 @@ from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
 from resources import folder
 from tracker import __version__
-from tracker.errors import GlovetrackError
+from tracker.errors import ConfigError, GlovetrackError
 from tracker.sensors.protocol import BAUDS
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 from tracker.streaming.publisher import JOINT_SETS
@@ -54,6 +55,8 @@ def open_window(argv: Sequence[str]) -> int:
         with_doors(RemoteParams(), args.remote, args.remote_host)
         if args.wearer is not None:
             read_text(args.wearer)
+        if args.headless_report is not None:
+            _check_headless(args)
     except GlovetrackError as error:
         parser.error(str(error))
     if not has_screen():
@@ -69,23 +72,38 @@ def open_window(argv: Sequence[str]) -> int:
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     try:
-        return _run(app, args) if args.headless_report is None else _report(app, args)
+        return _run(app, args) if args.headless_report is None else _report(args)
     except GlovetrackError as error:
         print(f"glovetrack: {error}", file=sys.stderr)
         return 1
 
 
-def _report(app: QApplication, args: argparse.Namespace) -> int:
+def _check_headless(args: argparse.Namespace) -> None:
+    """Raises ConfigError for options that such a run does not have."""
+    if args.session is not None:
+        raise ConfigError("--headless-report runs the demo or the devices, not a session.")
+    if not 0.0 < args.headless_report < float("inf"):
+        raise ConfigError("--headless-report needs a number of seconds above 0.")
+
+
+def _report(args: argparse.Namespace) -> int:
+    from app.window.report_files import check_report
+
+    check_report(args.out, args.force)
     # a camera to be simulated starts before the window is even imported
     camera = None if args.devices else start_camera(choice=_demo(args))
     from app.storage.settings import SettingsStore
-    from app.window.headless_report import Watched, headless_report
+    from app.window.headless_report import Connected, Watched, headless_report
     from app.window.sources import demo_factory, hardware_factory
 
-    watched = Watched("devices", hardware_factory(SettingsStore().value))
+    settings = SettingsStore().value
+    if args.baud is not None:
+        settings = replace(settings, baud=args.baud)
+    watched = Watched("devices", hardware_factory(settings))
     if camera is not None:
         watched = Watched("demo", demo_factory(_demo(args), camera=camera))
-    return headless_report(app, args.headless_report, args.out, watched, args.streams, args.wearer)
+    connected = Connected(args.streams, args.remote, args.remote_host)
+    return headless_report(args.headless_report, args.out, watched, connected, args.wearer)
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:
@@ -219,6 +237,9 @@ def _parser() -> argparse.ArgumentParser:
         help="run so long by itself, with or without a screen, and leave a report in --out",
     )
     parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")
+    parser.add_argument(
+        "--force", action="store_true", help="replace the files of an earlier report in it"
+    )
     return parser
 
 

@@ -36,7 +36,7 @@ def fit_session(source: Path, out: Path, colours: str = "", force: bool = False)
     check_target(out, force, [source])
     info, messages = _read(source, colours)
     fit = fit_messages(messages, worn_in(info), profile_of(info))
-    write_kept(out, profile_to_toml(replace(fit.profile, name=out.stem)))
+    write_kept(out, profile_to_toml(replace(fit.profile, name=out.stem)), force)
     return fit
 
 

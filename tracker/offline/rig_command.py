@@ -11,6 +11,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tracker.files import write_whole
+from tracker.terminal import add_force
+
 if TYPE_CHECKING:
     from tracker.simulation.demo import DemoSpec
     from tracker.vision.rig import StereoRig
@@ -45,6 +48,7 @@ def add_rig(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=float, default=30.0, help="of the camera")
     parser.add_argument("--seed", type=int, default=1, help="of the wearer")
     parser.add_argument("--duration", type=float, metavar="S", help="end by itself")
+    add_force(parser)
     parser.epilog = (
         "Lines of standard input are heeded: 'unplug left', 'plug left' (or right), 'board' holds "
         "a calibration board before the camera, 'hand' takes it away."
@@ -57,10 +61,10 @@ def _rig(args: argparse.Namespace) -> int:
 
     args.folder.mkdir(parents=True, exist_ok=True)
     end = time.monotonic() + (args.duration or LASTS)
-    devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart")
+    calibration = args.folder / CALIBRATION
+    devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart", args.force)
     if args.board:
         devices.hold_board(True)
-    calibration = args.folder / CALIBRATION
     heard = _Lines(devices.heed)
 
     def ready(files: RigFiles) -> None:
@@ -77,7 +81,7 @@ def _rig(args: argparse.Namespace) -> int:
         return time.monotonic() > end
 
     try:
-        _save(calibration, devices.rig)
+        _save(calibration, _calibration(devices.rig), args.force)
         taken = devices.run(stop, ready)
     finally:
         devices.close()
@@ -127,16 +131,21 @@ def _is_ours() -> bool:
     return os.tcgetpgrp(sys.stdin.fileno()) == os.getpgrp()
 
 
-def _save(path: Path, rig: StereoRig) -> None:
+def _save(path: Path, text: str, force: bool) -> None:
+    """The same file of an earlier rig stays. Raises FileError for another one unless ``force``."""
+    if not (path.is_file() and path.read_bytes() == text.encode()):
+        write_whole(path, text, force)
+
+
+def _calibration(rig: StereoRig) -> str:
     import numpy as np
 
-    from tracker.calibration.stereo.files import save_calibration
+    from tracker.calibration.stereo.files import calibration_text
     from tracker.sensors.stereo_calibration import Intrinsics
 
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
     words = "of the simulated camera"
     if rig.one_camera:
-        save_calibration(path, left, note=words)
-        return
+        return calibration_text(left, note=words)
     T = np.array([-rig.baseline, 0.0, 0.0])
-    save_calibration(path, left, right, np.eye(3), T, words)
+    return calibration_text(left, right, np.eye(3), T, words)

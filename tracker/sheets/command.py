@@ -28,7 +28,7 @@ def add_commands(commands: Any) -> None:
 
 def _print(args: argparse.Namespace) -> int:
     from tracker import library
-    from tracker.files import check_target
+    from tracker.files import check_target, whole_file
     from tracker.sheets.board import board_page
     from tracker.sheets.markers import marker_pages
     from tracker.sheets.page import save_pages
@@ -42,6 +42,7 @@ def _print(args: argparse.Namespace) -> int:
         pages, title = [wiring_page(glove, args.paper)], f"Wiring of the glove {glove.name}"
     else:
         pages, title = [board_page(args.paper)], "Calibration board"
-    save_pages(pages, args.out, title)
+    with whole_file(args.out, args.force) as part:
+        save_pages(pages, part, title)
     print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 %")
     return 0

@@ -246,8 +246,11 @@ def quantised(sample: ImuSample, accel_range_g: int = ACCEL_RANGE_G) -> np.ndarr
 
 
 def link_to(folder: Path, device: SimulatedGlove, name: str = "glove") -> Path:
-    """A stable name for a device whose path changes when it is plugged in again."""
+    """A stable name for a device whose path changes when it is plugged in again.
+
+    Raises FileExistsError where the name is that of another file than a link."""
     link = folder / name
-    link.unlink(missing_ok=True)
+    if link.is_symlink():
+        link.unlink()
     link.symlink_to(device.path)
     return link

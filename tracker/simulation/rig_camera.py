@@ -37,7 +37,6 @@ class ImagePipe:
                 "The simulated rig needs named pipes, which this system does not have."
             )
         self.path, self._pipe = path, -1
-        path.unlink(missing_ok=True)
         try:
             os.mkfifo(path)
         except OSError as error:
@@ -75,6 +74,12 @@ class ImagePipe:
         self.path.unlink(missing_ok=True)
 
 
+def pipe_paths(folder: Path, apart: bool) -> list[Path]:
+    """Of one camera, or of two ``apart``, the left one first."""
+    names = ("camera_left", "camera_right") if apart else ("camera",)
+    return [folder / f"{name}.mjpeg" for name in names]
+
+
 class RigCamera:
     """Sends what a simulated camera drew through one pipe, both images side by side; or ``apart``,
     through two, where a reader of one does not hold up the other."""
@@ -82,10 +87,9 @@ class RigCamera:
     def __init__(self, folder: Path, apart: bool = False, right_late: float = 0.0) -> None:
         """``right_late`` (s): how much later the right one of two apart sends."""
         self._apart = apart
-        names = ("camera_left", "camera_right") if apart else ("camera",)
         late = (0.0, right_late)
         self._senders = [
-            _Sender(folder / f"{name}.mjpeg", wait) for name, wait in zip(names, late, strict=False)
+            _Sender(path, wait) for path, wait in zip(pipe_paths(folder, apart), late, strict=False)
         ]
 
     @property

@@ -13,12 +13,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tracker.errors import DeviceError
+from tracker.files import check_target
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
 from tracker.simulation.glove_process import GLOVE_IDS
-from tracker.simulation.rig_camera import HeldBoard, RigCamera, smaller_right
+from tracker.simulation.rig_camera import HeldBoard, RigCamera, pipe_paths, smaller_right
 from tracker.simulation.scenario import Simulation
 
 WAIT = 0.05  # s for an image, and between two looks for a reader
@@ -38,13 +39,17 @@ class SimulatedRig:
     plugged in again, and a board be held before the camera. ``hand_lengths`` (m) are of the
     wearers' hands by a ruler, by side."""
 
-    def __init__(self, spec: DemoSpec, folder: Path, apart: bool = False) -> None:
+    def __init__(
+        self, spec: DemoSpec, folder: Path, apart: bool = False, force: bool = False
+    ) -> None:
         """With ``apart`` two cameras are devices of their own, the right one's images smaller.
 
-        Raises DeviceError or FileError where there cannot be any.
+        Pipes and links that a killed rig has left in ``folder`` are replaced, other files only with
+        ``force``. Raises DeviceError or FileError where there cannot be any.
         """
         hands = hands_of(build_scene(spec))
         self._folder, self._names, self._seed = folder, _names(list(hands)), spec.seed
+        _free_names([folder / n for n in self._names.values()], pipe_paths(folder, apart), force)
         self._camera = SimulatedCamera(spec)
         self._sent = RigCamera(folder, apart, spec.right_late)
         self._board: HeldBoard | None = None
@@ -117,6 +122,18 @@ class SimulatedRig:
         side = hand.glove.side
         params = GloveDeviceParams(glove_id=GLOVE_IDS[side])
         return SimulatedGlove(self._packets[side], len(hand.glove.imus), params=params)
+
+
+def _free_names(links: Sequence[Path], pipes: Sequence[Path], force: bool) -> None:
+    """Delete what has these names: links to devices and named pipes, which have no content, and
+    other files with ``force``. Raises FileError, and deletes nothing, where one is another file."""
+    left = [path for path in links if path.is_symlink() and path.readlink().is_relative_to("/dev")]
+    left += [path for path in pipes if path.is_fifo() and not path.is_symlink()]
+    for path in (*links, *pipes):
+        if path not in left:
+            check_target(path, force)
+    for path in (*links, *pipes):
+        path.unlink(missing_ok=True)
 
 
 def _names(sides: Sequence[str]) -> dict[str, str]:

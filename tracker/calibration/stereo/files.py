@@ -42,11 +42,21 @@ def save_calibration(
     T: Array | None = None,
     note: str = "",
 ) -> None:
-    """Write X_right = R X_left + T (m), or a camera alone, so that OpenCV reads it too. Replaces
-    the file at once.
+    """Write `calibration_text`. Replaces the file at once.
 
     Raises FileError where the file cannot be written.
     """
+    write_kept(path, calibration_text(left, right, R, T, note))
+
+
+def calibration_text(
+    left: Intrinsics,
+    right: Intrinsics | None = None,
+    R: Array | None = None,
+    T: Array | None = None,
+    note: str = "",
+) -> str:
+    """X_right = R X_left + T (m), or a camera alone, as YAML that OpenCV reads too."""
     storage = cv2.FileStorage(".yml", cv2.FILE_STORAGE_WRITE | cv2.FILE_STORAGE_MEMORY)
     storage.write("image_width", left.width)
     storage.write("image_height", left.height)
@@ -60,7 +70,7 @@ def save_calibration(
     for name, matrix in matrices.items():
         rows = matrix if matrix.ndim == 2 else matrix.reshape(-1, 1)
         storage.write(name, np.ascontiguousarray(rows, float))
-    write_kept(path, storage.releaseAndGetString())
+    return storage.releaseAndGetString()
 
 
 def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:

@@ -14,6 +14,7 @@ from tracker.evaluation.inertial.estimators import ESTIMATORS
 from tracker.evaluation.inertial.experiment import Plan, Row, crossover, run
 from tracker.evaluation.inertial.goals import Goal, goals
 from tracker.evaluation.inertial.peers import available
+from tracker.files import check_folder_target
 from tracker.inertial.finger import Finger
 from tracker.terminal import check_json, write_json
 
@@ -33,6 +34,8 @@ class Report:
 def evaluate_inertial(args: argparse.Namespace) -> int:
     """Run, print and save what the arguments ask for."""
     check_json(args)
+    if args.out:
+        check_folder_target(args.out, args.force)
     plan = _plan(args)
     paths = inertial_broad.trial_paths(args.broad) if args.broad else []
     report = _measure(plan, paths)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from tracker.errors import ConfigError
+from tracker.files import check_folder_target
 from tracker.terminal import add_json, check_json, write_json
 
 QUICK_PARTICIPANTS = 2
@@ -108,6 +109,8 @@ def run(args: argparse.Namespace) -> int:
     from tracker.evaluation.vist.table import row_of
 
     check_json(args)
+    if args.out:
+        check_folder_target(args.out, args.force)
     cases = cases_of(args)
     participants = QUICK_PARTICIPANTS if args.quick else args.participants
     kept = KeptTrials(args.keep) if args.keep else None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from importlib import import_module
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tracker import __version__
-from tracker.errors import ConfigError, FileError
+from tracker.errors import ConfigError
 from tracker.files import check_target, sha256, whole_files
 from tracker.messages import Validity
 from tracker.session.export.options import (
@@ -26,8 +25,8 @@ from tracker.session.export.options import (
     ExportOptions,
 )
 from tracker.session.export.series import EstimateSeries
+from tracker.session.export.sidecar import BESIDE, forget_orphan
 from tracker.session.reader import SessionReader
-from tracker.toml_reader import read_text
 from tracker.workers import ALL_CORES, WorkersAsked
 
 _WRITERS = {
@@ -135,30 +134,18 @@ def _export_one(
     sidecar = path_out.with_name(path_out.name + ".json")
     check_target(path_out, force and format not in FOLDERS, [path_in])
     others = [path_out.with_suffix(ending) for ending in _BESIDE.get(format, ())]
-    _forget_orphan(sidecar, path_out, others)
+    forget_orphan(sidecar, path_out)
     module, _, function = _WRITERS[format].partition(":")
     write = getattr(import_module(f"{__package__}.{module}"), function)
     names = (sidecar, *others, path_out)
-    with whole_files(*names, force=force, inputs=[path_in]) as (beside, *_, partial):
+    with whole_files(*names, force=force, inputs=[path_in]) as (beside, *parts, partial):
         with SessionReader(path_in, watch=watch, side=side) as reader:
             series = write(reader, partial, options)
             report = _report(reader, format, path_out, options, series)
+        if parts:
+            report[BESIDE] = {part.name: sha256(part) for part in parts}
         beside.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
     return report
-
-
-def _forget_orphan(sidecar: Path, path: Path, others: Sequence[Path]) -> None:
-    """Take away our JSON, and the files that came after it, where the export beside them never
-    came to be: the process was killed."""
-    if os.path.lexists(path) or not sidecar.is_file():
-        return
-    try:
-        said = json.loads(read_text(sidecar))
-    except (ValueError, FileError, RecursionError):
-        return
-    if isinstance(said, dict) and "glovetrack" in said and said.get("file") == path.name:
-        for left in (*others, sidecar):
-            left.unlink(missing_ok=True)
 
 
 def _report(

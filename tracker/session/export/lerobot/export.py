@@ -17,6 +17,7 @@ from tracker.session.export.lerobot.layout import Layout
 from tracker.session.export.lerobot.meta import LARGEST_DATA_MB, write_meta
 from tracker.session.export.lerobot.plan import plan
 from tracker.session.export.options import VIDEO, ExportOptions
+from tracker.session.export.sidecar import forget_orphan
 from tracker.session.export.tables import arrow
 from tracker.session.glance import sessions_in
 from tracker.workers import ALL_CORES, WorkersAsked, WorkItem, run_all, some_workers, usable_cores
@@ -37,8 +38,9 @@ def export_lerobot(
     paths = [path.absolute() for path, _ in sessions_in(sources)]
     sidecar = folder.with_name(folder.name + ".json")
     check_target(folder, False, paths)
+    forget_orphan(sidecar, folder)
     layout, episodes, tasks = plan(paths, options)
-    with whole_files(sidecar, folder, force=True, inputs=paths) as (beside, partial):
+    with whole_files(sidecar, folder, inputs=paths) as (beside, partial):
         partial.mkdir()
         largest = LARGEST_DATA_MB * 2**20
         jobs = file_jobs(partial.absolute(), layout, episodes, tasks, largest)

@@ -1,0 +1,33 @@
+"""The JSON beside an export, and what a killed export leaves of it."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+
+from tracker.errors import FileError
+from tracker.files import sha256
+from tracker.toml_reader import read_text
+
+BESIDE = "beside"  # in the JSON: SHA-256 by name of the other files of the export
+
+
+def forget_orphan(sidecar: Path, path: Path) -> None:
+    """Delete our JSON, and the unchanged files that it lists, where the export ``path`` does not
+    exist: its process was killed. No other file is deleted."""
+    if os.path.lexists(path) or not sidecar.is_file():
+        return
+    try:
+        said = json.loads(read_text(sidecar))
+    except (ValueError, FileError, RecursionError):
+        return
+    if not (isinstance(said, dict) and "glovetrack" in said and said.get("file") == path.name):
+        return
+    listed = said.get(BESIDE)
+    for name, digest in listed.items() if isinstance(listed, Mapping) else ():
+        other = path.parent / Path(str(name)).name
+        if other.is_file() and sha256(other) == digest:
+            other.unlink()
+    sidecar.unlink()
