@@ -109,6 +109,7 @@ class StartPage(QWidget):
         self.recent = QListWidget()
         self.recent.setIconSize(QSize(THUMBNAIL_WIDTH, ROW - 4))
         self.recent.setFrameShape(QFrame.Shape.NoFrame)
+        self.recent.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
         self.recent.setAccessibleName(self.tr("Recent sessions"))
         self.recent.itemClicked.connect(self._chosen)
         self.recent.itemActivated.connect(self._chosen)

@@ -14,11 +14,15 @@ from app.widgets.question import answer
 from app.window.commands import Command, Commands
 from app.window.layouts import (
     JOBS,
+    REPLAY_NEEDS,
+    REVIEW,
     Docks,
     Shares,
     arrange,
+    bring_main_to_front,
     capture,
     job_of,
+    place_below,
     resize,
     restore,
     shares_of,
@@ -27,6 +31,7 @@ from app.window.layouts import (
 from app.window.taken_out import TakenOut
 
 QUIET_MS = 250  # after the last change of the window's size
+EARLY_SHARE = 0.6  # of the window's height, for the library below the start page
 
 
 class LayoutKeeper(QObject):
@@ -41,6 +46,8 @@ class LayoutKeeper(QObject):
         self._changes: dict[str, QAction] = {}  # what is done with kept layouts
         self._named: QMenu | None = None
         self.shown = False  # docks stand; before, there is the start page
+        self._visitors: set[str] = set()  # docks that the program has added to the layout
+        self._before_review: tuple[str, dict[str, Any]] | None = None  # a job and its layout
         self._shares: Shares = {}  # as long as the window has one size
         self._noting = False  # they are to be noted in the next turn of the loop
         self._rest = QTimer(self)
@@ -73,15 +80,13 @@ class LayoutKeeper(QObject):
     # --- the jobs
 
     def show_first(self) -> None:
-        """The docks, as they stood when the program ended."""
+        """Show the docks as they were when the program ended."""
         self.shown = True
         value = self._store.value
-        if not (value.layout and restore(self._window, self._docks, value.layout)):
-            arrange(self._window, self._docks, job_of(value.job))
-        self._tick()
+        self._put_on(value.job, value.layout or value.job_layouts.get(value.job))
 
     def choose(self, job: str) -> None:
-        """The layout of a job, as it was left last."""
+        """Show the layout of a job as the user left it, with its main tabs in front."""
         if not self.shown:
             self._store.update(job=job, layout={})
             self._tick()
@@ -89,9 +94,15 @@ class LayoutKeeper(QObject):
             return
         self._leave()
         self._store.update(job=job)
-        kept = self._store.value.job_layouts.get(job)
-        if not (isinstance(kept, dict) and restore(self._window, self._docks, kept)):
+        self._put_on(job, self._store.value.job_layouts.get(job))
+
+    def _put_on(self, job: str, layout: object) -> None:
+        """``layout``: of ``job``, or with a name where that is empty; else the job's default."""
+        known = isinstance(layout, dict) and bool(layout)
+        if not (isinstance(layout, dict) and known and restore(self._window, self._docks, layout)):
             arrange(self._window, self._docks, job_of(job))
+        if job:
+            bring_main_to_front(self._docks, job_of(job))
         self._tick()
 
     def reset(self) -> None:
@@ -99,22 +110,76 @@ class LayoutKeeper(QObject):
         job = job_of(self._store.value.job)
         kept = {k: v for k, v in self._store.value.job_layouts.items() if k != job.name}
         self._store.update(job=job.name, job_layouts=kept)
+        self._visitors.clear()
         arrange(self._window, self._docks, job)
         self._tick()
 
-    def _leave(self) -> None:
-        """Keep how the job's layout is left."""
+    def _leave(self) -> dict[str, Any]:
+        """Store the job's layout, without visitors; returns it."""
+        for name in self._visitors:
+            self._docks[name].hide()
+        if self._visitors:
+            self._visitors.clear()
+            inner = self._window.layout()
+            if inner is not None:
+                inner.activate()  # the others have their sizes again
+        self._before_review = None
         job, kept = self._store.value.job, self._store.value.job_layouts
+        layout = capture(self._window, self._docks)
         if job:
-            self._store.update(job_layouts={**kept, job: capture(self._window, self._docks)})
+            self._store.update(job_layouts={**kept, job: layout})
+        return layout
+
+    # --- panels that come to a layout
+
+    def visit(self, name: str) -> None:
+        """Show a dock at the program's own initiative: it is hidden again with the layout."""
+        dock = self._docks[name]
+        if not self.shown and name == "library":
+            place_below(self._window, dock, EARLY_SHARE)
+        elif self.shown and dock.isHidden():
+            self._visitors.add(name)
+        dock.show()
+        dock.raise_()
+
+    def keep_dock(self, name: str) -> None:
+        """The user wants this dock in the layout: it is stored with it."""
+        self._visitors.discard(name)
+
+    def show_review(self) -> None:
+        """The layout for a replay, unless the present one has what a replay needs."""
+        if not any(self._docks[name].isHidden() for name in REPLAY_NEEDS):
+            return
+        job = self._store.value.job
+        before = job, self._leave()
+        self.choose(REVIEW)
+        if job != REVIEW:
+            self._before_review = before
+
+    def leave_review(self) -> None:
+        """Return to the layout that `show_review` replaced, if the user has chosen no other."""
+        if self._before_review is None:
+            return
+        job, layout = self._before_review
+        self._leave()
+        self._store.update(job=job)
+        self._put_on(job, layout)
 
     def _tick(self) -> None:
         for name, action in self._jobs.items():
             action.setChecked(name == self._store.value.job)
 
     def current(self) -> dict[str, Any]:
-        """For the settings file; what is there where no docks stand."""
+        """The present layout; the stored one while no docks are shown."""
         return capture(self._window, self._docks) if self.shown else self._store.value.layout
+
+    def close(self) -> None:
+        """Store which layout the next start begins with: not the one of a replay that ends now."""
+        if not self.shown:
+            return
+        before, layout = self._before_review, self._leave()
+        job, layout = before if before is not None else (self._store.value.job, layout)
+        self._store.update(job=job, layout=layout)
 
     # --- layouts with names
 
@@ -131,8 +196,7 @@ class LayoutKeeper(QObject):
         if self.shown and isinstance(kept, dict):
             self._leave()
             self._store.update(job="")
-            restore(self._window, self._docks, kept)
-            self._tick()
+            self._put_on("", kept)
 
     def rename(self, name: str, other: str) -> None:
         kept = self._store.value.layouts

@@ -89,6 +89,10 @@ JOBS = (
     ),
 )
 FIRST = "watch"
+REVIEW = "look"
+"""The job whose layout is for replays."""
+REPLAY_NEEDS = ("hand", "library")
+"""Docks without which a replay cannot be watched and moved through."""
 HALF_AND_MORE = 0.62
 """Of the window at most for a side that needs its room; the images keep the rest."""
 BESIDE = {"robot": "hand"}
@@ -102,8 +106,8 @@ def title_of(job: Job) -> str:
     words = {
         "set_up": QCoreApplication.translate("MainWindow", "Set up"),
         "watch": QCoreApplication.translate("MainWindow", "Watch"),
-        "record": QCoreApplication.translate("MainWindow", "Record"),
-        "look": QCoreApplication.translate("MainWindow", "Look again"),
+        "record": QCoreApplication.translate("MainWindow", "Capture"),
+        "look": QCoreApplication.translate("MainWindow", "Review"),
         "all": QCoreApplication.translate("MainWindow", "All panels"),
     }
     return words[job.name]
@@ -145,6 +149,24 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
     for group in _groups(job):
         docks[group[0]].raise_()
     resize(window, docks, _shares(job, inside(window)))
+
+
+def bring_main_to_front(docks: Docks, job: Job) -> None:
+    """Raise the first tab of each group of ``job`` that is shown.
+
+    *All panels* is for no task in particular: its tabs stay as they were.
+    """
+    for group in _groups(job) if job.name != "all" else ():
+        if not docks[group[0]].isHidden():
+            docks[group[0]].raise_()
+
+
+def place_below(window: QMainWindow, dock: QDockWidget, share: float) -> None:
+    """Show ``dock`` over the whole width, below, with a ``share`` of the window's height."""
+    window.addDockWidget(BELOW, dock)
+    dock.show()
+    height = round(share * inside(window).height())
+    window.resizeDocks([dock], [height], Qt.Orientation.Vertical)
 
 
 def _groups(job: Job) -> list[tuple[str, ...]]:

@@ -166,7 +166,7 @@ class MainWindow(QMainWindow):
             colours=self.colours,
         )
         add_commands(self._targets, self.commands)
-        list_docks(self.docks, self.commands, self.show_panel)
+        list_docks(self.docks, self.commands, self.open_panel)
         jobs = self.layouts.list_commands(self.commands)
         add_help(self._targets, self.commands)
         self.tool_bar = ToolBar(self.commands.actions, jobs, self)
@@ -241,7 +241,10 @@ class MainWindow(QMainWindow):
             self.layouts.show_first()
         self.library.transport.offer_live(self.sources.can_go_live)
         if setup.player is not None:
+            self.layouts.show_review()
             self.show_panel("library", self.library.transport)
+        else:
+            self.layouts.leave_review()
         self._enable()
 
     def _closed(self) -> None:
@@ -274,13 +277,19 @@ class MainWindow(QMainWindow):
             self.commands.actions[key].trigger()
 
     def show_panel(self, name: str, part: QWidget | None = None) -> None:
-        """To the front; ``part`` of it is scrolled to where the dock is too small for all."""
-        dock = self.docks[name]
-        dock.show()
-        dock.raise_()
-        area = dock.widget()
+        """To the front; ``part`` of it is scrolled to where the dock is too small for all.
+
+        A panel that the layout does not have is hidden again with the layout.
+        """
+        self.layouts.visit(name)
+        area = self.docks[name].widget()
         if part is not None and isinstance(area, Scrolled):
             QTimer.singleShot(0, part, lambda: area.ensureWidgetVisible(part))  # once laid out
+
+    def open_panel(self, name: str) -> None:
+        """By the user's command: the panel becomes part of the layout."""
+        self.show_panel(name)
+        self.layouts.keep_dock(name)
 
     def reset_layout(self) -> None:
         """The layout of the job as it comes with the program."""
@@ -308,7 +317,8 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""
         self.ticker.stop()
-        self.store.update(geometry=geometry_of(self), layout=self.layouts.current())
+        self.store.update(geometry=geometry_of(self))
+        self.layouts.close()
         self.set_up.shut_down()
         self.sources.shut_down()
         self.host.end()

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QToolButton
 
 from app.window.layouts import JOBS, job_of, shares_of
 from app.window.main_window import MainWindow
+from tracker.offline.simulate import SimulateOptions, simulate
 
 SMALL, LARGE = (1366, 768), (1920, 1080)
 CLOSE = 0.03
@@ -177,3 +178,102 @@ def test_the_window_is_never_larger_than_its_screen(window):
     room = window.screen().availableSize()
     fresh = QSize(window.minimumSize())
     assert fresh.width() <= room.width() and fresh.height() <= room.height()
+
+
+@pytest.fixture
+def session(tmp_path):
+    """A recording of two seconds."""
+    path = tmp_path / "sessions" / "P01_pinch.mcap"
+    path.parent.mkdir()
+    simulate(path, SimulateOptions(seed=3, duration=2.0, fps=30, images=False))
+    return path
+
+
+def open_replay_of(window, session, qtbot) -> None:
+    window.library.replay.emit(session)
+    qtbot.waitUntil(lambda: window.host.setup.player is not None, timeout=60_000)
+    qtbot.wait(50)
+
+
+def front_tabs(window, job) -> list[bool]:
+    """Whether the first dock of each group is in front."""
+    groups = [g for column in job.columns for g in column] + ([job.across] if job.across else [])
+    return [not window.docks[g[0]].visibleRegion().isEmpty() for g in groups]
+
+
+@pytest.mark.parametrize("job", ["set_up", "watch", "record"])
+def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_one_before(
+    watched, session, qtbot, job
+):
+    watched.layouts.choose(job)
+    open_replay_of(watched, session, qtbot)
+    assert watched.store.value.job == "look"
+    for name in ("cameras", "hand", "library"):
+        assert not watched.docks[name].visibleRegion().isEmpty(), name
+    watched.host.adopt(scripted_setup(ScriptedEngine()))
+    qtbot.wait(50)
+    assert watched.store.value.job == job
+    assert in_sight(watched) == job_of(job).shown
+    assert all(front_tabs(watched, job_of(job)))
+
+
+def test_a_replay_stays_in_a_layout_that_has_all_it_needs(watched, session, qtbot):
+    watched.layouts.choose("all")
+    open_replay_of(watched, session, qtbot)
+    assert watched.store.value.job == "all"
+    assert not watched.docks["library"].visibleRegion().isEmpty()
+
+
+def test_a_layout_chosen_during_a_replay_is_not_left_again(watched, session, qtbot):
+    open_replay_of(watched, session, qtbot)
+    watched.layouts.choose("record")
+    watched.host.adopt(scripted_setup(ScriptedEngine()))
+    assert watched.store.value.job == "record"
+
+
+def test_closing_during_a_replay_does_not_make_review_the_layout_of_the_next_start(
+    watched, store, session, qtbot
+):
+    open_replay_of(watched, session, qtbot)
+    watched.close()
+    again = MainWindow(store)
+    qtbot.addWidget(again)
+    again.resize(*SMALL)
+    again.show()
+    again.host.adopt(scripted_setup(ScriptedEngine()))
+    assert store.value.job == "watch" and in_sight(again) == job_of("watch").shown
+    again.close()
+
+
+@pytest.mark.parametrize("job", [j for j in JOBS if j.name != "all"], ids=lambda job: job.name)
+def test_panels_that_messages_and_commands_show_do_not_stay_in_the_layout(watched, qtbot, job):
+    """*Export…* shows the library, *Show the set-up* the list, a failure the log."""
+    watched.layouts.choose(job.name)
+    size_to(watched, SMALL, qtbot)
+    before = shares_of(watched, watched.docks)
+    for panel in ("library", "checklist", "log"):
+        watched.show_panel(panel)
+        qtbot.wait(20)
+        assert not watched.docks[panel].visibleRegion().isEmpty(), panel
+    watched.layouts.choose("all")
+    watched.layouts.choose(job.name)
+    qtbot.wait(50)
+    assert in_sight(watched) == job.shown
+    assert all(front_tabs(watched, job))
+    after = shares_of(watched, watched.docks)
+    assert after.keys() == before.keys()
+    for name, share in before.items():
+        assert after[name] == pytest.approx(share, abs=CLOSE), name
+
+
+def test_a_panel_that_the_user_adds_stays_in_the_layout(watched):
+    watched.run_command("dock_log")
+    watched.layouts.choose("record")
+    watched.layouts.choose("watch")
+    assert "log" in in_sight(watched)
+
+
+def test_the_tool_bar_names_each_of_its_buttons_differently(watched):
+    buttons = [b for b in watched.tool_bar.findChildren(QToolButton) if b.defaultAction()]
+    names = [b.defaultAction().iconText().strip() for b in buttons]
+    assert len(names) == len(set(names)), names

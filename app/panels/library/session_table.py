@@ -50,6 +50,7 @@ class SessionTable(QTableWidget):
         vertical.setDefaultSectionSize(ROW_HEIGHT)
         self.setIconSize(QSize(THUMBNAIL_WIDTH, ROW_HEIGHT - 4))
         self.setShowGrid(False)
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
         self.setMinimumHeight(LEAST_HEIGHT)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
