@@ -40,6 +40,7 @@ class AppSettings:
     layouts: dict[str, Any] = field(default_factory=dict)  # those with a name
     sessions_folder: str = ""
     recent: list[str] = field(default_factory=list)  # sessions opened or recorded last
+    recording: str = ""  # the file being written; a start after a crash asks for it
     library_columns: list[int] = field(default_factory=list)  # their widths, px
     export: dict[str, Any] = field(default_factory=dict)  # the last `ExportChoice`
     export_presets: dict[str, Any] = field(default_factory=dict)  # others, by name

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
 from app.viewmodels.library import Details, SessionRow, details, session_row
+from app.viewmodels.states import GOOD
 from app.words import tr
 
 MOST = 5
 LOOKED_AT = 20  # of the newest files, for a recording that was cut off
 SUFFIX = ".mcap"
+LOOKS, LOOK_S = 12, 0.5  # at a recording that its process may still be finishing
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +80,19 @@ def look_back(
         if is_unfinished(path):
             cut.append(path)
     return Earlier(tuple(recent), tuple(cut))
+
+
+def is_complete(path: Path, progress: Callable[[float, str], None]) -> bool:
+    """Whether a recording has its end.
+
+    Its own process writes that after the window's is gone, and is given some seconds for it.
+    """
+    for _ in range(LOOKS):
+        progress(-1.0, path.name)
+        if session_row(path).look is GOOD:
+            return True
+        time.sleep(LOOK_S)
+    return False
 
 
 def is_unfinished(path: Path) -> bool:

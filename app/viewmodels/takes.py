@@ -100,42 +100,89 @@ class HandNow(NamedTuple):
     has_glove: bool = True
 
 
-def missing_text(hands: Sequence[HandNow], image_rate: float | None) -> str:
-    """What a recording of these that begins now will lack; empty where everything comes that there
-    is.
+Missing = dict[str, str]
+"""What a recording lacks at this instant: the words for each device, sensor and hand by a key."""
+
+
+def missing_now(hands: Sequence[HandNow], image_rate: float | None) -> Missing:
+    """What does not arrive at this instant; empty where everything does.
 
     ``image_rate``: images a second that the camera should give; 0 where that is not known, None
     where there is no camera.
     """
-    missing = [] if image_rate is None else _missing_images(hands[0].status, image_rate)
+    missing = {} if image_rate is None else _missing_images(hands[0].status, image_rate)
     for hand in hands:
         if not hand.has_glove:
             continue
-        words = _missing_imus(hand)
-        missing += [of_hand(hand.side, w) for w in words] if len(hands) > 1 else words
-    return tr("This recording lacks something: {}.").format("; ".join(missing)) if missing else ""
+        for key, words in _missing_imus(hand).items():
+            missing[f"{hand.side} {key}"] = of_hand(hand.side, words) if len(hands) > 1 else words
+    return missing
 
 
-def _missing_images(status: Status, wanted: float) -> list[str]:
+def missing_text(missing: Missing) -> str:
+    """One sentence; empty where nothing is missing."""
+    if not missing:
+        return ""
+    return tr("This recording is incomplete: {}.").format("; ".join(missing.values()))
+
+
+def _missing_images(status: Status, wanted: float) -> Missing:
     rate = status.values.get("frame_rate_hz", 0.0)
     if rate == 0:
-        return [tr("no image comes from the camera")]
+        return {"camera": tr("no images from the camera")}
     if rate < SLOW * wanted:
-        return [tr("{:.0f} images come a second instead of {:.0f}").format(rate, wanted)]
-    return []
+        words = tr("{:.0f} of {:.0f} images per second from the camera")
+        return {"camera rate": words.format(rate, wanted)}
+    return {}
 
 
-def _missing_imus(hand: HandNow) -> list[str]:
+def _missing_imus(hand: HandNow) -> Missing:
     lately = [s for s in hand.samples if s.t_arrival > hand.status.t - SILENT]
     if not lately:
-        return [tr("no packet comes from the glove")]
+        return {"glove": tr("no data from the glove")}
     heard = np.any([s.valid for s in lately], axis=0)
     silent = [spoken(name) for name, ok in zip(hand.imus, heard, strict=True) if not ok]
     if not silent:
-        return []
+        return {}
     if len(silent) == 1:
-        return [tr("the IMU {} cannot be heard").format(silent[0])]
-    return [tr("the IMUs {} cannot be heard").format(", ".join(silent))]
+        return {f"IMU {silent[0]}": tr("no data from the IMU {}").format(silent[0])}
+    names = ", ".join(silent)
+    return {f"IMU {names}": tr("no data from the IMUs {}").format(names)}
+
+
+class MissingWatch:
+    """Follows what is missing through a recording, without reports of what is brief.
+
+    A part is reported once it was missing in ``APPEAR`` looks in a row, from the recording's first
+    look on at once; and until it was there in ``DISAPPEAR`` looks in a row.
+    """
+
+    APPEAR, DISAPPEAR = 2, 3
+
+    def __init__(self) -> None:
+        self._shown: Missing = {}
+        self._looks: dict[str, int] = {}  # in a row in which the part is not as it is reported
+        self._first = True
+
+    def look(self, now: Missing) -> Missing:
+        """What to report after this look; ``now``: see `missing_now`."""
+        for key in {*now, *self._shown}:
+            if (key in now) == (key in self._shown):
+                self._looks.pop(key, None)
+                continue
+            self._looks[key] = self._looks.get(key, 0) + 1
+            needed = self.APPEAR if key in now else self.DISAPPEAR
+            if self._looks[key] < needed and not (self._first and key in now):
+                continue
+            del self._looks[key]
+            if key in now:
+                self._shown[key] = now[key]
+            else:
+                del self._shown[key]
+        for key in self._looks.keys() - now.keys() - self._shown.keys():
+            del self._looks[key]
+        self._first = False
+        return dict(self._shown)
 
 
 def rename(path: Path, name: str) -> Path:

@@ -19,6 +19,7 @@ from app.platform.crash import CrashWatch
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.log import EventLog
+from app.widgets.banner import Action
 from app.window.message_bar import MessageBar
 from tracker.messages import Event
 
@@ -50,8 +51,10 @@ class BugReports(QObject):
         sources.host.happened.connect(self._heard)
         if crashes is not None:
             crashes.happened.connect(self.offer)
+        self.crashed = ""  # what there is to say of a run that crashed before this one
         if crashes is not None and crashes.found is not None:
-            self.offer(self.tr("Glovetrack ended unexpectedly the last time."))
+            self.crashed = self.tr("Glovetrack ended unexpectedly the last time.")
+            self.offer(self.crashed)
 
     def _heard(self, event: Event) -> None:
         """What went wrong in the engine stands in the banner too; the log has everything."""
@@ -60,7 +63,12 @@ class BugReports(QObject):
 
     def offer(self, sentence: str) -> None:
         """A banner with a button; nothing stands in the way."""
-        self._messages.say(sentence, (self.tr("Save a bug report…"), self.ask))
+        self._messages.say(sentence, self.action)
+
+    @property
+    def action(self) -> Action:
+        """The button that begins a report."""
+        return self.tr("Save a bug report…"), self.ask
 
     def ask(self) -> None:
         """A dialog that tells what would be in it, and where to."""
@@ -88,7 +96,7 @@ class BugReports(QObject):
         if troubles:
             text += self.tr(" Not in it: {}.").format("; ".join(troubles))
         self._sources.host.happened.emit(Event(0.0, "note", text))
-        self._messages.say(text)
+        self._messages.say(text, good=not troubles)
 
     def _material(self, choice: Choice) -> Material:
         sources, host = self._sources, self._sources.host

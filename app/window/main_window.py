@@ -92,6 +92,8 @@ class MainWindow(QMainWindow):
         self.recent = RecentSessions(
             self.start_page, self.host, self.store, self.tasks, self.messages, self.library
         )
+        if self.reports.crashed:
+            self.recent.explain_crash(self.reports.crashed, self.reports.action)
         self._make_commands()
         self._connect()
         restore_geometry(self, self.store.value.geometry)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Signal
-from PySide6.QtWidgets import QMainWindow, QTabBar, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QVBoxLayout, QWidget
 
 from app.widgets.banner import Action, Banner
 from app.widgets.measures import NEAR
@@ -16,6 +16,10 @@ MOVES = (
     QEvent.Type.Show,
     QEvent.Type.Hide,
 )
+READ_MS = 8_000
+"""After which good news disappears; see `MessageBar.say`."""
+CHOOSE_MS = 20_000
+"""The same where it has buttons."""
 
 
 class MessageBar(QWidget):
@@ -23,6 +27,7 @@ class MessageBar(QWidget):
     lowest panels, above their tabs and the status bar, so that nothing moves under the pointer,
     and never over what `keep_clear` names."""
 
+    dismissed = Signal(str)  # by the user: what it was about
     said = Signal(str, bool)  # a sentence, and whether there is nothing wrong
 
     def __init__(self, window: QMainWindow) -> None:
@@ -31,7 +36,9 @@ class MessageBar(QWidget):
         self._window, self._about = window, ""
         self._clear: list[tuple[QWidget, QWidget]] = []
         self.banner = Banner()
-        self.banner.dismissed.connect(self.hide)
+        self.banner.dismissed.connect(self._dismiss)
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._leave)
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.addWidget(self.banner)
@@ -49,7 +56,8 @@ class MessageBar(QWidget):
         """Say it in the one place for it, with a button for each thing that can be done.
 
         ``good``: there is nothing wrong. ``about`` names what it is about, for `no_longer`. What
-        ``stays`` is there until it is dismissed, whatever of it was done.
+        ``stays`` is not taken away by its own buttons. Good news that is about nothing that could
+        end disappears after some seconds, unless the pointer or the keyboard is on it.
         """
         text = told(text)
         again = self.isVisible() and text == self.banner.text()
@@ -58,8 +66,23 @@ class MessageBar(QWidget):
         self.show()
         self._place()
         self.raise_()
+        self._timer.stop()
+        if good and not about:
+            self._timer.start(CHOOSE_MS if actions else READ_MS)
         if not again:
             self.said.emit(text, good)
+
+    def _dismiss(self) -> None:
+        about = self._about
+        self.hide()
+        self.dismissed.emit(about)
+
+    def _leave(self) -> None:
+        """Time is up; it begins again while the user is at it."""
+        focus = QApplication.focusWidget()
+        if not self.underMouse() and (focus is None or not self.isAncestorOf(focus)):
+            self._timer.stop()
+            self.hide()
 
     def is_about(self, about: str) -> bool:
         """Whether that is what stands here."""

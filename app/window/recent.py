@@ -15,7 +15,16 @@ from app.panels.library.panel import LibraryPanel
 from app.panels.start_page import StartPage
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
-from app.viewmodels.recent import Earlier, look_back, newest, recovered, renamed, with_recent
+from app.viewmodels.recent import (
+    Earlier,
+    is_complete,
+    look_back,
+    newest,
+    recovered,
+    renamed,
+    with_recent,
+)
+from app.widgets.banner import Action
 from app.window.message_bar import MessageBar
 
 
@@ -35,7 +44,10 @@ class RecentSessions(QObject):
         self._page, self._store, self._tasks = page, store, tasks
         self._messages, self._library = messages, library
         host.opened.connect(self._opened)
-        host.recording.finished.connect(self._remember)
+        self._host = host
+        self._interrupted = store.value.recording  # by the end of the last run
+        host.recording.begun.connect(self._begun)
+        host.recording.finished.connect(self._finished)
         page.recover.connect(self.recover)
         page.recent_asked.connect(library.replay)
         library.files.made.connect(self.offer)
@@ -62,17 +74,51 @@ class RecentSessions(QObject):
         if setup.cut_off:
             self._offer_recovery(path)
 
-    def _offer_recovery(self, path: Path) -> None:
-        """Of one that was recovered before, the recovered one."""
+    def _begun(self) -> None:
+        """A start after a crash asks for the file that was being written."""
+        request = self._host.recording.request
+        if request is not None:
+            self._store.update(recording=str(request.path.absolute()))
+
+    def _finished(self, path: Path) -> None:
+        if self._host.recording.request is None:
+            self._store.update(recording="")
+        self._remember(path)
+
+    def explain_crash(self, sentence: str, report: Action) -> None:
+        """After ``sentence``, say what became of the recording that the crash interrupted."""
+        path, self._interrupted = Path(self._interrupted), ""
+        if not path.is_file():
+            return
+        self._store.update(recording="")
+
+        def job(progress: JobProgress) -> bool:
+            return is_complete(path, progress)
+
+        def done(complete: bool) -> None:
+            if not complete:
+                self._offer_recovery(path, sentence, report)
+                return
+            self._remember(path)
+            text = self.tr("{} Your recording {} is complete.").format(sentence, path.stem)
+            show = (self.tr("Show it"), partial(self._library.replay.emit, path))
+            self._messages.say(text, show, report)
+
+        title = self.tr("Checking {}").format(path.name)
+        self._tasks.run(title, job, done, self.look)
+
+    def _offer_recovery(self, path: Path, before: str = "", *others: Action) -> None:
+        """Of one that was recovered before, the recovered one; ``before``: the sentence before."""
         whole = recovered(path)
         if whole.exists():
             text = self.tr("The recording {} was cut off. What it holds is whole in {}.")
             show = (self.tr("Show it"), partial(self._library.replay.emit, whole))
-            self._messages.say(text.format(path.name, whole.name), show)
+            text = f"{before} {text.format(path.name, whole.name)}".strip()
+            self._messages.say(text, show, *others)
         else:
             text = self.tr("The recording {} was cut off. What it holds can be recovered.")
             help_it = (self.tr("Recover"), partial(self.recover, path))
-            self._messages.say(text.format(path.name), help_it)
+            self._messages.say(f"{before} {text.format(path.name)}".strip(), help_it, *others)
 
     def _remember(self, path: Path) -> None:
         self._store.update(recent=with_recent(self._store.value.recent, path))

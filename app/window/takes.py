@@ -14,14 +14,23 @@ from app.engines.engine_host import EngineHost
 from app.jobs.take_check import check_job
 from app.panels.library.panel import LibraryPanel
 from app.platform.tasks import RunningJob, TaskOwner
-from app.viewmodels.takes import HandNow, TakeReport, missing_text, report_text
+from app.storage.system_bin import Binned
+from app.viewmodels.takes import (
+    HandNow,
+    Missing,
+    MissingWatch,
+    TakeReport,
+    missing_now,
+    missing_text,
+    report_text,
+)
 from app.widgets.question import question
 from app.window.message_bar import MessageBar
 from app.words import told
 
 ABOUT = "take"
 STARTING_MS = 2000  # after its start an engine's rates say nothing yet
-AGAIN_MS = 500  # until what was missing comes
+LOOK_MS = 500  # between two looks at what arrives
 
 
 class Takes(QObject):
@@ -39,44 +48,52 @@ class Takes(QObject):
         self._host, self._tasks, self._messages = host, tasks, messages
         self._library, self._window = library, window
         self._check: RunningJob | None = None
-        self._said = ""
+        self._missing, self._dismissed = MissingWatch(), False
+        self._said: Missing = {}  # what is missing by the last look
         self._running = QElapsedTimer()
-        self._again = QTimer(self)
-        self._again.timeout.connect(self._say_what_is_missing)
+        self._looks = QTimer(self)
+        self._looks.timeout.connect(self._look)
+        messages.dismissed.connect(self._note_dismissed)
+        library.files.binned.connect(self._binned)
         host.running_changed.connect(lambda on: self._running.start() if on else None)
         host.recording.begun.connect(self._begun)
         host.recording.finished.connect(self._finished)
 
     def _begun(self) -> None:
-        """What is missing is said once, in nobody's way: it is recorded all the same."""
-        self._said = ""
+        """From now on what is missing is reported; the recording goes on nevertheless."""
+        self._missing, self._said, self._dismissed = MissingWatch(), {}, False
         if self._check is not None:
             self._check.cancel()  # the disk is wanted for the next one
         self._messages.hide()  # what it said of the recording before
-        self._again.start(AGAIN_MS)
-        if self._running.isValid() and self._running.elapsed() < STARTING_MS:
-            return  # devices that have just been opened are not silent
-        self._say_what_is_missing()
+        self._looks.start(LOOK_MS)
+        self._look()
 
-    def _say_what_is_missing(self) -> None:
-        """As long as it is true."""
+    def _look(self) -> None:
+        """Name what does not arrive, for as long as it does not."""
         setup = self._host.setup
         if setup is None or self._host.recording.request is None:
-            self._again.stop()
+            self._looks.stop()
             self._messages.no_longer(ABOUT)
             return
         if self._running.isValid() and self._running.elapsed() < STARTING_MS:
-            return
+            return  # devices that have just been opened send nothing yet
         rate = setup.image_rate() if setup.image_rate is not None else 0.0
         hands = [_now(hand) for hand in setup.hands]
-        text = missing_text(hands, rate if setup.has_camera else None)
-        if not text:
-            self._again.stop()
+        self._report(self._missing.look(missing_now(hands, rate if setup.has_camera else None)))
+
+    def _report(self, missing: Missing) -> None:
+        """Again where something else is missing, or where another message is gone by now."""
+        changed, added = missing.keys() != self._said.keys(), missing.keys() - self._said.keys()
+        self._said = missing
+        self._dismissed = self._dismissed and not added
+        if not missing:
             self._messages.no_longer(ABOUT)
-        elif not self._said or text.count(";") < self._said.count(";"):  # a part has come
-            if not self._said or self._messages.is_about(ABOUT):
-                self._messages.say(text, about=ABOUT)
-            self._said = text
+        elif not self._dismissed and (changed or not self._messages.isVisible()):
+            self._messages.say(missing_text(missing), about=ABOUT)
+
+    def _note_dismissed(self, about: str) -> None:
+        """The user has read what is missing: it is not said again."""
+        self._dismissed = self._dismissed or about == ABOUT
 
     def _finished(self, path: Path) -> None:
         title = self.tr("Checking {}").format(path.name)
@@ -101,6 +118,15 @@ class Takes(QObject):
     def _show(self, path: Path) -> None:
         self._messages.hide()
         self._library.replay.emit(path)
+
+    def _binned(self, sessions: tuple[Binned, ...]) -> None:
+        """The bin was not asked about: it can be undone instead."""
+        text = self.tr("{} is in the bin.").format(sessions[0].path.stem)
+        if len(sessions) > 1:
+            text = self.tr("{} recordings are in the bin.").format(len(sessions))
+        undo = (self.tr("Undo"), partial(self._library.files.restore, sessions))
+        able = all(session.can_be_restored for session in sessions)
+        self._messages.say(text, *([undo] if able else []), good=True)
 
     # --- notes
 

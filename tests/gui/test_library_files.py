@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
+import sys
 
 import pytest
 from PySide6.QtCore import QObject, Qt, QUrl, Slot
@@ -153,24 +154,54 @@ def test_the_title_of_a_question_can_be_read(library, window, folder):
     assert room >= 150
 
 
-def test_the_bin_takes_a_session_and_its_tags(library, window, folder, qtbot, monkeypatch):
-    """Where the system has no bin the file stays."""
-    binned = []
+@pytest.fixture
+def trash(tmp_path, monkeypatch):
+    """A user whose bin is in the test's own folder."""
+    (tmp_path / "data").mkdir()
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    return tmp_path / "data" / "Trash"
 
-    def move(path):
-        binned.append(path)
-        path.unlink()
-        return True
 
-    monkeypatch.setattr("app.panels.library.session_files.moved_to_bin", move)
+@pytest.mark.skipif(sys.platform != "linux", reason="where the bin is depends on the system")
+def test_sessions_go_to_the_bin_with_a_word_and_come_back_with_undo(
+    library, window, folder, trash, qtbot
+):
     write_tags(folder / "P01_fist.mcap", ["x"])
     select(library, "P01_fist", "P02_pinch")
-    library.page.actions_of["bin"].trigger()
+    library.table.setFocus()
+    qtbot.keyClick(library.table, Qt.Key.Key_Delete)
     qtbot.waitUntil(lambda: shown(library) == {"P01_pinch"}, timeout=20_000)
-    assert {p.name for p in binned} == {"P01_fist.mcap", "P01_fist.tags.json", "P02_pinch.mcap"}
-    monkeypatch.setattr("app.panels.library.session_files.moved_to_bin", lambda _path: False)
+    names = {"P01_fist.mcap", "P01_fist.tags.json", "P02_pinch.mcap"}
+    assert {p.name for p in (trash / "files").iterdir()} == names
+    assert window.banner.text() == "2 recordings are in the bin."
+    library.rescan()  # as the watched folder does
+    qtbot.wait(500)
+    assert library.table.selected() == []
+    qtbot.keyClick(library.table, Qt.Key.Key_Delete)
+    assert (folder / "P01_pinch.mcap").exists(), "a second press takes nothing else"
+    undo = window.banner.buttons[0]
+    assert undo.text() == "Undo"
+    qtbot.mouseClick(undo, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: shown(library) == set(NAMES), timeout=20_000)
+    assert {row.name for row in library.table.selected()} == {"P01_fist", "P02_pinch"}
+    assert read_tags(folder / "P01_fist.mcap") == ("x",)
+    assert list((trash / "files").iterdir()) == [] and list((trash / "info").iterdir()) == []
+
+
+def test_undo_does_not_replace_a_newer_file_of_that_name(library, window, folder, trash, tracked):
+    select(library, "P01_fist")
+    library.page.actions_of["bin"].trigger()
+    assert window.banner.text() == "P01_fist is in the bin."
+    shutil.copy(tracked, folder / "P01_fist.mcap")
+    window.banner.buttons[0].click()
+    assert "exists again" in window.banner.text()
+
+
+def test_a_session_stays_where_the_system_has_no_bin(library, window, folder, monkeypatch):
+    monkeypatch.setattr("app.storage.system_bin.move_to_bin", lambda _path: (False, None))
     library.files.bin([folder / "P01_pinch.mcap"])
-    assert "stays where it is" in window.banner.text()
+    assert "cannot be moved to the bin" in window.banner.text()
     assert (folder / "P01_pinch.mcap").exists()
 
 

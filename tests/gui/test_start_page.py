@@ -12,6 +12,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QFrame
 
+from app.platform.crash import CrashWatch
 from app.viewmodels.recent import age_text, look_back, renamed, with_recent
 from app.window.main_window import MainWindow
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -167,3 +168,55 @@ def test_a_session_that_was_cut_off_says_so_when_it_is_opened(started, sessions,
     started.sources.open_session(sessions / "P02_fist.mcap")
     qtbot.waitUntil(lambda: "whole in P02_fist_recovered.mcap" in started.banner.text())
     assert started.banner.buttons[0].text() == "Show it", "it has been recovered"
+
+
+def test_the_library_below_the_start_page_is_wide_and_has_its_buttons(started, qtbot):
+    qtbot.mouseClick(started.start_page.library_button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: started.library.table.rowCount() > 0, timeout=20_000)
+    qtbot.wait(50)
+    assert started.library.width() > 0.95 * started.width()
+    assert started.library.table.height() > 3 * started.library.table.rowHeight(0)
+    for key in ("replay", "track", "compare", "export"):
+        assert not started.library.buttons[key].visibleRegion().isEmpty(), key
+    assert started.start_page.isVisible()
+
+
+def test_a_long_name_in_a_list_keeps_its_end(started):
+    for view in (started.start_page.recent, started.library.table):
+        assert view.textElideMode() == Qt.TextElideMode.ElideMiddle
+
+
+CUT_OFF, WHOLE = "P02_fist.mcap", "P01_pinch.mcap"
+
+
+@pytest.mark.parametrize("name", [WHOLE, CUT_OFF])
+def test_a_start_after_a_crash_says_what_became_of_the_recording(
+    sessions, store, qtbot, no_leaks, tmp_path, name, monkeypatch
+):
+    monkeypatch.setattr("app.viewmodels.recent.LOOKS", 1)
+    store.update(recording=str(sessions / name))
+    logs = tmp_path / "logs"
+    logs.mkdir()
+    (logs / "running-1.log").write_text("0.0\nGlovetrack\n")  # of a process that is gone
+    watch = CrashWatch(logs)
+    window = MainWindow(store, watch)
+    qtbot.addWidget(window)
+    window.show()
+    try:
+        end = "P01_pinch is complete." if name == WHOLE else "can be recovered."
+        qtbot.waitUntil(lambda: window.banner.text().endswith(end), timeout=20_000)
+        assert window.banner.text().startswith("Glovetrack ended unexpectedly")
+        shown = [b.text() for b in window.banner.buttons if b.isVisibleTo(window.banner)]
+        first = "Show it" if name == WHOLE else "Recover"
+        assert shown == [first, "Save a bug report…"]
+        assert store.value.recording == ""
+    finally:
+        window.close()
+        watch.end()
+
+
+def test_the_file_being_recorded_is_remembered_until_it_is_closed(live, store, qtbot):
+    live.run_command("record")
+    assert store.value.recording == str(live.host.recording.request.path)
+    live.run_command("record")
+    qtbot.waitUntil(lambda: store.value.recording == "", timeout=20_000)

@@ -18,7 +18,16 @@ from app.engines.replay.engine import open_replay
 from app.jobs.take_check import check_job
 from app.viewmodels.library import quality_text
 from app.viewmodels.states import BAD, GOOD
-from app.viewmodels.takes import HandNow, HandTake, TakeReport, missing_text, rename, report_text
+from app.viewmodels.takes import (
+    HandNow,
+    HandTake,
+    MissingWatch,
+    TakeReport,
+    missing_now,
+    missing_text,
+    rename,
+    report_text,
+)
 from resources import folder
 from tracker import library
 from tracker.clock import ClockAnchor, seconds
@@ -400,12 +409,11 @@ def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
     window.run_command("record")
     assert window.host.recording.request is not None
     assert window.banner.text() == ""
-    qtbot.waitUntil(lambda: "30 images come a second" in window.banner.text(), timeout=10_000)
-    assert "instead of 60" in window.banner.text()
-    assert f"the IMU {name} cannot be heard" in window.banner.text()
+    qtbot.waitUntil(lambda: "30 of 60 images per second" in window.banner.text(), timeout=10_000)
+    assert f"no data from the IMU {name}" in window.banner.text()
     engine.recent_imu = lambda: samples  # one of the two has come
-    qtbot.waitUntil(lambda: "cannot be heard" not in window.banner.text(), timeout=10_000)
-    assert "instead of 60" in window.banner.text()
+    qtbot.waitUntil(lambda: "IMU" not in window.banner.text(), timeout=10_000)
+    assert "of 60 images" in window.banner.text()
     wanted_hz[0] = 30.0
     qtbot.waitUntil(lambda: not window.messages.isVisibleTo(window), timeout=10_000)
     window.run_command("record")
@@ -421,18 +429,70 @@ def test_what_is_missing_is_told_and_nothing_else():
     now = samples[-1].t_arrival
     fine = Status(now, Tracking.TRACKING, {"frame_rate_hz": 29.0})
     right = HandNow("right", fine, samples, names)
-    assert missing_text([right], 30.0) == ""
-    assert missing_text([right], 0.0) == ""
+    assert missing_now([right], 30.0) == {} and missing_text({}) == ""
+    assert missing_now([right], 0.0) == {}
     blind = replace_status(right, {})
-    assert "no image comes" in missing_text([blind], 30.0)
-    assert missing_text([blind], None) == "", "there is no camera to miss"
-    assert missing_text([HandNow("right", fine, [], names, has_glove=False)], 30.0) == ""
+    assert list(missing_now([blind], 30.0)) == ["camera"]
+    assert missing_now([blind], None) == {}, "there is no camera to miss"
+    assert missing_now([HandNow("right", fine, [], names, has_glove=False)], 30.0) == {}
     gone = Status(now + 5.0, Tracking.TRACKING, {})
-    text = missing_text([HandNow("right", gone, samples, names)], 30.0)
-    assert "no image comes" in text and ": no packet comes" not in text
-    assert "no packet comes" in text
-    text = missing_text([right, HandNow("left", fine, [], names)], 30.0)
-    assert "lacks something: left hand: no packet comes from the glove." in text
+    text = missing_text(missing_now([HandNow("right", gone, samples, names)], 30.0))
+    assert text == (
+        "This recording is incomplete: no images from the camera; no data from the glove."
+    )
+    text = missing_text(missing_now([right, HandNow("left", fine, [], names)], 30.0))
+    assert text == "This recording is incomplete: left hand: no data from the glove."
+
+
+def test_what_is_missing_only_briefly_is_not_reported():
+    watch, gone = MissingWatch(), {"glove": "no data from the glove"}
+    assert watch.look({}) == {}
+    assert [watch.look(now) for now in (gone, {}, gone)] == [{}, {}, {}]
+    assert watch.look(gone) == gone
+    assert [watch.look(now) for now in ({}, {}, gone, {}, {})] == [gone] * 5
+    assert watch.look({}) == {}
+    assert MissingWatch().look(gone) == gone, "from the start it is reported at once"
+
+
+def test_a_glove_unplugged_during_a_recording_is_named_until_it_is_back(qtbot, window, engine):
+    """Also after another message, and not again once the user has dismissed it."""
+    window.host.adopt(scripted_setup(engine))
+    samples = engine.recent_imu()
+    qtbot.wait(2100)  # the devices have been open for a while
+    window.run_command("record")
+    qtbot.wait(1200)
+    assert not window.messages.isVisible()
+    engine.recent_imu = list
+    text = "This recording is incomplete: no data from the glove."
+    qtbot.waitUntil(lambda: window.banner.text() == text, timeout=10_000)
+    engine.recent_imu = lambda: samples
+    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
+    engine.recent_imu = list
+    qtbot.waitUntil(lambda: window.messages.isVisible(), timeout=10_000)
+    window.messages.say("Something else.", good=True)
+    window.messages.hide()
+    qtbot.waitUntil(lambda: window.banner.text() == text, timeout=10_000)
+    window.banner.dismissed.emit()
+    qtbot.wait(1200)
+    assert not window.messages.isVisible()
+    window.run_command("record")
+
+
+def test_good_news_disappears_and_problems_stay(qtbot, window, monkeypatch):
+    monkeypatch.setattr("app.window.message_bar.READ_MS", 100)
+    monkeypatch.setattr("app.window.message_bar.CHOOSE_MS", 100)
+    window.messages.say("Saved.", good=True)
+    assert window.messages.isVisible()
+    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
+    window.messages.say("P01 is whole.", ("Show it", lambda: None), good=True, stays=True)
+    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
+    window.messages.say("Saved.", good=True)
+    window.messages.say("The disk is full.")
+    qtbot.wait(300)
+    assert window.banner.text() == "The disk is full." and window.messages.isVisible()
+    window.messages.say("Plugged in now: the glove.", good=True, about="devices")
+    qtbot.wait(300)
+    assert window.messages.isVisible(), "it ends when it is no longer true"
 
 
 def test_images_that_were_never_searched_are_shown_all_the_same(take, tmp_path, qtbot):

@@ -72,6 +72,7 @@ class LibraryPanel(Panel):
         self.exports.changed.connect(self._name_exports)
         self.exporting.begun.connect(lambda: self.pages.bar.setCurrentIndex(1))
         self.files.renamed.connect(lambda _before, path: self.table.choose(path))
+        self.files.restored.connect(self.table.choose_all)
         self.files.changed.connect(self.rescan)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))

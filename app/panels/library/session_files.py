@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import QFile, QObject, QUrl, Signal
+from PySide6.QtCore import QObject, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QWidget
 
@@ -15,7 +15,8 @@ from app.jobs.crop import crop_job
 from app.jobs.recovery import recover_job
 from app.jobs.report import report_job
 from app.platform.tasks import TaskOwner
-from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
+from app.storage.session_tags import read_tags, tags_of_text, write_tags
+from app.storage.system_bin import Binned, restore, to_bin
 from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
 from app.widgets.question import question
@@ -30,6 +31,8 @@ class SessionFiles(QObject):
 
     changed = Signal()
     renamed = Signal(object, object)  # the Path that was, and the new one
+    binned = Signal(object)  # the `Binned` sessions
+    restored = Signal(object)  # the Paths that are back from the bin
     made = Signal(object, str)  # the Path of a new session, and a sentence about it
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
@@ -73,13 +76,26 @@ class SessionFiles(QObject):
         self._try(write)
 
     def bin(self, paths: Sequence[Path]) -> None:
-        """To the system's bin, from which they can be taken back; without a question therefore."""
+        """Move them to the system's bin without a question: `restore` takes them back."""
+        moved: list[Binned] = []
 
         def move() -> None:
             for path in paths:
-                to_bin(self._free(path))
+                moved.append(to_bin(self._free(path)))
 
         self._try(move)
+        if moved:
+            self.binned.emit(tuple(moved))
+
+    def restore(self, binned: Sequence[Binned]) -> None:
+        """Take sessions back from the bin and select them."""
+
+        def move() -> bool:
+            restore(binned)
+            return True
+
+        if self._try(move):
+            self.restored.emit([session.path for session in binned])
 
     def recover(self, path: Path) -> None:
         """Make a whole file of one that was cut off; the original stays."""
@@ -119,21 +135,6 @@ class SessionFiles(QObject):
             self._host.error.emit(str(error))
         self.changed.emit()
         return made
-
-
-def to_bin(path: Path) -> None:
-    """A session and its tags. Raises FileError where there is no bin: it stays then."""
-    if not moved_to_bin(path):
-        raise FileError(
-            tr("{} cannot be moved to the bin, so it stays where it is.").format(path.name)
-        )
-    if (tags := tags_path(path)).exists():
-        moved_to_bin(tags)
-
-
-def moved_to_bin(path: Path) -> bool:
-    moved = QFile.moveToTrash(str(path))
-    return bool(moved[0] if isinstance(moved, tuple) else moved)
 
 
 def open_folder(folder: Path) -> None:

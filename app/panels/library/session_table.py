@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -88,7 +88,12 @@ class SessionTable(QTableWidget):
         self.setRowHidden(i, not held)
 
     def show_rows(self, rows: Sequence[SessionRow], known: dict[Path, Details]) -> None:
-        """``known``: what was found inside files earlier. The selection stays where it can."""
+        """``known``: what was found inside files earlier. The selection stays where it can.
+
+        Where the selected sessions are gone nothing is selected: the next key would otherwise act
+        on a session that the user has not chosen. The first listing selects the newest.
+        """
+        first = not self._rows
         before = self._coming or {row.path for row in self.selected()}
         self._rows = list(rows)
         self.clearSelection()
@@ -110,16 +115,19 @@ class SessionTable(QTableWidget):
         if again:
             self._coming = set()
         seen = [i for i in range(len(rows)) if not self.isRowHidden(i)]
-        # the one that has gone has no heir: the next key or button would be for another session
-        self._select(again if before else seen[:1])
+        self._select(again if before or not first else seen[:1])
         if called and again:
             self._bring_in_sight(again[0])
 
     def choose(self, path: Path) -> None:
         """Select this session, now or when `show_rows` brings it."""
-        rows = [i for i, row in enumerate(self._rows) if row.path == path]
-        self._coming = set() if rows else {path}
-        if rows:
+        self.choose_all([path])
+
+    def choose_all(self, paths: Collection[Path]) -> None:
+        """Select these sessions, now or when `show_rows` brings them."""
+        rows = [i for i, row in enumerate(self._rows) if row.path in paths]
+        self._coming = set() if len(rows) == len(paths) else set(paths)
+        if rows and not self._coming:
             self._select(rows)
             self._bring_in_sight(rows[0])
 

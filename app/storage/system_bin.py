@@ -1,0 +1,71 @@
+"""Move sessions to the system's bin and back."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QFile
+
+from app.storage.session_tags import tags_path
+from app.words import tr
+from tracker.errors import FileError
+from tracker.files import disk_error
+
+
+@dataclass(frozen=True)
+class Binned:
+    """A session in the bin.
+
+    ``moved``: pairs of where each of its files was and where it is in the bin. A system that does
+    not report the latter leaves it None; the session can then be restored from the bin itself.
+    """
+
+    path: Path
+    moved: tuple[tuple[Path, Path | None], ...]
+
+    @property
+    def can_be_restored(self) -> bool:
+        return all(there is not None for _, there in self.moved)
+
+
+def to_bin(path: Path) -> Binned:
+    """Move a session and its tags to the bin. Raises FileError where there is none."""
+    done, there = move_to_bin(path)
+    if not done:
+        raise FileError(tr("{} cannot be moved to the bin.").format(path.name))
+    moved = [(path, there)]
+    if (tags := tags_path(path)).exists():
+        moved.append((tags, move_to_bin(tags)[1]))
+    return Binned(path, tuple(moved))
+
+
+def move_to_bin(path: Path) -> tuple[bool, Path | None]:
+    """Whether the file was moved, and where it is now if the system reports that."""
+    file = QFile(str(path))
+    done = file.moveToTrash()
+    there = Path(file.fileName()) if done and file.fileName() else None
+    return done, there if there != path else None
+
+
+def restore(binned: Sequence[Binned]) -> None:
+    """Move sessions back to where they were. Raises FileError; what was restored by then stays."""
+    for session in binned:
+        if session.path.exists():
+            raise FileError(
+                tr("{} exists again, so the one in the bin stays there.").format(session.path.name)
+            )
+        for path, there in session.moved:
+            if there is not None:
+                _move_back(there, path)
+
+
+def _move_back(there: Path, path: Path) -> None:
+    try:
+        shutil.move(there, path)
+        # freedesktop.org's Trash specification 1.0 keeps a description of each file next to them
+        (there.parent.parent / "info" / f"{there.name}.trashinfo").unlink(missing_ok=True)
+    except OSError as error:
+        raise disk_error(path, error) from error
