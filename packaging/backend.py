@@ -1,9 +1,11 @@
 """The build backend: setuptools', but a wheel claims one name.
 
-In this tree the packages are `app`, `tracker` and `resources`. Installed under these names they
-would collide in any environment that is shared, so a wheel has them as `glovetrack.app`,
-`glovetrack.tracker` and `glovetrack.resources`: the tree is copied with that layout, its import
-statements name the packages by their full names, and setuptools makes the wheel of the copy.
+The public package `glovetrack` is the same in this tree and in a wheel. Its implementation is in
+`app`, `tracker` and `resources` here. Installed under these names they would collide with others in
+a shared environment, so a wheel has them as `glovetrack.app`, `glovetrack.tracker` and
+`glovetrack.resources`: the tree is copied with that layout, its import statements name the packages
+by their full names, and setuptools makes the wheel of the copy. `README.md` beside this file says
+why the lines are rewritten.
 Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
 Compiled kernels that lie in the tree travel along, and make it a wheel for this kind of machine
 (`packaging/wheel.sh` sees to them); without them it is one for every machine. An editable install,
@@ -45,20 +47,6 @@ __all__ = [
 
 NAME = "glovetrack"
 PACKAGES = ("app", "tracker", "resources")
-FACE = f'''"""Hand tracking with a sensor glove: the engine's names, as `tracker` has them."""
-
-from typing import Any
-
-from {NAME} import tracker
-from {NAME}.tracker import __version__
-
-__all__ = ["__version__"]
-
-
-def __getattr__(name: str) -> Any:
-    return getattr(tracker, name)
-'''
-
 FOR_ONE_PLATFORM = """from setuptools import Distribution, setup
 
 
@@ -92,6 +80,7 @@ def stage(source: Path, target: Path) -> None:
     project = (source / "pyproject.toml").read_text("utf-8")
     (target / "pyproject.toml").write_text(installed_project(project), "utf-8")
     hidden = shutil.ignore_patterns("__pycache__", "_compiled*", "_dispatch*")
+    shutil.copytree(source / NAME, target / NAME, ignore=hidden)
     for package in PACKAGES:
         shutil.copytree(source / package, target / NAME / package, ignore=hidden)
     for sources in ("src", "simulator"):  # the images are what a user needs
@@ -99,7 +88,6 @@ def stage(source: Path, target: Path) -> None:
     shutil.copytree(source / "docs" / "guide", target / NAME / "resources" / "guide")
     for path in (target / NAME).rglob("*.py"):
         path.write_text(with_full_names(path.read_text("utf-8")), "utf-8")
-    (target / NAME / "__init__.py").write_text(FACE, "utf-8")
 
 
 def add_kernels(source: Path, target: Path) -> None:
@@ -136,7 +124,7 @@ def installed_project(text: str) -> str:
             'build-backend = "setuptools.build_meta"'
         ),
         f'{NAME} = "app.': f'{NAME} = "{NAME}.app.',
-        'include = ["app*", "tracker*", "resources*"]': f'include = ["{NAME}*"]',
+        'include = ["app*", "glovetrack*", "resources*", "tracker*"]': f'include = ["{NAME}*"]',
         **{f"\n{p} = [": f'\n"{NAME}.{p}" = [' for p in PACKAGES},
     }
     for old, new in changes.items():

@@ -10,7 +10,7 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-import tracker  # noqa: F401, I001  (before numpy: it holds BLAS to one thread, as in workers)
+import app  # noqa: F401, I001  (before numpy: it limits BLAS to one thread, as in workers)
 
 import crash_traces
 import kernel_twins  # before the kernels

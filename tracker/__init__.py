@@ -27,56 +27,9 @@ Threads and clocks
     Those that start threads or read clocks are few, and listed in ``tests/test_project.py``. No
     filter does either: the same messages in the same order give the same states.
 
-What other programs need is here by name, imported when it is first asked for::
-
-    from tracker import Pipeline, SessionReader, load
-    hand, glove = load("vist-small")
+Other programs import `glovetrack`, which is stable; what is here is internal.
 """
-
-import os
-from importlib import import_module
-from typing import Any
-
-# Two BLAS threads make small products up to a hundred times slower on a loaded machine, so the
-# pool is held to one thread. It has to be said before numpy is first imported.
-for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ.setdefault(_name, "1")
 
 __version__ = "0.1.0"
 GRAVITY = 9.80665
 """Standard gravity, m/s²."""
-
-_FACE = {
-    "pipeline": ("Pipeline",),
-    "settings": ("ENGINES", "Settings"),
-    "config": ("from_toml", "to_toml"),
-    "library": ("load",),
-    "live.runner": ("LiveTracker",),
-    "offline.track": ("track",),
-    "offline.options": ("TrackOptions",),
-    "session.reader": ("SessionReader",),
-    "session.writer": ("SessionRecorder",),
-    "session.export.run": ("export",),
-    "session.export.options": ("ExportOptions",),
-    "streaming.attach": ("attach",),
-    "streaming.params": ("StreamParams", "open_publishers"),
-    "errors": ("ConfigError", "DeviceError", "FileError", "GlovetrackError"),
-    "messages": (
-        *("BlobFrame", "Blobs", "Calibration", "CameraImuSample", "CameraPose", "Estimate"),
-        *("Event", "FrameResult", "ImuSample", "Status", "StereoFrame", "Tracking", "Validity"),
-    ),
-}
-_HOME = {name: module for module, names in _FACE.items() for name in names}
-
-__all__ = ["GRAVITY", "__version__", *sorted(_HOME)]
-
-
-def __getattr__(name: str) -> Any:
-    """The public face, which would take a second to import whole."""
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})

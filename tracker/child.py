@@ -8,6 +8,8 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any
 
+from tracker.numeric_threads import limit_this_process
+
 
 def start_child(
     name: str, serve: Callable[..., object], *args: Any
@@ -19,7 +21,12 @@ def start_child(
     """
     context = mp.get_context("spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(target=serve, args=(theirs, *args), name=name, daemon=True)
+    process = context.Process(target=_run, args=(serve, theirs, *args), name=name, daemon=True)
     process.start()
     theirs.close()
     return ours, process
+
+
+def _run(serve: Callable[..., object], *args: Any) -> None:
+    limit_this_process()
+    serve(*args)

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from tracker.errors import ConfigError, DeviceError, GlovetrackError
+from tracker.numeric_threads import limit_this_process
 
 TELL_EVERY = 0.25  # s between two reports of one task
 LOOK_EVERY = 0.2  # s
@@ -188,6 +189,7 @@ def _outcome(future: Future[Any]) -> Outcome:
 
 def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> Outcome:
     """Runs in the worker."""
+    limit_this_process()
     reported = [-TELL_EVERY]
 
     def tell(share: float) -> None:

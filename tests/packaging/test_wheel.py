@@ -42,7 +42,7 @@ def tracked(*folders: str) -> list[str]:
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
     source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("wheel")
     for name in tracked(
-        *("app", "tracker", "resources", "docs/guide", "packaging/backend.py"),
+        *("app", "glovetrack", "tracker", "resources", "docs/guide", "packaging/backend.py"),
         *("pyproject.toml", "README.md", "LICENSE"),
     ):
         (source / name).parent.mkdir(parents=True, exist_ok=True)
@@ -60,6 +60,7 @@ def test_it_has_every_module_and_every_resource(wheel: zipfile.ZipFile) -> None:
     wanted = {n for n in tracked("app", "tracker") if n.endswith(".py")}
     wanted |= {n for n in tracked("resources") if n.endswith(KINDS)}
     assert {f"glovetrack/{n}" for n in wanted} <= set(wheel.namelist())
+    assert set(tracked("glovetrack")) <= set(wheel.namelist()), "the public package"
 
 
 def test_what_the_engine_reads_beside_its_modules_is_there(wheel: zipfile.ZipFile) -> None:
@@ -143,7 +144,8 @@ def spelled(path: Path) -> list[str]:
 
 def test_no_module_is_named_in_a_string() -> None:
     """In a wheel it has another name: for half a day no installed program could export."""
-    files = [ROOT / n for n in tracked("app", "tracker", "resources") if n.endswith(".py")]
+    folders = ("app", "glovetrack", "tracker", "resources")
+    files = [ROOT / n for n in tracked(*folders) if n.endswith(".py")]
     assert {path.name: names for path in files if (names := spelled(path))} == {}
 
 

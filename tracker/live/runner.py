@@ -163,12 +163,12 @@ class LiveTracker:
         """
         self._loop.set_reference(name, wait=self._threads.stopping)
 
-    def set_recorder(self, recorder: Recorder | None) -> None:
+    def set_recorder(self, recorder: Recorder | None, patience: float | None = PATIENCE) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed.
 
-        A disk that is far behind is waited for `PATIENCE` s only; `stop` waits to the end.
+        A disk that is far behind is waited for ``patience`` s, None: to the end, as `stop` does.
         """
-        self._loop.set_recorder(recorder, PATIENCE)
+        self._loop.set_recorder(recorder, patience)
 
     def keep_state(self) -> None:
         """Record what the engine knows: after a pause in the file, for one."""

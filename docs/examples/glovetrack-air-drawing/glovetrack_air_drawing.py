@@ -6,9 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.applications.drawing import Drawing, Line, Points
-from tracker.applications.hand import HandSample
-from tracker.applications.interface import Happening, Step
+from glovetrack.applications import Drawing, HandSample, Happening, Line, Points, Step
 
 
 @dataclass(frozen=True)

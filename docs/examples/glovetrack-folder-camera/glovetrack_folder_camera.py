@@ -13,8 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.errors import DeviceError
-from tracker.sensors.image_input import CaptureFormat, Pair
+from glovetrack.cameras import CaptureFormat, DeviceError, Pair
 
 FOLDERS = "GLOVETRACK_FOLDER_CAMERAS"
 """Environment variable: folders that play a camera, parted as in PATH."""

@@ -1,0 +1,85 @@
+"""Hand tracking with a sensor glove and a stereo camera.
+
+::
+
+    import glovetrack
+
+    rec = glovetrack.open("session.mcap")
+    rec.t, rec.keypoints["index_tip"]             # (N,) s and (N, 3) m
+    again = rec.track(engine="vist")              # a new recording
+    again.export("c3d", "session.c3d")
+
+    with glovetrack.LiveTracker.simulated() as live:
+        for estimate in live:
+            print(estimate.keypoints["index_tip"])
+
+Conventions
+-----------
+Units are SI and radians; another unit stands in the name (``_deg``, ``_mm``). Rows are samples: N
+points are (N, 3). Positions are in the global frame G (z up). Quaternions are Hamilton, unit, x, y,
+z, w. Errors are `GlovetrackError` with a sentence for the user.
+
+`glovetrack.applications` and `glovetrack.cameras` have what plug-ins need, `glovetrack.streams` the
+outputs and `glovetrack.engine` the synchronous engine. `tracker` and `app` are internal and change
+without notice.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from glovetrack.columns import Columns
+    from glovetrack.hands import Hand, ImuSamples
+    from glovetrack.live import Estimate, LiveTracker
+    from glovetrack.recording import Image, RecordedEvent, Recording, open, simulate
+    from tracker.errors import ConfigError, DeviceError, FileError, GlovetrackError
+    from tracker.offline.options import TrackOptions
+    from tracker.offline.simulate import SimulateOptions
+    from tracker.session.export.options import ExportOptions
+else:
+    from tracker.errors import ConfigError, DeviceError, FileError, GlovetrackError
+
+from tracker import __version__
+
+__all__ = [
+    "Columns",
+    "ConfigError",
+    "DeviceError",
+    "Estimate",
+    "ExportOptions",
+    "FileError",
+    "GlovetrackError",
+    "Hand",
+    "Image",
+    "ImuSamples",
+    "LiveTracker",
+    "RecordedEvent",
+    "Recording",
+    "SimulateOptions",
+    "TrackOptions",
+    "__version__",
+    "open",
+    "simulate",
+]
+
+if not TYPE_CHECKING:
+    # Loaded on first use: the whole engine takes a second, and `glovetrack --help` needs none of
+    # it. Type checkers see the imports above instead, so no name is untyped.
+    _MODULES = {
+        "columns": ("Columns",),
+        "hands": ("Hand", "ImuSamples"),
+        "live": ("Estimate", "LiveTracker"),
+        "recording": ("Image", "RecordedEvent", "Recording", "open", "simulate"),
+        "options": ("ExportOptions", "SimulateOptions", "TrackOptions"),
+    }
+    _HOME = {name: module for module, names in _MODULES.items() for name in names}
+
+    def __getattr__(name):
+        if name not in _HOME:
+            raise AttributeError(f"module 'glovetrack' has no attribute {name!r}")
+        value = getattr(import_module(f".{_HOME[name]}", __name__), name)
+        globals()[name] = value
+        return value
+
+    def __dir__():
+        return sorted({*globals(), *__all__})

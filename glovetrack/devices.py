@@ -1,0 +1,130 @@
+"""What is tracked with: real devices or simulated ones."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tracker import library
+from tracker.errors import ConfigError, DeviceError
+from tracker.glove.files import parse_glove
+from tracker.hand.files import parse_hand
+from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.protocol import BAUD
+from tracker.sensors.sources import CameraSource, GloveSource, NoCamera
+
+if TYPE_CHECKING:
+    from tracker.vision.rig import StereoRig
+
+START_TIMEOUT = 120.0  # s, for simulated devices on a loaded computer
+LEAD = 0.25  # s until simulated devices begin
+DURATION = 3600.0  # s of simulated motion
+FIND_GLOVE = 4.0  # s that each port is asked
+CAMERA_FPS = 60.0  # asked for; a slower camera grants less
+
+
+@dataclass(frozen=True, eq=False)
+class Worn:
+    """A worn glove: the texts of its hand's and its own file, and the source of its packets."""
+
+    hand_text: str
+    glove_text: str
+    source: GloveSource
+
+
+@dataclass(frozen=True, eq=False)
+class Devices:
+    """What is tracked with: gloves, a camera (``rig`` None where there is none), and what starts
+    and ends them."""
+
+    worn: tuple[Worn, ...]
+    camera: CameraSource
+    rig: StereoRig | None
+    simulated: bool = False
+    begin: Callable[[], None] = lambda: None
+    end: Callable[[], None] = lambda: None
+
+
+def glove_devices(port: str = "", glove: str = library.DEFAULT_GLOVE, hand: str = "") -> Devices:
+    """A real glove alone. Raises DeviceError where no glove answers."""
+    from tracker.sensors.discovery import find_gloves
+
+    texts = library.texts(glove, hand or None)
+    reports = find_gloves([port] if port else None, FIND_GLOVE)
+    there = next((report for report in reports if report.is_glove), None)
+    if there is None:
+        reasons = " ".join(report.trouble for report in reports if report.trouble)
+        where = f"at {port}" if port else "on any USB port"
+        raise DeviceError(f"No glove found {where}. {reasons}".strip())
+    return Devices((Worn(*texts, _link(texts, there.path, there.baud)),), NoCamera(), None)
+
+
+def with_camera(devices: Devices, camera: str | int, calibration: str | Path) -> Devices:
+    """The same devices with a stereo camera. Raises ConfigError where it has no calibration."""
+    from tracker.calibration.stereo.files import load_rig
+    from tracker.sensors.camera import StereoCamera
+    from tracker.sensors.camera_plugins import is_plugin, open_plugin
+    from tracker.sensors.image_input import CaptureFormat, ImageInput, StreamInput
+
+    if not calibration:
+        raise ConfigError(
+            "The camera needs a calibration: pass the path of its calibration file, which the "
+            "window makes under Set-up, Camera calibration."
+        )
+    rig = load_rig(Path(calibration))
+    count = len(rig.sides)
+    want = CaptureFormat(rig.left.width, rig.left.height, CAMERA_FPS)
+    if isinstance(camera, str) and is_plugin(camera):
+        source: ImageInput = open_plugin(camera, want)
+    else:
+        number = int(camera) if str(camera).isdigit() else str(camera)
+        live = isinstance(number, int) or not Path(number).is_file()
+        source = StreamInput(number, replace(want, width=count * want.width), live, count)
+    return replace(devices, camera=StereoCamera(source, rig), rig=rig)
+
+
+def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Devices:
+    """A simulated wearer's gloves and camera. Raises DeviceError where they do not start."""
+    from tracker.offline.simulate import GLOVES
+    from tracker.simulation.camera_device import NoSimulatedCamera, SimulatedCamera
+    from tracker.simulation.demo import DemoSpec, WornTexts
+    from tracker.simulation.glove_process import GloveProcess
+
+    sides = [side for side in ("right", "left") if hands in (side, "both")]
+    if not sides:
+        raise ConfigError(f"Hands can be right, left or both, not {hands!r}.")
+    texts = {side: WornTexts(*library.texts(GLOVES[side])) for side in sides}
+    main, *others = texts.values()
+    spec = DemoSpec(*main, seed, DURATION, fps, other=others[0] if others else None)
+    images = SimulatedCamera(spec) if camera else NoSimulatedCamera()
+    gloves = GloveProcess(spec)
+
+    def end() -> None:
+        gloves.close()
+        images.close()
+
+    try:
+        if not images.wait_ready(START_TIMEOUT):
+            raise DeviceError("The simulated camera did not start.")
+        paths = gloves.paths(START_TIMEOUT)
+        worn = tuple(Worn(*texts[side], _link(texts[side], paths[side])) for side in sides)
+    except BaseException:  # Ctrl+C too must not leave processes behind
+        end()
+        raise
+
+    def begin() -> None:
+        t_0 = time.monotonic() + LEAD
+        images.begin(t_0)
+        gloves.begin(t_0)
+
+    return Devices(worn, images, spec.rig if camera else None, True, begin, end)
+
+
+def _link(texts: tuple[str, str], path: str, baud: int = BAUD) -> GloveLink:
+    """To the glove at a port; one that is unplugged is looked for until it is back."""
+    imus = len(parse_glove(texts[1], parse_hand(texts[0])).imus)
+    return GloveLink(GlovePort(path, baud), imus, LinkParams(baud=baud))

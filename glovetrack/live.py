@@ -1,0 +1,266 @@
+"""Live tracking: devices in, an iterator of estimates out."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from types import MappingProxyType, TracebackType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from glovetrack.devices import Devices, Worn, glove_devices, simulated_devices, with_camera
+from glovetrack.recording import RecordedEvent
+from tracker import library
+from tracker.channels import Backlog, Closed
+from tracker.clock import ClockAnchor, monotonic
+from tracker.config import to_toml
+from tracker.errors import ConfigError
+from tracker.live.runner import LiveTracker as Runner
+from tracker.messages import Array, Tracking, Validity
+from tracker.messages import Estimate as Message
+from tracker.numeric_threads import one_blas_thread
+from tracker.pipeline import Pipeline
+from tracker.session.description import SessionInfo, describe, of_hands
+from tracker.session.writer import SessionRecorder
+from tracker.settings import Settings
+from tracker.streaming.attach import attach
+from tracker.streaming.params import StreamParams, open_for_hands
+from tracker.streaming.params import Worn as StreamedHand
+from tracker.two_hands import OneHand, TwoHands
+from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
+from tracker.vision.detector import Detector
+
+if TYPE_CHECKING:
+    pass
+
+QUEUED = 500
+"""Estimates that wait to be read; beyond that the oldest are discarded and counted."""
+INERTIAL = "inertial"  # the engine without a camera
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """A hand at ``t`` (s of the computer's monotonic clock).
+
+    ``tracking`` is ``searching``, ``tracking``, ``coasting`` or ``lost``. Positions are in the
+    global frame G (z up), in m, angles in rad; what is lost is NaN.
+    """
+
+    side: str
+    t: float
+    t_unix_ns: int
+    tracking: str
+    keypoint_names: tuple[str, ...]
+    joint_names: tuple[str, ...]
+    message: Message
+
+    @property
+    def keypoints(self) -> Mapping[str, Array]:
+        """``p_G`` (3,) m by keypoint name."""
+        return dict(zip(self.keypoint_names, self.message.keypoints, strict=True))
+
+    @property
+    def sd(self) -> Mapping[str, float]:
+        """Standard deviation of each position, m."""
+        return dict(zip(self.keypoint_names, map(float, self.message.keypoint_sd), strict=True))
+
+    @property
+    def state(self) -> Mapping[str, str]:
+        """``measured``, ``inferred`` or ``lost`` for each keypoint."""
+        words = (Validity(int(s)).name.lower() for s in self.message.keypoint_state)
+        return dict(zip(self.keypoint_names, words, strict=True))
+
+    @property
+    def angles(self) -> Mapping[str, float]:
+        """Joint angles by name, rad."""
+        return dict(zip(self.joint_names, map(float, self.message.angles), strict=True))
+
+
+class LiveTracker:
+    """Tracks on live devices in a ``with``; iterating over it gives estimates as they are made.
+
+    ::
+
+        with LiveTracker.simulated(seed=1) as live:
+            for estimate in live:
+                print(estimate.t, estimate.keypoints["index_tip"])
+
+    Estimates of all hands come in one stream; ``estimate.side`` says whose each is. One that is
+    not read within some seconds is discarded, and counted in `discarded`. While it runs BLAS uses
+    one thread in this process.
+    """
+
+    def __init__(self, devices: Devices, engine: str = "", colours: str = "") -> None:
+        """``engine``: ``chain`` with a camera and ``inertial`` without by default; ``colours``: the
+        name or path of a colour profile. Raises ConfigError and FileError in words."""
+        self._devices = devices
+        profile = parse_profile(library.text("colours", colours or library.DEFAULT_COLOURS))
+        engine = engine or ("chain" if devices.rig is not None else INERTIAL)
+        settings = Settings(engine=engine)
+        self._anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
+        infos = [self._about(worn, settings, profile) for worn in devices.worn]
+        self._info = of_hands(infos)
+        self._names = {i.side: (i.keypoint_names, i.hand.joint_names) for i in infos}
+        self._queue: Backlog[Estimate] = Backlog(QUEUED)
+        self._tracker = self._assembled(infos, profile, settings)
+        self._open = ExitStack()
+
+    @classmethod
+    def simulated(
+        cls, seed: int = 1, *, fps: float = 30.0, hands: str = "right", camera: bool = True,
+        engine: str = "",
+    ) -> LiveTracker:  # fmt: skip
+        """On a simulated wearer, glove and camera, which run in processes of their own.
+
+        ``hands``: ``right``, ``left`` or ``both``; without a ``camera`` the hand has no position.
+        In a script call it under ``if __name__ == "__main__":``, as all of multiprocessing.
+        """
+        return cls(simulated_devices(seed, fps, hands, camera), engine)
+
+    @classmethod
+    def from_devices(
+        cls, port: str = "", *, camera: str | int | None = None, calibration: str | Path = "",
+        glove: str = library.DEFAULT_GLOVE, hand: str = "", engine: str = "", colours: str = "",
+    ) -> LiveTracker:  # fmt: skip
+        """On a real glove and, with its ``calibration`` file, a real stereo camera.
+
+        ``port``: the glove's serial port, else the first one where a glove answers; ``camera``: its
+        number, the address of a stream or ``driver://id`` of a plug-in; ``glove``, ``hand``,
+        ``colours``: names or paths of files. Raises DeviceError where no glove answers, ConfigError
+        where a camera has no calibration.
+        """
+        devices = glove_devices(port, glove, hand)
+        if camera is not None:
+            devices = with_camera(devices, camera, calibration)
+        return cls(devices, engine, colours)
+
+    def __enter__(self) -> LiveTracker:
+        self._open.enter_context(one_blas_thread())
+        self._open.callback(self._devices.end)
+        self._open.callback(self._tracker.stop)
+        for side in self._names:
+            self._tracker.hand(side).subscribe(partial(self._put, side))
+        self._devices.begin()
+        self._tracker.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop tracking, finish a recording, free the devices. May be called again."""
+        self._queue.close()
+        self._open.close()
+
+    def __iter__(self) -> Iterator[Estimate]:
+        """Each estimate once, in order of time, until the tracker is closed."""
+        while True:
+            try:
+                estimate = self._queue.get(None)
+            except Closed:
+                return
+            if estimate is not None:
+                yield estimate
+
+    def next(self, timeout: float = 1.0) -> Estimate | None:
+        """The next estimate; None where none came within ``timeout`` s or the tracker is closed."""
+        try:
+            return self._queue.get(timeout)
+        except Closed:
+            return None
+
+    @property
+    def discarded(self) -> int:
+        """Estimates that were not read in time."""
+        return self._queue.dropped
+
+    def latest(self, side: str = "") -> Estimate | None:
+        """The hand as it is now; None before its first packet. ``side`` is needed for both."""
+        (first, *others) = self._names
+        if others and not side:
+            raise ConfigError("Two hands are tracked: say which side.")
+        chosen = side or first
+        message = self._tracker.hand(chosen).latest_estimate()
+        return None if message is None else self._named(chosen, message)
+
+    def note(self, text: str) -> None:
+        """A note, stamped now, for the recording and the events."""
+        self._tracker.note(text)
+
+    def take_events(self) -> tuple[RecordedEvent, ...]:
+        """What happened since the last call, at s of the monotonic clock."""
+        return tuple(
+            RecordedEvent(e.t, e.kind, e.text, MappingProxyType(dict(e.data)))
+            for e in self._tracker.take_events()
+        )
+
+    def publish(self, params: StreamParams, say: Callable[[str], None] = lambda text: None) -> None:
+        """Send every estimate to the outputs that are on in ``params``, until the tracker is
+        closed. ``say`` gets a sentence where one fails or works again. Raises StreamError.
+        """
+        worn = [StreamedHand(info.hand, info.glove) for info in self._info.hands]
+        for publishers in open_for_hands(params, worn):
+            for info, publisher in zip(self._info.hands, publishers, strict=True):
+                attachment = attach(self._tracker.hand(info.side), [publisher], say=say)
+                self._open.callback(attachment.close)
+
+    @contextmanager
+    def recording(self, path: str | Path) -> Iterator[Path]:
+        """Record for the time of a ``with``; the file is whole after it.
+
+        Raises FileError where the file exists or cannot be written.
+        """
+        info = replace(self._info, anchor=self._anchor.at(monotonic()))
+        recorder = SessionRecorder(Path(path), info)
+        self._tracker.set_recorder(recorder)
+        try:
+            yield recorder.path
+        finally:
+            self._tracker.set_recorder(None, patience=None)
+
+    # ---- inside
+
+    def _put(self, side: str, message: Message) -> None:
+        self._queue.put(self._named(side, message))
+
+    def _named(self, side: str, message: Message) -> Estimate:
+        word = Tracking(message.tracking).name.lower()
+        unix = self._anchor.wall(message.t)
+        return Estimate(side, message.t, unix, word, *self._names[side], message)
+
+    def _about(self, worn: Worn, settings: Settings, profile: ColourProfile) -> SessionInfo:
+        return describe(
+            worn.hand_text,
+            worn.glove_text,
+            self._anchor,
+            rig=self._devices.rig,
+            colours_text=profile_to_toml(profile),
+            settings_text=to_toml(settings),
+            engine=settings.engine,
+            simulated=self._devices.simulated,
+        )
+
+    def _assembled(
+        self, infos: list[SessionInfo], profile: ColourProfile, settings: Settings
+    ) -> Runner:
+        rig = self._devices.rig
+        make = {i.side: partial(Pipeline, i.hand, i.glove, rig, settings) for i in infos}
+        hands = TwoHands(make) if len(make) == 2 else OneHand(make[infos[0].side]())
+        pipeline = hands.pipelines[infos[0].side]
+        size = float(np.mean(infos[0].glove.marker_size))
+
+        def make_detector(colours: ColourProfile) -> Detector:
+            return Detector(colours, size, pipeline.rig.fx)
+
+        gloves = {i.side: w.source for i, w in zip(infos, self._devices.worn, strict=True)}
+        return Runner(hands, profile, make_detector, gloves, self._devices.camera)

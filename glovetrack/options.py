@@ -1,0 +1,7 @@
+"""Options of tracking, simulating and exporting, as the commands take them."""
+
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions
+from tracker.session.export.options import ExportOptions
+
+__all__ = ["ExportOptions", "SimulateOptions", "TrackOptions"]

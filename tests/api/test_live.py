@@ -1,0 +1,59 @@
+"""The public live tracker, on simulated devices in real time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import glovetrack
+
+pytestmark = pytest.mark.timeout(600)
+ENOUGH = 60  # estimates
+
+
+def test_estimates_in_order_and_a_recording_that_is_tracked_again(tmp_path: Path) -> None:
+    path = tmp_path / "live.mcap"
+    with glovetrack.LiveTracker.simulated(seed=2, fps=20.0) as live:
+        for estimate in live:
+            if estimate.tracking == "tracking":
+                break
+        with live.recording(path):
+            got = [live.next(10.0) for _ in range(ENOUGH)]
+            live.note("half")
+            got += [live.next(10.0) for _ in range(ENOUGH)]
+        events = live.take_events()
+    taken = [e for e in got if e is not None]
+    assert len(taken) == 2 * ENOUGH and live.discarded == 0
+    assert (np.diff([e.t for e in taken]) > 0).all()
+    assert {e.side for e in taken} == {"right"}
+    assert any(e.kind == "note" and e.text == "half" for e in events)
+    recorded = glovetrack.open(path)
+    last = taken[-1]
+    row = int(np.searchsorted(recorded.t_unix_ns, last.t_unix_ns))
+    np.testing.assert_array_equal(recorded.keypoints["index_tip"][row], last.keypoints["index_tip"])
+    assert last.state["index_tip"] in {"measured", "inferred", "lost"}
+    assert recorded.track().compare(recorded)["identical"]
+    assert any(e.text == "half" for e in recorded.events)
+
+
+def test_both_hands_without_a_camera_come_in_one_stream() -> None:
+    with glovetrack.LiveTracker.simulated(seed=3, hands="both", camera=False) as live:
+        sides = set()
+        for n, estimate in enumerate(live):
+            sides.add(estimate.side)
+            if len(sides) == 2 or n > 500:
+                break
+        assert sides == {"left", "right"}
+        with pytest.raises(glovetrack.ConfigError, match="which side"):
+            live.latest()
+        assert live.latest("left") is not None
+    live.close()  # again
+
+
+def test_what_is_not_there_is_said_in_words(tmp_path: Path) -> None:
+    with pytest.raises(glovetrack.DeviceError, match="No glove found"):
+        glovetrack.LiveTracker.from_devices(str(tmp_path / "ttyUSB9"))
+    with pytest.raises(glovetrack.ConfigError, match="Hands can be"):
+        glovetrack.LiveTracker.simulated(hands="three")

@@ -1,0 +1,118 @@
+"""Plug-ins of the documentation, installed beside a wheel of the program, not beside the tree."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "docs" / "examples"
+LONGEST = 60
+"""Lines of a plug-in that adds one thing."""
+STAGE = """
+import sys
+from pathlib import Path
+sys.path.insert(0, "packaging")
+import backend
+backend.stage(Path.cwd(), Path(sys.argv[1]))
+backend.add_kernels(Path.cwd(), Path(sys.argv[1]))
+"""
+ALONE = """
+import sys
+sys.meta_path = [f for f in sys.meta_path if "editable" not in str(f).lower()]
+sys.path = [p for p in sys.path if p != {tree!r}]
+"""
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What a wheel installs, and the examples."""
+    site = tmp_path_factory.mktemp("site")
+    subprocess.run([sys.executable, "-c", STAGE, str(site)], cwd=ROOT, check=True)
+    for project in sorted(EXAMPLES.glob("*/pyproject.toml")):
+        if "lerobot" in project.parent.name:
+            continue  # its own test runs it with the interface of LeRobot
+        source = site / "sources" / project.parent.name
+        shutil.copytree(project.parent, source)
+        command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps"]
+        command += ["--no-build-isolation", "--target", str(site), str(source)]
+        subprocess.run(command, check=True, capture_output=True)
+    return site
+
+
+def run(site: Path, code: str, **more: str) -> str:
+    """What a program prints beside the installed wheel, without the tree."""
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", ALONE.format(tree=str(ROOT)) + code],
+        cwd=site.parent,
+        env=os.environ | {"PYTHONPATH": str(site), **more},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_the_tree_is_not_used(site: Path) -> None:
+    code = "import importlib.util as u; print([n for n in ('app', 'tracker') if u.find_spec(n)])"
+    assert run(site, code) == "[]"
+
+
+def test_an_application_is_found_and_draws(site: Path) -> None:
+    code = """
+import json
+from glovetrack.app.__main__ import main
+assert main(["simulate", "-o", "s.mcap", "--duration", "3", "--blobs-only", "--force"]) == 0
+assert main(["track", "s.mcap", "-o", "t.mcap", "--force"]) == 0
+assert main(["apps", "air-drawing", "t.mcap", "--json", "a.json", "--force"]) == 0
+print(json.loads(open("a.json").read())["application"])
+"""
+    assert run(site, code).splitlines()[-1] == "air-drawing"
+
+
+def test_a_camera_driver_is_found(site: Path, tmp_path: Path) -> None:
+    import numpy as np
+
+    np.save(tmp_path / "0001.npy", np.full((2, 48, 64, 3), 7, np.uint8))
+    code = f"""
+from glovetrack.cameras import CaptureFormat
+from glovetrack.tracker.sensors.camera_plugins import all_cameras, open_plugin
+address = next(c.path for c in all_cameras() if c.path.startswith("folder:"))
+camera = open_plugin(address, CaptureFormat(64, 48, 30.0))
+camera.open()
+left, right = camera.read()
+print(left.shape, int(right.max()), {str(tmp_path)!r} in address)
+"""
+    found = run(site, code, GLOVETRACK_FOLDER_CAMERAS=str(tmp_path))
+    assert found == "(48, 64, 3) 7 True"
+
+
+def test_the_public_api_works_from_the_wheel(site: Path) -> None:
+    code = """
+import glovetrack
+rec = glovetrack.simulate("api.mcap", seed=1, duration=2.0, images=False, force=True).track()
+print(rec.keypoints["index_tip"].shape[1], rec.sides, glovetrack.__version__)
+"""
+    from tracker import __version__
+
+    assert run(site, code) == f"3 ('right',) {__version__}"
+
+
+def test_only_the_public_name_is_imported() -> None:
+    patterns = (EXAMPLES, "*.py"), (EXAMPLES, "*.ipynb"), (EXAMPLES.parent, "*.md")
+    for path in (p for folder, pattern in patterns for p in folder.rglob(pattern)):
+        text = path.read_text("utf-8")
+        for internal in ("from tracker", "import tracker", "from app", "glovetrack.tracker"):
+            assert internal not in text, f"{path.name} imports {internal.split()[-1]}"
+
+
+@pytest.mark.parametrize("folder", ["glovetrack-air-drawing", "glovetrack-folder-camera"])
+def test_a_plugin_is_small(folder: str) -> None:
+    (path,) = (EXAMPLES / folder).glob("*.py")
+    lines = [line for line in path.read_text("utf-8").splitlines() if line.strip()]
+    assert len(lines) <= LONGEST
