@@ -12,6 +12,7 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.inertial import InertialEngine
+from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
 from tracker.fusion.vist.engine import VistEngine
@@ -190,7 +191,10 @@ class Pipeline:
             self._source_words.append(text.format(self.glove.side))
 
     def feed_event(self, event: Event) -> None:
-        """Take what was said: an engine that learns from guided poses hears of them."""
+        """Take what was said: guided poses, which some engines learn from, and pose resets."""
+        if is_reset(event):
+            self._words.append(self._reset_pose())
+            return
         said = guided_of(event)
         if said is None:
             return
@@ -202,6 +206,14 @@ class Pipeline:
                 self._words.append(f"The engine {name} learns nothing from guided poses.")
         else:
             self.engine.hear(said, event.t)
+
+    def _reset_pose(self) -> str:
+        """A sentence that says what was done."""
+        if isinstance(self.engine, ChainEngine):
+            return self.engine.reset_pose()
+        return (
+            f"Pose reset: engine {self.settings.engine} has none. Choose engine chain or inertial."
+        )
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
         """Take a sample of the camera's own IMU: images without a pose get one of it."""

@@ -23,6 +23,7 @@ from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.params import BundleParams
+from tracker.fusion.chain.pose_reset import reset_event
 from tracker.messages import BlobFrame, Blobs, CameraImuSample, Estimate, Event, ImuSample, Message
 from tracker.offline.simulate import SimulateOptions, build, build_both
 from tracker.pipeline import Pipeline
@@ -39,7 +40,7 @@ SEEN_AS = 0.009  # m: radius of the cloth that is drawn around each keypoint
 EARLY = BundleParams(first_after=0.8, least_keyframes=4, least_blobs=6, apart=0.05, keyframes=4)
 HAPPENS = (
     *("hidden", "silent", "pose", "skipped pose", "measured", "worn", "frozen", "freed"),
-    *("reset", "forgotten"),
+    *("reset", "forgotten", "straightened"),
 )
 
 
@@ -194,6 +195,8 @@ def steps(course: Course) -> Iterator[Message | Sided | tuple[str, int]]:
             if "pose" in what:
                 yield began("flat", t)
                 pose_ends.append(ended("flat", t + 0.5, what == "pose"))
+            elif what == "straightened":
+                yield reset_event(t)
             elif what not in ("hidden", "silent"):
                 yield what, side
         while pose_ends and pose_ends[0].t <= t:

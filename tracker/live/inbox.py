@@ -49,7 +49,15 @@ class GuidedCommand:
     held: bool = False
 
 
-Item = Sided | DetectedFrame | EngineCommand | GuidedCommand
+@dataclass(frozen=True)
+class ResetCommand:
+    """The wearer holds the pose of a pose reset; stamped when it is fed."""
+
+    side: str
+
+
+Command = EngineCommand | GuidedCommand | ResetCommand
+Item = Sided | DetectedFrame | Command
 
 
 class Inbox:
@@ -57,12 +65,12 @@ class Inbox:
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
-        self._items: deque[Sided | EngineCommand | GuidedCommand] = deque()
+        self._items: deque[Sided | Command] = deque()
         self._frames: deque[DetectedFrame] = deque()
         self._overflowed = self._skipped = 0
         self._closed = False
 
-    def put(self, item: Sided | EngineCommand | GuidedCommand) -> None:
+    def put(self, item: Sided | Command) -> None:
         """Append; what finds it full is lost and counted."""
         with self._changed:
             self._overflowed += self._is_refused(self._items, item, SIZE)

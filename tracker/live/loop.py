@@ -14,10 +14,11 @@ from functools import partial
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
+from tracker.fusion.chain.pose_reset import reset_event
 from tracker.gestures.recogniser import gesture_event
 from tracker.live.exchange_watch import ExchangeWatch
 from tracker.live.hand import LiveHand, camera_figures
-from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
+from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item, ResetCommand
 from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder, RecordingThread
@@ -136,6 +137,9 @@ class LiveLoop:
             self._execute(item)
         elif isinstance(item, GuidedCommand):
             self._guide(item)
+        elif isinstance(item, ResetCommand):
+            with self._pipeline_lock:
+                self._tell(reset_event(self._order.mark()), item.side)
         else:
             self._feed_frame(item)
         self.telemetry.took("filter", self.clock() - started)

@@ -19,7 +19,7 @@ from tracker.live.colours import FollowedColours
 from tracker.live.devices import CameraReader, GloveReader
 from tracker.live.frame_results import ShownFrame
 from tracker.live.hand import Follower
-from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox
+from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox, ResetCommand
 from tracker.live.journal import Journal
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
@@ -233,6 +233,10 @@ class HandOfTracker:
     def let_go(self, pose: str, held: bool) -> None:
         """The pose is over; ``held``: it was not skipped."""
         self._inbox.put(GuidedCommand(pose, False, self.side, held))
+
+    def reset_pose(self) -> None:
+        """The wearer holds the hand flat, the fingers straight ahead: align it with that."""
+        self._inbox.put(ResetCommand(self.side))
 
     def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
         """Call ``subscriber``, which must not wait, with each estimate, in order of time; what is

@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from tracker.fusion.chain.guided.events import guided_of
+from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.engine import Engine
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
 from tracker.messages import (
@@ -41,7 +42,7 @@ CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
 
 Fed = Sensed | Event
-"""What a run is fed with: of events those count that tell of guided poses."""
+"""What a run is fed with: of events those count that tell of guided poses and pose resets."""
 
 
 def arrival(message: Fed | Sided) -> float:
@@ -90,7 +91,7 @@ class Output:
             return
         if isinstance(message, BlobFrame):
             self._frame(message)
-        elif isinstance(message, Event) and guided_of(message) is None:
+        elif isinstance(message, Event) and guided_of(message) is None and not is_reset(message):
             return
         elif self._with_sensors:
             self._recorder.write(message, side=self._side)

@@ -18,6 +18,7 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import GuidedSaid, guided_of
 from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.pose_reset import is_reset
 from tracker.messages import BlobFrame, Calibration, Estimate, Event, ImuSample, Tracking
 from tracker.offline.smooth_chain import ChainTape, smoothing_params
 from tracker.session.description import SessionInfo
@@ -123,7 +124,9 @@ def _run(engine: ChainEngine, message: Message) -> Estimate | None:
     """Feed the engine; what it shows of a packet for which nothing better will come."""
     if isinstance(message, Event):
         said = guided_of(message)
-        if isinstance(said, GuidedSaid):
+        if is_reset(message):
+            engine.reset_pose()
+        elif isinstance(said, GuidedSaid):
             engine.hear(said, message.t)
         return None
     if isinstance(message, BlobFrame):

@@ -15,6 +15,7 @@ from tracker import __version__, library
 from tracker.config import from_dict, from_toml, to_toml
 from tracker.errors import ConfigError, FileError
 from tracker.files import check_target, sha256
+from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import measure, put_on
 from tracker.glove.model import GloveModel
@@ -342,6 +343,8 @@ def _messages(
 ) -> Iterator[Fed | Sided]:
     """Packets, events and blobs in the order of the live run, of both hands if there are both."""
     messages = _of_reader(reader, info, options, threads, colours)
+    if not options.guided:
+        messages = (m for m in messages if not isinstance(m, Event) or guided_of(m) is None)
     return with_other(reader, messages) if info.other else messages
 
 
@@ -357,19 +360,18 @@ def _of_reader(
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the images are searched.
     """
-    events: tuple[type, ...] = (Event,) if options.guided else ()
     if info.rig is None:
-        return reader.packed_messages((ImuSample, *events, BlobFrame))  # type: ignore[return-value]
+        return reader.packed_messages((ImuSample, Event, BlobFrame))  # type: ignore[return-value]
     keep = options.with_sensors
     if not _is_searched(reader, options):
-        kinds = (ImuSample, CameraImuSample, *events, BlobFrame, *((StereoFrame,) if keep else ()))
+        kinds = (ImuSample, CameraImuSample, Event, BlobFrame, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = (
             "no images to try other colours on" if options.colours else "neither blobs nor images"
         )
         raise FileError(f"{reader.path} holds {what}.")
-    packed = reader.packed_messages((ImuSample, CameraImuSample, *events, StereoFrame))
+    packed = reader.packed_messages((ImuSample, CameraImuSample, Event, StereoFrame))
     if colours is not None:
         return colours.searched(packed, threads, keep)
     detector = make_detector(profile_of(info), info)

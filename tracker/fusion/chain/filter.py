@@ -13,6 +13,7 @@ import numpy as np
 from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.layout import ChainLayout, V
 from tracker.fusion.chain.params import ChainParams, without_random_walks
+from tracker.fusion.chain.pose_reset import PASSES, flat_rows
 from tracker.fusion.chain.prior import initial_covariance, reset_pose
 from tracker.fusion.chain.propagate import Coasting, carry, propagate
 from tracker.fusion.chain.start.search import Pose
@@ -166,6 +167,15 @@ class ChainFilter:
         to be used as often as anatomy (eq. 57)."""
         H = np.eye(6, len(self.state.P))
         self._use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
+
+    def straighten(self) -> None:
+        """The wearer holds the hand flat: use that for all joints that an IMU measures.
+
+        In passes, each linearised at what the one before found: drift may be large.
+        """
+        for _ in range(PASSES):
+            H, r, variance = flat_rows(self.state, self._layout)
+            self._use(H, r, PASSES * variance)
 
     def correct(self, seen: Rows) -> None:
         """One stacked update: what was seen and anatomy, linearised at the same state."""

@@ -14,6 +14,7 @@ import numpy as np
 
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.pose_reset import doubt_drift, heading, turn
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracker import ChainTracker
@@ -99,6 +100,24 @@ class InertialEngine(ChainEngine):
     def take_results(self) -> list[FrameResult]:
         out, self._results = self._results, []
         return out
+
+    def _refuse_reset(self, state: ChainState) -> str:
+        if heading(state.R_GB[0]) is None:
+            return "not done, the fingers point up or down. Hold the hand level and try again."
+        return super()._refuse_reset(state)
+
+    def _straighten(self) -> None:
+        frozen = self.wearer.calibration.is_frozen
+        doubt_drift(self._inertial.state, self._layout, frozen)
+        super()._straighten()
+
+    def _reset_heading(self) -> str:
+        """Straight ahead is where the fingers point now."""
+        state = self._inertial.state
+        angle = heading(state.R_GB[0]) or 0.0
+        turn(state, -angle)
+        self._inertial.shown.held(state.t)
+        return f"Heading corrected by {abs(np.rad2deg(angle)):.0f}°."
 
     def _estimate(self, state: ChainState, t: float) -> Estimate:
         relative = state.copy_nominal()

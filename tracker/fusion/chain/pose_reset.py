@@ -1,0 +1,122 @@
+"""A pose reset: the wearer holds the hand flat, and what has drifted is aligned with that pose.
+
+Without a camera nothing measures how the hand is turned about the vertical, and little measures it
+of each finger: both drift with the gyroscopes' biases. A wearer who holds the hand level, the
+fingers straight ahead, shows both. Tilt needs no reset: gravity measures it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.state import ChainState
+from tracker.geometry import so3
+from tracker.messages import Array, Event
+
+KIND = "pose_reset"
+WORDS = "Pose reset: hand flat, fingers straight ahead."
+FINGER_SD, THUMB_SD = np.deg2rad(6.0), np.deg2rad(15.0)
+"""rad an axis by which the joints of a hand that a person holds flat differ from straight."""
+DRIFT_SD = np.deg2rad(25.0)  # rad about the vertical that a finger may have drifted unnoticed
+SLIP_SD = np.deg2rad(5.0)  # rad an axis that an IMU may have slipped with the glove's cloth
+PASSES = 3  # the rows are used so often, each time with that many times the variance
+MOST_BENT = np.deg2rad(60.0)  # rad: no drift bends a finger so far, a fist does
+STEEPEST = np.sin(np.deg2rad(60.0))  # of the fingers' direction: steeper than this has no heading
+
+
+def reset_event(t: float) -> Event:
+    """The wearer holds the pose at ``t`` (s)."""
+    return Event(t, KIND, WORDS)
+
+
+def is_reset(event: Event) -> bool:
+    """Whether the engine is to be aligned with the pose."""
+    return event.kind == KIND
+
+
+def bends(state: ChainState, layout: ChainLayout) -> Array:
+    """(A, 3) rad: rotation vectors by which segments differ from straight; zero for the root."""
+    out = np.zeros((len(layout.active), 3))
+    for c, a in enumerate(layout.parent):
+        if a >= 0:
+            out[c] = so3.log(layout.R_rest[c].T @ state.R_GB[a].T @ state.R_GB[c])
+    return out
+
+
+def is_flat(state: ChainState, layout: ChainLayout) -> bool:
+    """Whether the fingers are as straight as drift can leave a flat hand's."""
+    flexion = np.abs(bends(state, layout)[:, 1])
+    return bool(flexion[~_is_thumb(layout)].max(initial=0.0) < MOST_BENT)
+
+
+def flat_rows(state: ChainState, layout: ChainLayout) -> tuple[Array, Array, Array]:
+    """H (m, N), innovation r (m,) and variance (m,) rad²: every joint with an IMU is straight."""
+    bent, thumb = bends(state, layout), _is_thumb(layout)
+    children = [c for c, a in enumerate(layout.parent) if a >= 0 and layout.imu_of[c] >= 0]
+    H = np.zeros((3 * len(children), layout.blocks.size))
+    for k, c in enumerate(children):
+        a = layout.parent[c]
+        rows = slice(3 * k, 3 * k + 3)
+        # log(R_rel Exp(u)) = log R_rel + J⁻¹ u, with u = θ_c - R_relᵀ R_restᵀ θ_a
+        J = _inverse_right_jacobian(bent[c])
+        at_c, at_a = (layout.blocks.theta + 3 * i for i in (c, a))
+        H[rows, at_c : at_c + 3] = J
+        H[rows, at_a : at_a + 3] = -J @ so3.exp(bent[c]).T @ layout.R_rest[c].T
+    sd = np.where(thumb[children], THUMB_SD, FINGER_SD)
+    return H, -bent[children].ravel(), np.repeat(sd**2, 3)
+
+
+def doubt_drift(state: ChainState, layout: ChainLayout, frozen: bool) -> None:
+    """Before the rows are used where no image is: segments may have drifted about the vertical, and
+    IMUs slipped, by more than the covariance says. Gravity still tells what it told of tilt.
+
+    ``frozen``: the calibration is held, so mountings are.
+    """
+    for c, a in enumerate(layout.parent):
+        j = int(layout.imu_of[c])
+        if a < 0 or j < 0:
+            continue
+        theta, phi = (slice(k, k + 3) for k in (layout.blocks.theta + 3 * c, _phi(layout, j)))
+        up = state.R_GB[c][2]
+        state.P[theta, theta] += DRIFT_SD**2 * np.outer(up, up)
+        if not frozen:  # R_GB = R_GI R_IB with R_GI known: both errors are the same (eq. 3)
+            for rows in (theta, phi):
+                for columns in (theta, phi):
+                    state.P[rows, columns] += SLIP_SD**2 * np.eye(3)
+
+
+def _phi(layout: ChainLayout, imu: int) -> int:
+    return layout.blocks.phi + 3 * imu
+
+
+def heading(R_GB: Array) -> float | None:
+    """rad about the vertical from straight ahead (x of G) to the fingers of a dorsum turned by
+    R_GB (3, 3), positive to the left; None where they point up or down."""
+    x, y, z = R_GB[:, 0]
+    return None if abs(z) > STEEPEST else float(np.arctan2(y, x))
+
+
+def turn(state: ChainState, angle: float) -> None:
+    """Turn all of the hand about the vertical by ``angle`` rad; errors in G turn with it."""
+    Rz = so3.rz(angle)
+    state.p, state.v = Rz @ state.p, Rz @ state.v
+    state.R_GB = np.einsum("ij,ajk->aik", Rz, state.R_GB)
+    for first in (0, 3):  # p and v; rotations are perturbed in the segments' own axes (eq. 3)
+        rows = slice(first, first + 3)
+        state.P[rows] = Rz @ state.P[rows]
+        state.P[:, rows] = state.P[:, rows] @ Rz.T
+
+
+def _is_thumb(layout: ChainLayout) -> np.ndarray:
+    return np.array([name.startswith("thumb") for name in layout.names])
+
+
+def _inverse_right_jacobian(v: Array) -> Array:
+    """(3, 3) J_r⁻¹ of SO(3) at the rotation vector v (3,)."""
+    angle = float(np.linalg.norm(v))
+    K = so3.skew(v)
+    if angle < 1e-6:
+        return np.asarray(np.eye(3) + K / 2)
+    factor = 1 / angle**2 - (1 + np.cos(angle)) / (2 * angle * np.sin(angle))
+    return np.asarray(np.eye(3) + K / 2 + factor * K @ K)
