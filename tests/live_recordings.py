@@ -19,7 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from tracker.errors import GlovetrackError
-from tracker.session.mcap.recover import needs_recovery
+from tracker.session.recover import needs_recovery
 from tracker.streaming.remote.client import ask
 
 ROOT = Path(__file__).parents[1]

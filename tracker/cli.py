@@ -12,6 +12,7 @@ import sys
 from collections.abc import Sequence
 
 from tracker import __version__
+from tracker.damage import gather, sentences
 from tracker.errors import GlovetrackError
 from tracker.files import disk_error
 from tracker.terminal import printable, stopped_by_signals, words_on_standard_output
@@ -21,8 +22,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
     args = _parser().parse_args(argv)
     try:
-        with stopped_by_signals(), words_on_standard_output():
-            return int(args.func(args) or 0)
+        with stopped_by_signals(), words_on_standard_output(), gather() as left_out:
+            status = int(args.func(args) or 0)
+            for text in sentences(left_out):
+                print(f"glovetrack: {printable(text)}", file=sys.stderr)
+            return status
     except GlovetrackError as error:
         print(f"glovetrack: {printable(str(error))}", file=sys.stderr)
     except KeyboardInterrupt:

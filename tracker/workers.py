@@ -16,6 +16,7 @@ from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from tracker.damage import LeftOut, gather, merged, pass_on
 from tracker.errors import ConfigError, DeviceError, GlovetrackError
 from tracker.numeric_threads import limit_this_process
 
@@ -35,10 +36,11 @@ class WorkItem:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a task returned, or why it failed, in a sentence."""
+    """What a task returned, or why it failed, in a sentence; and what it left out of sessions."""
 
     value: Any = None
     error: str = ""
+    left_out: tuple[LeftOut, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -166,7 +168,10 @@ def run_all(
     finally:
         for future in pending:
             future.cancel()
-    return [_outcome(future) for future in futures]
+    outcomes = [_outcome(future) for future in futures]
+    for outcome in outcomes:
+        pass_on(outcome.left_out)
+    return outcomes
 
 
 def _notes(board: Board) -> Iterator[tuple[int, float]]:
@@ -201,6 +206,8 @@ def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> Outcome:
                 raise GlovetrackError("The work was stopped.")
 
     try:
-        return Outcome(task.function(*task.arguments, tell))
+        with gather() as left_out:
+            value = task.function(*task.arguments, tell)
+        return Outcome(value, left_out=tuple(merged(left_out)))
     except GlovetrackError as error:
         return Outcome(error=str(error))

@@ -11,7 +11,7 @@ def recover_job(path: Path) -> Job:
     """A job that copies what can be read to ``…_recovered.mcap``."""
 
     def run(progress: JobProgress) -> Path:
-        from tracker.session.mcap.recover import recover
+        from tracker.session.recover import recover
 
         progress(-1.0, path.name)
         return recover(path).path

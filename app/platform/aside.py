@@ -12,6 +12,7 @@ from typing import Any
 from app.platform.tasks import Cancelled, JobProgress
 from app.words import tr
 from tracker.child import start_child
+from tracker.damage import gather, merged, pass_on
 from tracker.errors import GlovetrackError
 
 Work = Callable[[Callable[..., None]], Any]
@@ -44,6 +45,8 @@ def _follow(pipe: Connection, progress: JobProgress) -> Any:
             raise GlovetrackError(
                 tr("It ended in the middle: was there too little memory?")
             ) from error
+        if kind == "left out":
+            pass_on(value)
         if kind == "done":
             return value
         if kind == "refused":
@@ -58,7 +61,9 @@ def _serve(pipe: Connection, work: Work) -> None:
     if hasattr(os, "nice"):
         os.nice(KINDNESS)
     try:
-        answer = ("done", work(_Teller(pipe)))
+        with gather() as left_out:
+            answer = ("done", work(_Teller(pipe)))
+        pipe.send(("left out", merged(left_out)))
     except Cancelled:
         return
     except GlovetrackError as error:

@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.words import tr
+from tracker.damage import gather, sentences
 from tracker.errors import GlovetrackError
 
 
@@ -46,6 +47,7 @@ class RunningJob(QObject):
     progressed = Signal(float, str)
     done = Signal(object)
     failed = Signal(str)
+    noted = Signal(str)  # a sentence about what was left out of a session
     ended = Signal()
 
     def __init__(self, title: str, job: Job) -> None:
@@ -70,7 +72,8 @@ class RunningJob(QObject):
 
     def _run(self) -> None:
         try:
-            result = self._job(self._progress)
+            with gather() as left_out:
+                result = self._job(self._progress)
         except Cancelled:
             pass  # wanted by the user: `ended` alone says it
         except GlovetrackError as error:
@@ -80,6 +83,8 @@ class RunningJob(QObject):
                 tr("{} failed: {}: {}").format(self.title, type(error).__name__, error)
             )
         else:
+            for text in sentences(left_out):
+                self.noted.emit(text)
             self.done.emit(result)
         self.ended.emit()
 
@@ -89,6 +94,7 @@ class TaskOwner(QObject):
 
     changed = Signal()
     failed = Signal(str)
+    noted = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -122,6 +128,7 @@ class TaskOwner(QObject):
         if done is not None:
             task.done.connect(done, Qt.ConnectionType.QueuedConnection)
         task.failed.connect(self.failed, Qt.ConnectionType.QueuedConnection)
+        task.noted.connect(self.noted, Qt.ConnectionType.QueuedConnection)
         task.ended.connect(lambda: self._forget(task), Qt.ConnectionType.QueuedConnection)
         self._tasks.append(task)
         task.start()

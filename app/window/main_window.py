@@ -186,6 +186,7 @@ class MainWindow(QMainWindow):
         host.happened.connect(self._heard)
         self.set_up.error.connect(lambda text: self.messages.say(text))
         self.tasks.failed.connect(self._failed)
+        self.tasks.noted.connect(lambda text: self.messages.say(text))
         self.set_up.changed.connect(lambda: self.messages.no_longer(DEVICES))
         self.set_up.restart.connect(self.sources.open_devices)
         self.set_up.changed.connect(self._show_set_up)

@@ -65,7 +65,9 @@ def load(path: Path) -> Scene:
         messages: list[ImuSample | StereoFrame] = []
         for m in reader.packed_messages((ImuSample, StereoFrame)):
             if isinstance(m, PackedFrame):
-                messages.append(m.unpack())
+                frame = m.unpack()
+                assert frame is not None
+                messages.append(frame)
             elif isinstance(m, ImuSample):
                 messages.append(m)
     with np.load(path / "truth.npz") as truth, np.load(path / "visible.npz") as visible:

@@ -36,8 +36,8 @@ from tracker.sensors.zed_files import load_zed
 from tracker.session import engine_state
 from tracker.session.description import SessionInfo
 from tracker.session.mcap.container import McapOutput
-from tracker.session.mcap.recover import recover
 from tracker.session.reader import SessionReader
+from tracker.session.recover import recover
 from tracker.session.verify import verify
 from tracker.settings import Settings
 from tracker.vision.colours import parse_profile

@@ -13,8 +13,8 @@ from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import KEYPOINTS, wait_until
 from tracker.messages import Estimate, StereoFrame
-from tracker.session.mcap.recover import needs_recovery
 from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery
 
 
 @pytest.fixture

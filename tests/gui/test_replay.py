@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from damaged_sessions import cut_message, spoilt
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 
 from app.engines.hand_looks import HandLooks
@@ -238,6 +239,26 @@ def test_speed_is_kept(replay, qtbot):
     replay.player.play(True)
     qtbot.wait(600)
     assert 0.5 < replay.player.position < 0.5 + 0.5 * 2.0
+
+
+def test_a_replay_leaves_out_damaged_messages_and_says_how_many(sessions, frames, tmp_path, qtbot):
+    topics = ["/camera/left/blobs", "/camera/right/blobs", "/hand/right/keypoints"]
+    engine = ReplayEngine(spoilt(sessions["chain"], tmp_path / "a.mcap", topics, cut_message))
+    try:
+        engine.start()
+        engine.player.set_speed(4.0)
+        engine.player.play(True)
+        qtbot.waitUntil(lambda: shown(engine) == frames[-1].t, timeout=20_000)
+        told: list[str] = []
+
+        def has_told_all() -> bool:
+            told.extend(e.text for e in engine.take_events() if e.kind == "error")
+            return bool(told) and all(f"1 on {topic}" in told[-1] for topic in topics)
+
+        qtbot.waitUntil(has_told_all, timeout=20_000)
+        assert len(told) <= 3
+    finally:
+        engine.close()
 
 
 def test_a_session_of_a_glove_alone_says_that_there_was_no_camera(sessions, tmp_path):

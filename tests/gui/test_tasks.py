@@ -3,13 +3,18 @@
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
+from damaged_sessions import cut_message, spoilt
 
 from app.platform.aside import aside
-from app.platform.tasks import JobProgress
+from app.platform.tasks import JobProgress, TaskOwner
 from tracker.errors import FileError, GlovetrackError
+from tracker.messages import ImuSample
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.session.reader import SessionReader
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -82,3 +87,23 @@ def test_a_crash_aside_is_told_by_its_name():
 def test_work_aside_that_ends_early_says_so(work, words):
     with pytest.raises(GlovetrackError, match=words):
         aside("work", work, JobProgress(lambda *_: None))
+
+
+def _count_samples(progress, path: Path) -> int:
+    with SessionReader(path) as reader:
+        return sum(1 for _ in reader.messages((ImuSample,)))
+
+
+@pytest.mark.parametrize("in_subprocess", [True, False])
+def test_a_job_says_which_damaged_messages_it_left_out(tmp_path, qtbot, in_subprocess):
+    simulate(tmp_path / "s.mcap", SimulateOptions(seed=3, duration=1.0, images=False))
+    topic = "/glove/right/packets"
+    path = spoilt(tmp_path / "s.mcap", tmp_path / "a.mcap", [topic], cut_message)
+    work = partial(_count_samples, path=path)
+    job = partial(aside, "count", work) if in_subprocess else work
+    owner, counts, noted = TaskOwner(), [], []
+    owner.noted.connect(noted.append)
+    owner.run("count", job, done=counts.append)
+    qtbot.waitUntil(lambda: not owner.tasks, timeout=60_000)
+    assert counts == [_count_samples(None, tmp_path / "s.mcap") - 1]
+    assert noted == [f"Damaged messages in a.mcap were left out: 1 on {topic}."]

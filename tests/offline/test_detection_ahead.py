@@ -1,12 +1,12 @@
 """Images searched ahead of the engine: the same blobs in the same order, whatever the threads."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tracker.errors import FileError
 from tracker.messages import BlobFrame, Blobs, ImuSample, StereoFrame
 from tracker.offline.detection import AHEAD, detected
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -66,16 +66,30 @@ def test_no_more_than_a_few_images_wait(session: Path) -> None:
             assert read - given <= AHEAD + 1
 
 
-def test_a_damaged_image_is_told_in_words(session: Path) -> None:
-    def spoilt(messages: Iterator[Decoded]) -> Iterator[Decoded]:
+def test_damaged_images_are_left_out_and_counted(session: Path) -> None:
+    """Those whose damage shows only in decoding: every third right one, and one pair."""
+    spoilt = 0
+
+    def spoil(messages: Iterator[Decoded]) -> Iterator[Decoded]:
+        nonlocal spoilt
         for m in messages:
             if isinstance(m, PackedFrame):
-                bad = {c: p._replace(data=b"no image") for c, p in m.parts.items()}
-                m = PackedFrame(m.t, m.t_arrival, bad, m.pose, m.index)
+                cameras = ("left", "right") if m.index == 4 else ("right",)
+                bad = {c: m.parts[c]._replace(data=b"no image") for c in cameras}
+                if m.index % 3 == 0 or m.index == 4:
+                    m = replace(m, parts={**m.parts, **bad})
+                    spoilt += len(bad)
             yield m
 
     with SessionReader(session) as reader:
         detector = make_detector(profile_of(reader.info), reader.info)
         packed = reader.packed_messages((ImuSample, StereoFrame))
-        with pytest.raises(FileError, match="neither JPEG nor PNG"):
-            list(detected(spoilt(packed), lambda: detector, 2))
+        found = [
+            m for m in detected(spoil(packed), lambda: detector, 2) if isinstance(m, BlobFrame)
+        ]
+        assert len(reader.source.left_out) == spoilt > 5
+    assert all(m.left is not None for m in found)
+    assert [m.index for m in found if m.right is None] == [
+        m.index for m in found if not m.index % 3
+    ]
+    assert 4 not in [m.index for m in found] and len(found) > 25

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from tracker import library
@@ -21,11 +22,13 @@ from tracker.offline.own_colours import APART, ATTEMPTS, IMAGES, OwnColours
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.description import SessionInfo
-from tracker.session.images import PackedFrame
+from tracker.session.images import PackedFrame, encode_image
+from tracker.session.ros.sensors import ImageMessage
 from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.rig import ideal_rig
 
 FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+BLACK = ImageMessage(0, "left", "png", encode_image(np.zeros((8, 8, 3), np.uint8), "png", 0))
 FITTED = ColourProfile("fitted", FACTORY.hues[::-1])
 
 
@@ -38,7 +41,7 @@ def look(own: OwnColours, images: int, tracking: Tracking, start: float = 10.0) 
     """What is said over so many images with this tracking."""
     for k in range(images):
         t = start + 1.01 * APART * k
-        own._packed.append(PackedFrame(t, t, {}, None, k))
+        own._packed.append(PackedFrame(t, t, {"left": BLACK}, None, k))
         own.looked(BlobFrame(t, t, FACTORY.hue_names, Blobs.empty(), Blobs.empty()), tracking)
     return [event.text for event in own.take_words()]
 

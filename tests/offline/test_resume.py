@@ -17,8 +17,8 @@ from tracker.session.compare import compare
 from tracker.session.description import SessionInfo
 from tracker.session.engine_state import MEDIA_TYPE, NAME
 from tracker.session.mcap.container import McapOutput
-from tracker.session.mcap.recover import recover
 from tracker.session.reader import SessionReader
+from tracker.session.recover import recover
 from tracker.session.writer import SessionRecorder
 from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation

@@ -20,8 +20,8 @@ from pathlib import Path
 from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
 from tracker.messages import ImuSample
 from tracker.session.description import describe
-from tracker.session.mcap.recover import needs_recovery, recover
 from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery, recover
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.vision.rig import ideal_rig
 

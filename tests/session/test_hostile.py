@@ -16,8 +16,8 @@ from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Event
 from tracker.session.mcap.container import McapOutput
 from tracker.session.mcap.input import McapInput
-from tracker.session.mcap.recover import recover
 from tracker.session.reader import SessionReader
+from tracker.session.recover import recover
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
 

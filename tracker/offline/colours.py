@@ -67,8 +67,10 @@ def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:
             if isinstance(message, ImuSample):
                 messages.append(message)
             elif isinstance(message, PackedFrame) and message.t - last >= APART:
-                messages.append(message.unpack())
-                last, images = message.t, images + 1
+                frame = message.unpack()
+                if frame is not None:
+                    messages.append(frame)
+                    last, images = message.t, images + 1
             if images >= MOST_IMAGES:
                 break
     if images == 0:

@@ -29,7 +29,7 @@ def detected(
     handed over. Unpacking and detection hold no interpreter lock and depend on nothing else but
     their image, so the result is the same with any number of ``threads``.
     """
-    waiting: deque[_Packet | PackedFrame | Future[BlobFrame]] = deque()
+    waiting: deque[_Packet | PackedFrame | Future[BlobFrame | None]] = deque()
     images = 0
     pool = ThreadPoolExecutor(threads, "glovetrack-detect")
     try:
@@ -44,17 +44,22 @@ def detected(
             while images > AHEAD or (waiting and not isinstance(waiting[0], Future)):
                 first = waiting.popleft()
                 images -= isinstance(first, Future)
-                yield _ready(first)
-        yield from map(_ready, waiting)
+                yield from _ready(first)
+        for item in waiting:
+            yield from _ready(item)
     finally:
         pool.shutdown(cancel_futures=True)
 
 
-def _find(detector: Detector, frame: PackedFrame) -> BlobFrame:
-    return detect_frame(detector, frame.unpack())
+def _find(detector: Detector, frame: PackedFrame) -> BlobFrame | None:
+    """None where all images of the frame are damaged."""
+    images = frame.unpack()
+    return detect_frame(detector, images) if images is not None else None
 
 
 def _ready(
-    item: _Packet | PackedFrame | Future[BlobFrame],
-) -> _Packet | PackedFrame | BlobFrame:
-    return item.result() if isinstance(item, Future) else item
+    item: _Packet | PackedFrame | Future[BlobFrame | None],
+) -> Iterator[_Packet | PackedFrame | BlobFrame]:
+    found = item.result() if isinstance(item, Future) else item
+    if found is not None:
+        yield found

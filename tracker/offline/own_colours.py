@@ -69,7 +69,8 @@ class OwnColours:
             blobs = self._blobs.pop(result.t, None)
             if frame is None or blobs is None or not self._follower.is_due(frame.t):
                 continue
-            new = self._follower.look(frame.unpack(), blobs, result)
+            images = frame.unpack()
+            new = self._follower.look(images, blobs, result) if images is not None else None
             if new is not None:
                 self._take(new, frame.t, FOLLOWED)
 
@@ -99,7 +100,10 @@ class OwnColours:
 
     def _fit(self) -> None:
         """Fit to the images that show no hand; a refusal changes nothing, and is said once."""
-        frames: list[StereoFrame] = [p.unpack() for p in self._handless]
+        unpacked = (p.unpack() for p in self._handless)
+        frames: list[StereoFrame] = [f for f in unpacked if f is not None]
+        if not frames:
+            return
         last = max(f.t_arrival for f in frames)
         messages: list[Sensed] = [p for p in self._packets if p.t_arrival <= last]
         messages += frames

@@ -30,6 +30,7 @@ class TrackReport:
     error_deg: float | None = None  # mean absolute error of the joint angles
     hands: dict[str, TrackReport] = field(default_factory=dict)
     words: list[str] = field(default_factory=list)  # what was said of the session on the way
+    left_out: dict[str, int] = field(default_factory=dict)  # damaged messages by topic
     note: str = ""  # the one of them that says which recorded settings were ignored
 
     def to_json(self) -> dict[str, object]:
@@ -40,6 +41,8 @@ class TrackReport:
             del out["error_deg"]
         if not self.words:
             del out["words"]
+        if not self.left_out:
+            del out["left_out"]
         del out["hands"], out["note"]
         if self.hands:
             out["hands"] = {side: report.to_json() for side, report in self.hands.items()}

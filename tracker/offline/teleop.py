@@ -26,6 +26,7 @@ from tracker.session.export.mcap import copy_extras
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import ordered
+from tracker.session.message_check import sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 
@@ -113,7 +114,8 @@ def write_driven(
         try:
             copy_extras(reader, output)
             copier, encoder = Copier(reader.source, output), Encoder(reader.info, ImageCoding())
-            theirs = (m for m in ordered(reader.source, None) if not topics.robot_of(m.topic)[0])
+            stored = sound(ordered(reader.source, None), reader.source.left_out)
+            theirs = (m for m in stored if not topics.robot_of(m.topic)[0])
             ours = itertools.chain.from_iterable(encoder.encoded(m) for m in said)
             both: list[Iterator[RawMessage | Out]] = [theirs, ours]
             for m in heapq.merge(*both, key=lambda m: m.log_time):

@@ -122,6 +122,7 @@ def track(
         reports = {side: output.report for side, output in outputs.items()}
         report = TrackReport.of_both(reports) if info.other else reports[info.side]
         report.note = note
+        report.left_out = reader.source.left_out.by_topic()
     report.wall_s = time.perf_counter() - started
     return report
 

@@ -226,7 +226,7 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
 
 
 def _recover(args: argparse.Namespace) -> int:
-    from tracker.session.mcap.recover import recover
+    from tracker.session.recover import recover
 
     check_json(args, [args.file])
     saved = recover(args.file, args.output, args.force)
@@ -237,6 +237,7 @@ def _recover(args: argparse.Namespace) -> int:
         "messages": saved.messages,
         "duration_s": saved.duration,
         "damage": [{"offset": d.offset, "what": d.what} for d in saved.damage],
+        "left_out": saved.left_out,
     }
     finish(args, result, lines, [args.file, saved.path])
     return 0

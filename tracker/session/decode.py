@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tracker.clock import ClockAnchor
+from tracker.damage import LeftOut
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -27,7 +28,6 @@ from tracker.session.encode import CALIBRATION_ROWS, status_name
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import RawMessage
 from tracker.session.ros import motion, topics
-from tracker.session.ros.cdr import in_words
 
 MESSAGE_KINDS: tuple[type, ...] = (
     ImuSample,
@@ -45,12 +45,15 @@ Decoded = Message | PackedFrame
 
 
 class MessageDecoder:
-    """Feeds on raw messages in order and gives the engine's messages, images still packed."""
+    """Feeds on raw messages in order and gives the engine's messages, images still packed.
 
-    def __init__(self, info: SessionInfo, packets: bool, timing: Timing) -> None:
+    Damaged messages give nothing, and are counted in ``left_out``.
+    """
+
+    def __init__(self, info: SessionInfo, packets: bool, timing: Timing, left_out: LeftOut) -> None:
         """``packets``: the file tells where each glove packet ends."""
-        self._info = info
-        self._sensors = SensorDecoder(info, packets, timing)
+        self._info, self._left_out = info, left_out
+        self._sensors = SensorDecoder(info, packets, timing, left_out)
         self._estimates = EstimateDecoder(info, "hand")
         self._handlers = self._handler_table()
 
@@ -98,7 +101,7 @@ class MessageDecoder:
         self._handle(raw)
 
     def feed(self, raw: RawMessage) -> list[Decoded]:
-        """What is complete by the time of ``raw``. Raises FileError where it is not readable."""
+        """What is complete by the time of ``raw``."""
         before = self._sensors.release(raw.log_time)
         return [*before, *self._handle(raw), *self._sensors.release(-1)]
 
@@ -106,8 +109,9 @@ class MessageDecoder:
         handler = self._handlers.get(raw.topic)
         if handler is None:
             return []
-        with in_words(raw.topic):
+        with self._left_out.reading(raw.topic, raw.log_time):
             return handler(raw)
+        return []
 
     def finish(self) -> list[Decoded]:
         """What was still waiting for company."""

@@ -15,7 +15,6 @@ from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, topics
-from tracker.session.ros.cdr import in_words
 
 FELT = 7  # numbers of contact: engaged, holding, five forces
 RobotMessage = RobotModel | RobotState | RobotMemory
@@ -35,7 +34,8 @@ def read_robot(
     first = 0 if start is None else max(reader.anchor.wall(start), 0)
     wanted = frozenset(topics.robot(name, what) for what in topics.ROBOT)
     for raw in ordered(reader.source, wanted, first):
-        with in_words(raw.topic):
+        message = None
+        with reader.source.left_out.reading(raw.topic, raw.log_time):
             message = decoder.feed(raw)
         if message is not None:
             yield message

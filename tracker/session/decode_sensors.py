@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tracker.clock import NS, seconds
+from tracker.damage import LeftOut
 from tracker.messages import (
     BlobFrame,
     Blobs,
@@ -18,12 +19,12 @@ from tracker.messages import (
 )
 from tracker.session.description import SessionInfo
 from tracker.session.grouping import Group, Grouper
-from tracker.session.images import PackedFrame
+from tracker.session.images import PackedFrame, check_image
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.rigs import exact_pose, is_camera, pose_of
 from tracker.session.ros import motion, sensors, topics
-from tracker.session.ros.cdr import CdrReader, in_words
+from tracker.session.ros.cdr import CdrReader
 
 _KEPT = 64
 _FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
@@ -57,7 +58,7 @@ def _half_period(source: McapInput, candidates: list[str], default: int) -> int:
         return default // 2
     stamps: list[int] = []
     for raw in ordered(source, frozenset([topic])):
-        with in_words(topic):
+        with source.left_out.reading(topic, raw.log_time):
             stamps.append(CdrReader(raw.data).time())
         if len(stamps) == 50:
             break
@@ -71,9 +72,12 @@ Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame
 class SensorDecoder:
     """Feeds on raw messages in order; `release` gives what is complete."""
 
-    def __init__(self, info: SessionInfo, packets: bool, timing: Timing) -> None:
-        """``packets``: the file tells where each glove packet ends."""
-        self._info, self._packets = info, packets
+    def __init__(
+        self, info: SessionInfo, packets: bool, timing: Timing, left_out: LeftOut | None = None
+    ) -> None:
+        """``packets``: the file tells where each glove packet ends. ``left_out`` counts images that
+        turn out to be damaged when they are unpacked."""
+        self._info, self._packets, self._left_out = info, packets, left_out
         self._t = info.anchor.monotonic
         self._imus = Grouper[sensors.ImuMessage](
             frozenset(info.glove.imu_names), timing.imu_tolerance, timing.patience
@@ -150,6 +154,7 @@ class SensorDecoder:
 
     def _image(self, raw: RawMessage) -> list[Sensed]:
         part = sensors.unpack_image(raw.data)
+        check_image(part.data, part.frame)
         self._images.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
         return []
 
@@ -171,6 +176,7 @@ class SensorDecoder:
             group.parts,
             self._pose(group.stamp),
             group.sequence - 1,
+            self._left_out,
         )
 
     def _blob_frame(self, group: Group[sensors.Detections]) -> BlobFrame:

@@ -19,6 +19,7 @@ from tracker.session.encode import status_name
 from tracker.session.images import decode_image
 from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
+from tracker.session.message_check import sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
@@ -132,7 +133,7 @@ def _tracked(reader: SessionReader, side: str) -> float | None:
     topic = states if states in reader.topic_names else topics.STATUS
     said = [
         (raw.log_time, tracking_of(words.message) == Tracking.TRACKING)
-        for raw in ordered(reader.source, frozenset([topic]))
+        for raw in sound(ordered(reader.source, frozenset([topic])), reader.source.left_out)
         for words in motion.unpack_diagnostics(raw.data)[1]
         if words.name in (status_name(reader.info, side), "tracking")
     ]
@@ -153,9 +154,11 @@ def _packets_lost(reader: SessionReader) -> int | None:
     last = last_before(reader.source, topics.STATUS, reader.span_ns[1] + 1)
     if first is None or last is None:
         return None
-    early = ordered(reader.source, status, end=first.log_time + OF_ALL_NS)
+    left_out = reader.source.left_out
+    early = sound(ordered(reader.source, status, end=first.log_time + OF_ALL_NS), left_out)
     before = dict(reversed(list(_lost_by_glove(early))))
-    after = dict(_lost_by_glove(ordered(reader.source, status, last.log_time - OF_ALL_NS)))
+    late = sound(ordered(reader.source, status, last.log_time - OF_ALL_NS), left_out)
+    after = dict(_lost_by_glove(late))
     if not before and not after:
         return None
     return round(sum(lost - before.get(name, lost) for name, lost in after.items()))
@@ -174,7 +177,7 @@ def thumbnail(reader: SessionReader, width: int) -> NDArray[np.uint8] | None:
     wanted = frozenset([topics.image("left")])
     middle = sum(reader.span_ns) // 2
     for start in (middle, 0):
-        for raw in ordered(reader.source, wanted, start):
+        for raw in sound(ordered(reader.source, wanted, start), reader.source.left_out):
             encoded = sensors.unpack_image(raw.data)
             try:
                 image = decode_image(encoded.data, encoded.frame)

@@ -20,7 +20,6 @@ from tracker.messages import Array, IntArray, Validity
 from tracker.session.mcap.ordering import ordered
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, topics
-from tracker.session.ros.cdr import in_words
 
 _STAMP = struct.Struct("<iI")
 _AFTER_STAMP = 12  # bytes: the header of CDR and the stamp
@@ -76,7 +75,7 @@ def read_hand(
     for n, raw in enumerate(ordered(reader.source, frozenset([*feed, states]))):
         if n % _WATCH_EVERY == 0:
             watch(min(max((raw.log_time - first) / max(last - first, 1), 0.0), 1.0))
-        with in_words(raw.topic):
+        with reader.source.left_out.reading(raw.topic, raw.log_time):
             if raw.topic == states:
                 said.feed(raw.data, len(poses.stamps))
             else:
@@ -90,7 +89,7 @@ def read_joints(reader: SessionReader, topic: str) -> NamedNumbers:
     """All JointState messages of a topic, by their stamps; names as they first came."""
     joints = NumberRows(8)
     for raw in ordered(reader.source, frozenset([topic])):
-        with in_words(topic):
+        with reader.source.left_out.reading(topic, raw.log_time):
             joints.feed_joints(raw.data)
     names = tuple(dict.fromkeys(name for run in joints.runs for name in run.names))
     stamps, values = joints.by_name(names)

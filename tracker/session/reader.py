@@ -25,7 +25,6 @@ from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.mcap.records import LATEST
 from tracker.session.rigs import first_rig, rig_changes
 from tracker.session.ros import motion, sensors, topics
-from tracker.session.ros.cdr import in_words
 from tracker.toml_reader import MOST_BYTES
 from tracker.vision.rig import StereoRig
 
@@ -244,9 +243,12 @@ class SessionReader:
         """Messages of the given kinds in feed order, with start ≤ arrival < end (s).
 
         Images cost their decoding; leave StereoFrame out of ``kinds`` where they are not needed.
+        Damaged messages and images are left out, and counted in ``source.left_out``.
         """
         for m in self.packed_messages(kinds, start, end):
-            yield m.unpack() if isinstance(m, PackedFrame) else m
+            message = m.unpack() if isinstance(m, PackedFrame) else m
+            if message is not None:
+                yield message
 
     def packed_messages(
         self,
@@ -256,7 +258,10 @@ class SessionReader:
     ) -> Iterator[Decoded]:
         """As `messages`, with a PackedFrame for each StereoFrame: to be unpacked elsewhere."""
         decoder = MessageDecoder(
-            self.info, topics.packets(self.info.side) in self.topic_names, self._timing
+            self.info,
+            topics.packets(self.info.side) in self.topic_names,
+            self._timing,
+            self.source.left_out,
         )
         first = 0 if start is None else max(self.anchor.wall(start), 0)
         last = FOREVER if end is None else max(self.anchor.wall(end), 0)
@@ -279,7 +284,8 @@ class SessionReader:
         decoder = EstimateDecoder(self.info, "truth")
         first = 0 if start is None else max(self.anchor.wall(start), 0)
         for raw in ordered(self.source, frozenset(decoder.topics), first):
-            with in_words(raw.topic):
+            estimate = None
+            with self.source.left_out.reading(raw.topic, raw.log_time):
                 estimate = decoder.feed(raw)
             if estimate is not None:
                 yield estimate

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.damage import LeftOut
 from tracker.errors import ConfigError, FileError
 from tracker.geometry import so3
 from tracker.messages import CameraPose
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.ros import motion, sensors, topics
-from tracker.session.ros.cdr import in_words
 from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig
 
@@ -48,8 +48,8 @@ class _Start:
     fixed: CameraPose | None = None
     first: CameraPose | None = None
 
-    def hear(self, raw: RawMessage) -> None:
-        with in_words(raw.topic):
+    def hear(self, raw: RawMessage, left_out: LeftOut) -> None:
+        with left_out.reading(raw.topic, raw.log_time):
             if raw.topic in _INFOS:
                 self.cameras.setdefault(_INFOS[raw.topic], sensors.unpack_camera_info(raw.data))
             elif raw.topic == topics.CAMERA_POSE:
@@ -83,7 +83,7 @@ def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
     start, count = _Start(), cameras_told(source)
     wanted = frozenset([*_INFOS, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
     for n, raw in enumerate(ordered(source, wanted)):
-        start.hear(raw)
+        start.hear(raw, source.left_out)
         if (len(start.cameras) == count and start.first is not None) or n > _LOOK_FOR_RIG:
             break
     pose, moving = start.exact or start.fixed or start.first, start.fixed is None
@@ -105,19 +105,23 @@ class _Standing:
     exact_at: int = -1  # log time of a pose to the last bit, which a transform does not replace
     said: dict[str, bytes] = field(default_factory=dict)
 
-    def hear(self, raw: RawMessage) -> bool:
-        """Whether the message says anything new."""
+    def hear(self, raw: RawMessage, left_out: LeftOut) -> bool:
+        """Whether the message says anything new; a damaged one does not."""
         content = raw.data[_BEFORE_CONTENT:]
         if self.said.get(raw.topic) == content:
             return False
         self.said[raw.topic] = content
-        with in_words(raw.topic):
-            if raw.topic in _INFOS:
-                self.cameras[_INFOS[raw.topic]] = sensors.unpack_camera_info(raw.data)
-            elif raw.topic == topics.CAMERA_POSE:
-                self.pose, self.exact_at = exact_pose(raw.data), raw.log_time
-            else:
-                return self._hear_transform(raw)
+        with left_out.reading(raw.topic, raw.log_time):
+            return self._take(raw)
+        return False
+
+    def _take(self, raw: RawMessage) -> bool:
+        if raw.topic in _INFOS:
+            self.cameras[_INFOS[raw.topic]] = sensors.unpack_camera_info(raw.data)
+        elif raw.topic == topics.CAMERA_POSE:
+            self.pose, self.exact_at = exact_pose(raw.data), raw.log_time
+        else:
+            return self._hear_transform(raw)
         return True
 
     def _hear_transform(self, raw: RawMessage) -> bool:
@@ -149,7 +153,7 @@ def rig_changes(source: McapInput, moving: CameraPose | None) -> Iterator[tuple[
         if 0 <= changed < raw.log_time and (rig := standing.rig()) is not None:
             yield changed, rig
             changed = -1
-        if standing.hear(raw):
+        if standing.hear(raw, source.left_out):
             changed = raw.log_time
     if changed >= 0 and (rig := standing.rig()) is not None:
         yield changed, rig

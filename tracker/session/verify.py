@@ -7,18 +7,20 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from tracker.damage import DAMAGE, gather
 from tracker.errors import GlovetrackError
 from tracker.session import description
-from tracker.session.images import image_size
 from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
+from tracker.session.message_check import check_message
 from tracker.session.reader import MEASURED, SessionReader
-from tracker.session.ros import sensors, topics
-from tracker.session.ros.cdr import CdrError, CdrReader
+from tracker.session.ros import topics
+from tracker.session.ros.cdr import CdrReader
 from tracker.session.silence import silences
 
 _GAP_PERIODS = 3.5
 _CLOCK_JUMP_NS = 500_000_000
+MOST_NAMED = 5  # damaged messages of a topic
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,7 @@ class _Track:
     backward: int = 0
     jumps: int = 0
     log_times: list[int] = field(default_factory=list)
-    damaged: int = 0
+    damaged: list[int] = field(default_factory=list)  # log times
     count: int = 0
 
 
@@ -52,13 +54,13 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
 
     ``progress`` hears which share (0..1) was read, and may raise to end it.
     """
-    with SessionReader(path) as reader:
+    with gather(), SessionReader(path) as reader:  # what is damaged is among the findings
         out = _container(reader)
         out += _description(reader)
         tracks, damage = _read_all(reader, progress)
         out += damage
         for topic, track in sorted(tracks.items()):
-            out += _judge(topic, track)
+            out += _judge(topic, track, reader.span_ns[0])
         out += _missing(reader, tracks)
         heard = {topic: track.log_times for topic, track in tracks.items()}
         for device, seconds in silences(heard, reader.span_ns).items():
@@ -127,8 +129,22 @@ def _read_all(
             out.append(Finding("error", str(error), f"byte {spans[i].offset}"))
             continue
         for m in messages:
-            _follow(tracks.setdefault(m.topic, _Track()), m)
+            track = tracks.setdefault(m.topic, _Track())
+            if _is_sound(m):
+                _follow(track, m)
+            else:
+                track.damaged.append(m.log_time)
     return tracks, out
+
+
+def _is_sound(m: RawMessage) -> bool:
+    try:
+        check_message(m)
+        if m.type in MEASURED:
+            CdrReader(m.data).time()
+    except DAMAGE:
+        return False
+    return True
 
 
 def _follow(track: _Track, m: RawMessage) -> None:
@@ -136,13 +152,7 @@ def _follow(track: _Track, m: RawMessage) -> None:
     track.log_times.append(m.log_time)
     if m.type not in MEASURED:
         return
-    try:
-        stamp = CdrReader(m.data).time()
-        if m.type == sensors.IMAGE and image_size(sensors.unpack_image(m.data).data) is None:
-            track.damaged += 1
-    except CdrError:
-        track.damaged += 1
-        return
+    stamp = CdrReader(m.data).time()
     delay = m.log_time - stamp
     if track.last_stamp is not None:
         step = stamp - track.last_stamp
@@ -152,10 +162,10 @@ def _follow(track: _Track, m: RawMessage) -> None:
     track.last_stamp, track.last_delay = stamp, delay
 
 
-def _judge(topic: str, track: _Track) -> list[Finding]:
+def _judge(topic: str, track: _Track, start_ns: int) -> list[Finding]:
     out: list[Finding] = []
     if track.damaged:
-        out.append(Finding("error", f"{track.damaged} messages are damaged", topic))
+        out.append(Finding("error", _damage_text(track.damaged, start_ns), topic))
     if track.backward:
         out.append(Finding("warning", f"{track.backward} stamps run backward", topic))
     if track.jumps:
@@ -163,6 +173,15 @@ def _judge(topic: str, track: _Track) -> list[Finding]:
     if topic.startswith(("/glove/", "/camera/")) and len(track.steps) > 10:
         out += _gaps(topic, track)
     return out
+
+
+def _damage_text(log_times: list[int], start_ns: int) -> str:
+    """How many messages are damaged, and when (s from the start) the first of them came."""
+    after = [max(t - start_ns, 0) / 1e9 for t in sorted(log_times)]
+    first = ", ".join(f"{s:.2f} s" for s in after[:MOST_NAMED])
+    more = ", …" if len(after) > MOST_NAMED else ""
+    count = "1 message is" if len(after) == 1 else f"{len(after)} messages are"
+    return f"{count} damaged: at {first}{more} after the start"
 
 
 def _gaps(topic: str, track: _Track) -> list[Finding]:

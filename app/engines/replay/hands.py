@@ -12,6 +12,7 @@ from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.tell_markers import MarkerTeller
 from tracker.applications.stage import ApplicationStage
+from tracker.damage import sentences
 from tracker.messages import Calibration, Estimate, Event, ImuSample, Message, Status
 from tracker.session.decode import MESSAGE_KINDS
 from tracker.session.holes import LONGEST_FILLED
@@ -43,7 +44,8 @@ class HandsInFile:
         self.main = SessionReader(path)
         info = self.main.info
         self._others = [SessionReader(path, side=info.other.side)] if info.other else []
-        readers = (self.main, *self._others)
+        readers = self._readers = (self.main, *self._others)
+        self._damage_told = 0  # messages
         has_images = any("/image" in name for name in self.main.topic_names)
         self.moments = {
             r.info.side: ReplayMoment(len(r.info.glove.markers), has_images, _teller(r))
@@ -112,6 +114,16 @@ class HandsInFile:
     def tell(self, event: Event) -> None:
         """An event of the window's."""
         self.take(OfFile("", event))
+
+    def tell_damage(self, every: bool = False) -> None:
+        """How many messages were left out because they are damaged: at the first one, and when
+        there are twice as many; with ``every``, whenever there are more."""
+        found = [reader.source.left_out for reader in self._readers]
+        count = sum(map(len, found))
+        if count > self._damage_told and (every or count >= 2 * self._damage_told):
+            self._damage_told = count
+            for text in sentences(found):
+                self.tell(Event(0.0, "error", text))
 
     def take_events(self) -> list[Event]:
         """Those since the last call: all moments have the same."""

@@ -95,9 +95,11 @@ class ReplayThread:
             shown = self._take(read, position >= start - SAME_S)
             if before_hole:
                 self._hands.begin_hole(read)
+            self._hands.tell_damage()
             shows |= shown
             self._count(shown and there)
         self._hands.arrive()
+        self._hands.tell_damage(every=True)
         self._transport.end(self._transport.duration)
 
     def _count(self, shown: bool) -> None:

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from tests.session.recording.conftest import left_since, shared_names
 from tests.session.recording.test_recorder_kills import has_ended, lost_s, victim
-from tracker.session.mcap.recover import needs_recovery, recover
+from tracker.session.recover import needs_recovery, recover
 
 
 def killed(path: Path, what: str, wait: float) -> tuple[float, bool]:

@@ -18,9 +18,9 @@ from tests.session.recording.conftest import left_since, shared_names
 from tracker.live.recording import RecordingThread
 from tracker.messages import ImuSample
 from tracker.session.description import SessionInfo, describe
-from tracker.session.mcap.recover import needs_recovery, recover
 from tracker.session.reader import SessionReader
 from tracker.session.recording.process import RecorderProcesses
+from tracker.session.recover import needs_recovery, recover
 from tracker.session.verify import is_ok, verify
 from tracker.vision.rig import ideal_rig
 

@@ -22,8 +22,8 @@ from tests.session.recording.spoilers import (
 from tracker.errors import FileError
 from tracker.live.recording import RecordingThread
 from tracker.messages import EngineState, ImuSample, StereoFrame
-from tracker.session.mcap.recover import needs_recovery, recover
 from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery, recover
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import RecorderParams, SessionRecorder
 

@@ -12,9 +12,9 @@ from tracker.session.export.options import ExportOptions
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import FOREVER, RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
+from tracker.session.message_check import check_message, sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, topics
-from tracker.session.ros.cdr import in_words
 
 _TELLS_OF_THE_PERSON = ("source",)  # a file's name holds the participant's
 
@@ -35,7 +35,8 @@ def copy_part(
     options: ExportOptions,
     state: bytes | None = None,
 ) -> None:
-    """The messages with log times (ns) of ``span``, and what held before until it is told anew.
+    """The messages with log times (ns) of ``span``, and what held before until it is told anew;
+    damaged ones are left out.
 
     ``state``: what an engine knows at the start of the part, as `engine_state.pack` gives it. A
     part says of itself that it began when it does.
@@ -48,10 +49,10 @@ def copy_part(
             out.attach_bytes(engine_state.NAME, engine_state.MEDIA_TYPE, state, start)
         copier = Copier(reader.source, out)
         for topic in _standing_topics(reader) if start else ():
-            before = last_before(reader.source, topic, start)
+            before = last_before(reader.source, topic, start, check_message)
             if before is not None:
                 copier.copy(before._replace(log_time=start))
-        for m in ordered(reader.source, None, start, end):
+        for m in sound(ordered(reader.source, None, start, end), reader.source.left_out):
             if not ("notes" in options.anonymous and _is_note(m)):
                 copier.copy(m)
     finally:
@@ -133,8 +134,7 @@ def _is_note(m: RawMessage) -> bool:
     """Whether a message is a note, or an event that is none of ours and may be one."""
     if m.topic != topics.EVENTS:
         return False
-    with in_words(m.topic):
-        text = motion.unpack_string(m.data)
+    text = motion.unpack_string(m.data)
     try:
         said = json.loads(text)
     except json.JSONDecodeError:

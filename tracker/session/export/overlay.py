@@ -54,7 +54,8 @@ class Overlay:
                 times = int(due + 0.499) + 1 - given  # one half way belongs to the one before
             if times < 1:
                 continue
-            image = self._drawn(frame.unpack(), row, views)
+            whole = frame.unpack()
+            image = self._drawn(whole, row, views) if whole is not None else None
             if image is None:
                 continue
             for _ in range(times - 1):  # where images are missing the last one stands still

@@ -142,6 +142,8 @@ def _export_one(
         with SessionReader(path_in, watch=watch, side=side) as reader:
             series = write(reader, partial, options)
             report = _report(reader, format, path_out, options, series)
+            if len(reader.source.left_out):
+                report["left_out"] = reader.source.left_out.by_topic()
         if parts:
             report[BESIDE] = {part.name: sha256(part) for part in parts}
         beside.write_text(json.dumps(report, indent=2) + "\n", "utf-8")

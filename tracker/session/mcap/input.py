@@ -13,6 +13,7 @@ from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Metadata
 
+from tracker.damage import LeftOut
 from tracker.errors import FileError
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import read_contents, span_records
@@ -37,12 +38,14 @@ class RawMessage(NamedTuple):
 class McapInput:
     """An MCAP opened for reading. Raises FileError if it is none.
 
-    ``scan``: walk over all records even if there is a summary.
+    ``scan``: walk over all records even if there is a summary. ``left_out`` counts the messages
+    whose content is damaged: those who decode them leave them out.
     """
 
     def __init__(self, path: Path, scan: bool = False) -> None:
         self._file = RecordFile(path)
         self.path = self._file.path
+        self.left_out = LeftOut(self.path)
         try:
             self.contents = read_contents(self._file, scan)
         except FileError:

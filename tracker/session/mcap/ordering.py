@@ -41,11 +41,19 @@ def ordered(
         yield heapq.heappop(heap)[4]
 
 
-def last_before(source: McapInput, topic: str, time: int) -> RawMessage | None:
-    """The latest message of a topic with log_time < ``time``."""
+def last_before(
+    source: McapInput,
+    topic: str,
+    time: int,
+    check: Callable[[RawMessage], None] = lambda raw: None,
+) -> RawMessage | None:
+    """The latest message of a topic with log_time < ``time`` that ``check`` does not find damaged:
+    it raises one of `tracker.damage.DAMAGE`."""
     wanted = frozenset([topic])
     for span in source.spans_with(wanted, 0, time, back=True):
         found = [m for m in source.messages_in(span, wanted) if m.log_time < time]
-        if found:
-            return max(found, key=lambda m: m.log_time)
+        for message in sorted(found, key=lambda m: m.log_time, reverse=True):
+            with source.left_out.reading(topic, message.log_time):
+                check(message)
+                return message
     return None

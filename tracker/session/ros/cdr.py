@@ -6,8 +6,7 @@ Every value is aligned to its own size, counted from the end of the four-byte he
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,15 +21,6 @@ _END_OF_TIME = 2**31 * NS
 
 class CdrError(ValueError):
     """The bytes are not the message that they are said to be."""
-
-
-@contextmanager
-def in_words(topic: str) -> Iterator[None]:
-    """Turns what goes wrong with a message of ``topic`` into a FileError."""
-    try:
-        yield
-    except (ValueError, KeyError, TypeError, IndexError, OverflowError, struct.error) as error:
-        raise FileError(f"A message on {topic} is damaged: {error}.") from error
 
 
 class CdrWriter:

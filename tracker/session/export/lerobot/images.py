@@ -13,6 +13,7 @@ from tracker.messages import IntArray
 from tracker.session.export.lerobot.layout import Camera
 from tracker.session.images import image_size
 from tracker.session.mcap.ordering import ordered
+from tracker.session.message_check import sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import sensors, topics
 
@@ -38,7 +39,9 @@ class NearestImages:
         queues = list(self._queues.values())
         first, last = int(self._at[0]) - LATE, int(self._at[-1]) + LATE
         wanted = frozenset(self._queues)
-        for raw in ordered(self._reader.source, wanted, max(first, 0), last):
+        source = self._reader.source
+        stored = ordered(source, wanted, max(first, 0), last)
+        for raw in sound(stored, source.left_out):
             self._queues[raw.topic].feed(raw.publish_time, raw.data)
             while all(q.decided for q in queues):
                 yield tuple(q.decided.popleft() for q in queues)

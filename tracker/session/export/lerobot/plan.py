@@ -14,7 +14,9 @@ from tracker.errors import ConfigError, FileError
 from tracker.session.export.lerobot.layout import Camera, HandNames, Layout
 from tracker.session.export.options import NONE, VIDEO, ExportOptions
 from tracker.session.images import image_size
+from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
+from tracker.session.message_check import sound
 from tracker.session.raw_imu import read_notes
 from tracker.session.reader import SessionReader
 from tracker.session.ros import sensors, topics
@@ -112,9 +114,15 @@ def _rate(reader: SessionReader, cameras: Sequence[Camera]) -> int:
     return max(round(NS / float(np.median(steps))), 1) if len(steps) else 100
 
 
+def _first_sound(reader: SessionReader, topic: str) -> RawMessage | None:
+    """The first message of a topic that is not damaged."""
+    stored = ordered(reader.source, frozenset([topic]))
+    return next(sound(stored, reader.source.left_out), None)
+
+
 def _cameras(reader: SessionReader) -> Iterator[Camera]:
     for name in topics.SIDES:
-        raw = next(ordered(reader.source, frozenset([topics.image(name)])), None)
+        raw = _first_sound(reader, topics.image(name))
         if raw is None:
             continue
         data = sensors.unpack_image(raw.data).data
@@ -132,7 +140,7 @@ def _robot_names(reader: SessionReader) -> tuple[str, ...]:
     told = robot_topics(reader)
     names: list[str] = []
     for robot, topic in told.items():
-        raw = next(ordered(reader.source, frozenset([topic])), None)
+        raw = _first_sound(reader, topic)
         joints = motion.unpack_joints(raw.data).names if raw is not None else ()
         names += [f"{robot}/{joint}" if len(told) > 1 else joint for joint in joints]
     return tuple(names)

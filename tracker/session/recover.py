@@ -12,16 +12,19 @@ from tracker.files import DiskError, free_path, whole_file
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import McapInput
 from tracker.session.mcap.records import Damage
+from tracker.session.message_check import sound
 
 
 @dataclass(frozen=True)
 class Recovery:
-    """What was saved. ``damage`` tells what was not."""
+    """What was saved. ``damage`` tells what was not; ``left_out`` counts damaged messages in sound
+    chunks, by topic."""
 
     path: Path
     messages: int
     duration: float
     damage: tuple[Damage, ...]
+    left_out: dict[str, int]
 
 
 def needs_recovery(path: Path) -> bool:
@@ -52,7 +55,7 @@ def recover(path: Path, out: Path | None = None, force: bool = False) -> Recover
     finally:
         source.close()
     damage = (*source.contents.damage, *copy.damage)
-    return Recovery(out, copy.messages, copy.duration, damage)
+    return Recovery(out, copy.messages, copy.duration, damage, source.left_out.by_topic())
 
 
 class _Copy:
@@ -78,7 +81,7 @@ class _Copy:
             except FileError as error:
                 self.damage.append(Damage(span.offset, str(error)))
                 continue
-            for m in messages:
+            for m in sound(messages, self.source.left_out):
                 self._first = min(self._first, m.log_time) if self.messages else m.log_time
                 self._last = max(self._last, m.log_time)
                 self.messages += 1
