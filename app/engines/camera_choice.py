@@ -164,9 +164,9 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
     if not cameras:
         raise DeviceError(
             tr(
-                "No camera was found. Plug in the stereo camera and look again, or, where the "
-                "system lists no cameras, enter its number under Set-up, Camera "
-                "(0 is the first one)."
+                "No camera was found. Plug in the stereo camera, then choose Look again. If this "
+                "system lists no cameras, enter the number of yours under Set-up, Camera, "
+                "Or number, file (0 is the first one)."
             )
         )
     if not wanted:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
@@ -189,6 +191,8 @@ class CamerasPanel(Panel):
             return
         if not self.freeze.isChecked() or self._view is None:
             self._view = view
+        else:  # masks of a held image are those of the colours as they are now
+            self._view = replace(self._view, setup=view.setup)
         alone = one_camera(view.setup, view.frame)
         if alone != self._alone:
             self._show_sides(alone)

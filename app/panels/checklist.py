@@ -10,8 +10,9 @@ from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
-from app.viewmodels.checklist import SetUpStep, hues_seen, steps
+from app.viewmodels.checklist import hues_seen, steps
 from app.viewmodels.light import LightWatch
+from app.viewmodels.set_up_steps import SettledSteps, SetUpStep, images_arrive, summary
 from app.widgets.measures import APART, NEAR
 
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
@@ -28,7 +29,7 @@ class ChecklistPanel(Panel):
         super().__init__(host, parent)
         self._store = store
         self._rows: list[_Row] = []
-        self.light = LightWatch()
+        self.light, self._settled = LightWatch(), SettledSteps()
         self._light_job = LatestJob(self.tr("Reading the light"), self)
         self._hue_seen: dict[str, float] = {}  # when each was found last, s
         self._grid = QGridLayout()
@@ -43,7 +44,7 @@ class ChecklistPanel(Panel):
         column.addWidget(self.summary)
         column.addLayout(self._grid)
         column.addStretch(1)
-        host.profile_changed.connect(lambda _profile: self._hue_seen.clear())
+        host.opened.connect(lambda _setup: self._hue_seen.clear())
         for i in range(len(steps(None))):
             self._rows.append(_Row(self._grid, i, self.action))
         self.refresh(None)
@@ -53,12 +54,15 @@ class ChecklistPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         self._read_light(view)
-        shown = steps(view, self._store.value.calibration, self._hues_lately(view), self.light)
-        done = sum(s.done for s in shown)
-        ready = done == len(shown)
-        text = self.tr("Ready") if ready else self.tr("{} of {} done").format(done, len(shown))
-        self.summary.setText(text)
-        first = next((i for i, s in enumerate(shown) if not s.done), len(shown))
+        shown = steps(
+            view,
+            self._store.value.calibration,
+            self._hues_lately(view),
+            self.light,
+            self._settled,
+        )
+        self.summary.setText(summary(shown))
+        first = next((i for i, s in enumerate(shown) if not s.passes), len(shown))
         for i, (row, step) in enumerate(zip(self._rows, shown, strict=True)):
             row.show(step, reachable=i == first)
 
@@ -66,11 +70,13 @@ class ChecklistPanel(Panel):
         self._light_job.shut_down()
 
     def _read_light(self, view: Snapshot | None) -> None:
-        """Have the newest left image read beside the window, once a second."""
-        if view is None or view.frame is None:
+        """Have the newest image read in the background, once a second."""
+        if view is None or view.frame is None or not images_arrive(view):
+            self.light = LightWatch()  # what was read was of another camera, or of another light
             return
         frame, setup = view.frame, view.setup
-        work = self.light.work(frame.left, setup.profile, setup.rig.fx, frame.t)
+        image = frame.left if frame.left is not None else frame.right
+        work = self.light.work(image, setup.profile, setup.rig.fx, frame.t)
         if work is not None:
             self._light_job.run(lambda _progress: work(), self.light.took)
 

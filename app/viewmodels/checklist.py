@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -20,13 +19,26 @@ from app.viewmodels.calibration import (
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.names import spoken
-from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
+from app.viewmodels.set_up_steps import (
+    SettledSteps,
+    SetUpStep,
+    images_arrive,
+    packets_arrive,
+)
 from app.viewmodels.status import images_alone
 from app.words import mark, told, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
 """°/s: gyros known better than this need no rest."""
+BIAS_LEFT_DPS = 2 * BIAS_DPS
+"""°/s: gyros that were measured are so until their uncertainty is above this."""
+CALIBRATION_LEFT = 0.5
+"""Convergence below which a calibration that had settled is no longer so: after a reset."""
+FEW_MISSED = 1 / 3
+"""Share of the markers in an image that may be missed: those at its edge and at grazing angles."""
+MOST_MISSED = 1 / 2
+"""Share above which the colours are not tuned."""
 
 CONTROLS = {
     "exposure": mark("exposure"),
@@ -35,56 +47,38 @@ CONTROLS = {
 }
 
 
-@dataclass(frozen=True)
-class SetUpStep:
-    """``command`` is a key of the window's commands, or empty where nothing is to be done."""
-
-    name: str
-    done: bool
-    reason: str
-    command: str = ""
-    button: str = ""
-
-    def look(self, reachable: bool) -> StateLook:
-        if self.done:
-            return GOOD
-        return WARN if reachable else IDLE
-
-
 def steps(
     view: Snapshot | None,
     calibration: str = "",
     hues_lately: Collection[str] | None = None,
     light: LightWatch | None = None,
+    settled: SettledSteps | None = None,
 ) -> list[SetUpStep]:
-    """All steps in order; the first that is not done is the one to work on.
+    """All steps in order; the first that does not pass is the one to work on.
 
-    ``calibration`` is the chosen stereo calibration's path, for the time before devices are open;
-    ``hues_lately`` are names of hues found in the last seconds, in the newest images unless told.
-    ``light`` has read the images' light.
+    ``calibration`` is the path of the chosen stereo calibration, for the time before devices are
+    open; ``hues_lately`` are names of hues found in the last seconds (default: in the newest
+    images). ``light`` has read the images' light. ``settled`` remembers what was done before.
     """
     if view is not None and not (view.running or view.setup.player is not None):
         view = None  # stopped: nothing arrives
-    return [
-        _glove(view),
-        _samples(view),
-        _still(view),
-        _camera(view),
-        _stereo(view, calibration),
-        _exposure(view),
-        _light(view, light),
-        _colours(view, hues_lately),
-        _hand(view),
-        _calibration(view),
-    ]
-
-
-def packets_arrive(view: Snapshot | None) -> bool:
-    return view is not None and view.packets_arrive
-
-
-def images_arrive(view: Snapshot | None) -> bool:
-    return view is not None and view.images_arrive
+    settled = settled if settled is not None else SettledSteps()
+    settled.follow(view)
+    found = {
+        "glove": _glove(view),
+        "samples": _samples(view),
+        "still": _still(view, BIAS_LEFT_DPS if "still" in settled else BIAS_DPS),
+        "camera": _camera(view),
+        "stereo": _stereo(view, calibration),
+        "exposure": _exposure(view),
+        "light": _light(view, light),
+        "colours": _colours(view, hues_lately, light),
+        "hand": _hand(view, "hand" in settled),
+        "calibration": _calibration(
+            view, CALIBRATION_LEFT if "calibration" in settled else SETTLED
+        ),
+    }
+    return [settled.take(key, step) for key, step in found.items()]
 
 
 # Sentences are written whole, not made of pieces: in other languages they bend with what is named.
@@ -127,8 +121,9 @@ def _samples(view: Snapshot | None) -> SetUpStep:
     return SetUpStep(name, True, tr("{} of {}").format(len(valid), len(valid)))
 
 
-def _still(view: Snapshot | None) -> SetUpStep:
-    """Either the hand lay still for a moment, or the filter has found the gyros' biases by now."""
+def _still(view: Snapshot | None, most_dps: float) -> SetUpStep:
+    """Either the hand lay still for a moment, or the filter has found the gyros' biases by now:
+    their standard deviations are at most ``most_dps`` (°/s)."""
     name = tr("Measured at rest")
     if view is None or view.calibration is None or not packets_arrive(view):
         return SetUpStep(name, False, tr("Waits for the glove."))
@@ -136,7 +131,7 @@ def _still(view: Snapshot | None) -> SetUpStep:
     if np.all(np.isnan(sd)):
         return SetUpStep(name, True, tr("this engine estimates no biases"))
     worst_dps = float(np.rad2deg(np.nanmax(sd)))
-    if worst_dps <= BIAS_DPS:
+    if worst_dps <= most_dps:
         return SetUpStep(name, True, tr("gyros known to {:.1f} °/s").format(worst_dps))
     reason = tr("Lay the hand flat on the table for two seconds.")
     return SetUpStep(name, False, reason, "glove_setup", tr("Measure"))
@@ -182,37 +177,60 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
 
 
 def _exposure(view: Snapshot | None) -> SetUpStep:
-    """A camera that exposes by itself changes the markers' colours."""
+    """A camera with automatic exposure changes the markers' colours. A lock counts as done only
+    where the camera confirms it."""
     name = tr("Exposure locked")
     if view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waits for images."))
     if view.setup.simulated or view.setup.player is not None:
         return SetUpStep(name, True, tr("it does not change here"))
     if view.setup.camera_controls is None:
-        return SetUpStep(name, True, tr("this source has no exposure to be set"))
-    controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
-    open_ones = [tr(CONTROLS[n]) for n, c in controls.items() if not c.locked and n != "gain"]
-    if not controls:
-        return SetUpStep(
-            name, True, tr("this camera lets no program set it: keep the light as it is")
+        words = tr(
+            "Cannot be verified: this source has no exposure control. Fix the exposure at the "
+            "source itself."
         )
+        return SetUpStep(name, False, words, check=True)
+    controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
+    open_ones = [tr(CONTROLS[n]) for n, c in controls.items() if c.is_open and n != "gain"]
+    unsure = [tr(CONTROLS[n]) for n, c in controls.items() if c.is_unverified]
+    if not controls:
+        words = tr("Cannot be verified: this camera has no controls. Keep the light constant.")
+        return SetUpStep(name, False, words, check=True)
     if open_ones:
         words = tr("The camera changes {} by itself.").format(", ".join(open_ones))
         return SetUpStep(name, False, words, "lock_camera", tr("Lock it now"))
+    if unsure:
+        words = tr("Cannot be verified: the camera does not confirm {}.").format(", ".join(unsure))
+        return SetUpStep(name, False, words, "camera_setup", tr("Show"), check=True)
     values = (f"{tr(CONTROLS[n])} {c.value:g}" for n, c in controls.items())
     return SetUpStep(name, True, ", ".join(values))
 
 
 def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
-    """Lamp and exposure; what colours and the room cost is told, but can be lived with."""
+    """Lamp and exposure must be good; colours of the room and missed markers are to be checked."""
     name = tr("Light")
-    if light is None or light.reading is None or view is None or not images_arrive(view):
+    if view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waits for images."))
-    advice = light.reading.advice
-    words = told(advice[0].words) if advice else tr("the markers are clear")
-    if light.reading.good:
-        return SetUpStep(name, True, words)
-    return SetUpStep(name, False, words, "show_colours", tr("Show"))
+    if light is None or light.reading is None:
+        return SetUpStep(name, False, tr("Reading the light…"), waits=True)
+    reading = light.reading
+    few = _missed(light) <= FEW_MISSED
+    advice = [a for a in reading.advice if not (few and a.kind == "missed")]
+    if not advice:
+        return SetUpStep(name, True, tr("the markers are clear"))
+    hand = [a for a in advice if a.kind == "hand"]
+    if hand and reading.good:
+        return SetUpStep(name, False, told(hand[0].words), waits=True)
+    words = told(advice[0].words)
+    return SetUpStep(name, False, words, "show_colours", tr("Show"), check=reading.good)
+
+
+def _missed(light: LightWatch | None) -> float:
+    """Share of the markers in the image that the colours do not find; 0 where none are seen."""
+    reading = light.reading if light is not None else None
+    if reading is None or len(reading.uv) == 0:
+        return 0.0
+    return len(reading.missed) / len(reading.uv)
 
 
 def hues_seen(view: Snapshot) -> set[str]:
@@ -223,43 +241,60 @@ def hues_seen(view: Snapshot) -> set[str]:
     return {view.blobs.hue_names[h] for b in sides for h in b.hue.tolist()}
 
 
-def _colours(view: Snapshot | None, lately: Collection[str] | None) -> SetUpStep:
-    """Done when every hue of the glove is found, not only some."""
+def _colours(
+    view: Snapshot | None, lately: Collection[str] | None, light: LightWatch | None
+) -> SetUpStep:
+    """Done when every hue of the glove is found, and most markers are."""
     name = tr("Colours tuned")
-    if view is None or view.blobs is None or not images_arrive(view):
+    if view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waits for images."))
+    if view.blobs is None:
+        return SetUpStep(name, False, tr("Searching for markers…"), waits=True)
+    tune = ("show_colours", tr("Tune colours"))
     rows = seen_rows(view, view.setup.profile)
     clashing = [spoken(r.name) for r in rows if r.clash]
     if clashing:
         reason = tr("The intervals of {} overlap.").format(", ".join(clashing))
-        return SetUpStep(name, False, reason, "show_colours", tr("Tune colours"))
+        return SetUpStep(name, False, reason, *tune)
     found = hues_seen(view) if lately is None else set(lately)
     unseen = [spoken(n) for n in view.setup.glove.hues if n not in found]
+    away = _tracking(view) != Tracking.TRACKING  # nothing can be seen of a hand out of view
     if not found:
-        return SetUpStep(name, False, tr("No marker is found."), "show_colours", tr("Tune colours"))
+        return SetUpStep(name, False, tr("No marker is found."), *tune, waits=away)
     if unseen:
         reason = tr("Not seen: {}. Turn the hand, or tune the colours.").format(", ".join(unseen))
-        return SetUpStep(name, False, reason, "show_colours", tr("Tune colours"))
+        return SetUpStep(name, False, reason, *tune, waits=away)
+    if light is not None and light.reading is not None and _missed(light) > MOST_MISSED:
+        missed, there = len(light.reading.missed), len(light.reading.uv)
+        reason = tr("{} of {} markers are not found with these colours.").format(missed, there)
+        return SetUpStep(name, False, reason, *tune)
     return SetUpStep(
         name, True, tr("seen: {}").format(", ".join(map(spoken, view.setup.glove.hues)))
     )
 
 
-def _hand(view: Snapshot | None) -> SetUpStep:
+def _tracking(view: Snapshot | None) -> Tracking | None:
+    return view.estimate.tracking if view is not None and view.estimate is not None else None
+
+
+def _hand(view: Snapshot | None, before: bool) -> SetUpStep:
+    """``before``: it was tracked since its devices are there."""
     name = tr("Hand in view")
-    tracking = view.estimate.tracking if view is not None and view.estimate is not None else None
     if not (packets_arrive(view) or images_arrive(view)):
         return SetUpStep(name, False, tr("Waits for glove and camera."))
-    if tracking == Tracking.TRACKING:
+    if _tracking(view) == Tracking.TRACKING:
         return SetUpStep(name, True, tr("tracking"))
     if view is not None and not view.setup.whole:
         return SetUpStep(name, False, tr("Needs glove and calibrated camera."))
+    if before:
+        return SetUpStep(name, False, tr("It was tracked and is not in view now."))
     return SetUpStep(
         name, False, tr("Hold the hand flat, about 35 cm before the camera, for two seconds.")
     )
 
 
-def _calibration(view: Snapshot | None) -> SetUpStep:
+def _calibration(view: Snapshot | None, least: float) -> SetUpStep:
+    """``least``: convergence from which on it has settled."""
     name = tr("Calibration settled")
     if view is None or view.calibration is None:
         return SetUpStep(name, False, tr("Waits for tracking."))
@@ -268,7 +303,7 @@ def _calibration(view: Snapshot | None) -> SetUpStep:
     alone = by_one_camera(view)
     shown = calibration_view(view.calibration, one_camera=alone)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
-    if share >= SETTLED:
+    if share >= least:
         return SetUpStep(name, True, tr("hand length {}").format(shown.hand_length))
     reason = f"{100 * share:.0f} %. {shown.advice}"
     if view.setup.guide is not None and not (alone and not is_measured(view.calibration)):

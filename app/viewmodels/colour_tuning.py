@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +22,8 @@ from app.viewmodels.colour_images import (
     room_shares,
 )
 from app.viewmodels.colour_live import LiveImages
-from app.viewmodels.colours import HueRow, blob_counts, hue_rows, likely_hue, seen_rows
+from app.viewmodels.colour_picks import Eyedropper, has_hue, mistaken_for, range_at
+from app.viewmodels.colours import HueRow, blob_counts, expected_counts, hue_rows, seen_rows
 from app.viewmodels.names import spoken
 from app.widgets.image_shapes import Ring
 from app.words import tr
@@ -119,11 +120,13 @@ def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -
 
 @dataclass(frozen=True, eq=False)
 class ShownImage:
-    """One side's image, and what belongs to it: the live exposure, or None for a kept image."""
+    """One side's image, and what belongs to it: the live exposure, or None for a kept image. A
+    ``frozen`` one stays while the live one goes on."""
 
     image: Image | None
     view: Snapshot | None
     right: bool
+    frozen: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,6 +140,7 @@ class MaskShown:
     intervals: list[tuple[int, int, str]]
 
 
+@lru_cache
 def factory_colours() -> ColourProfile:
     """Those that the program comes with."""
     return parse_profile(library.text("colours", library.DEFAULT_COLOURS))
@@ -187,32 +191,48 @@ class ColourTuning:
     def _picks(self) -> Mapping[str, Pick]:
         return self._history.now.picks
 
-    def pick(self, image: Image, u: float, v: float, leave_out: bool) -> bool:
-        """Take a pixel of the mask into the range, or leave it out.
+    def pick(self, image: Image, u: float, v: float, how: Eyedropper) -> bool:
+        """Take a pixel of the mask into the range, set the range by it, or leave it out.
 
-        False where it looks like another hue than the chosen one: that is said, and a second click
-        there takes it.
+        False where it is grey, which is refused, or looks like another hue than the chosen one: a
+        second click there takes it. ``last_words`` says which.
         """
-        pixel = np.array(pixel_hsv(image, u * MASK_STEP, v * MASK_STEP))
-        if not leave_out and self._questions(pixel, u, v):
-            return False
-        changed = (
-            remove_pixel(self.hue_range, pixel) if leave_out else add_pixel(self.hue_range, pixel)
-        )
+        at_u, at_v = u * MASK_STEP, v * MASK_STEP
+        pixel = np.array(pixel_hsv(image, at_u, at_v))
         name, picks = self.hue_range.name, dict(self._picks)
-        if not leave_out:
-            picks[name] = Pick(image, np.array([u, v]) * MASK_STEP, name)
-        bgr = pixel_bgr(image, u * MASK_STEP, v * MASK_STEP)
-        learned = taught(self.profile, bgr, -1 if leave_out else self.hue)
-        words = "" if leave_out else self._picked_words(picks)
+        if how is Eyedropper.REMOVE:
+            changed, row = remove_pixel(self.hue_range, pixel), -1
+        elif self._refuses(pixel) or self._questions(pixel, u, v):
+            return False
+        else:
+            setting = how is Eyedropper.SET
+            changed = (
+                range_at(image, at_u, at_v, name) if setting else add_pixel(self.hue_range, pixel)
+            )
+            row, picks[name] = self.hue, Pick(image, np.array([at_u, at_v]), name)
+        learned = taught(self.profile, pixel_bgr(image, at_u, at_v), row)
+        words = self._picked_words(picks) if row >= 0 else ""
         self._change(Tuned(with_range(learned, changed), words, picks))
+        return True
+
+    def _refuses(self, pixel: Array) -> bool:
+        """Whether a pixel is too grey or too dark to have a hue."""
+        if has_hue(pixel):
+            return False
+        self._asked = None
+        words = tr(
+            "This pixel is too grey or too dark to have a hue (saturation {}, value {}). "
+            "Click the middle of a {} marker."
+        )
+        self.last_words = words.format(int(pixel[1]), int(pixel[2]), spoken(self.hue_range.name))
         return True
 
     def _questions(self, pixel: Array, u: float, v: float) -> bool:
         """Whether a click is more likely a mistake: on a marker of a hue that is not chosen."""
-        name, other = self.hue_range.name, likely_hue(self.profile, pixel)
+        name = self.hue_range.name
+        other = mistaken_for(pixel, self.hue_range, self.profile, factory_colours())
         before, self._asked = self._asked, None
-        if other in ("", name) or self.hue_range.contains(pixel):
+        if not other:
             return False
         if (
             before is not None
@@ -221,7 +241,7 @@ class ColourTuning:
         ):
             return False
         self._asked = name, u, v
-        words = tr("That is {0} by the colours so far, not {1}. Choose {0} first, or click again.")
+        words = tr("This looks like {0}, not {1}. Choose {0} first, or click again to take it.")
         self.last_words = words.format(spoken(other), spoken(name))
         return True
 
@@ -311,7 +331,7 @@ class ColourTuning:
         """The work of searching an image with the profile as it is now, for another thread; None
         where nothing is to be searched: the live image is searched by the engine."""
         image = shown.image if self._is_mine(shown) and not self._dragging else None
-        if image is None or (image is not self._searched and shown.view is None):
+        if image is None or (image is not self._searched and (shown.view is None or shown.frozen)):
             self._found = None
         self._searched = image
         if image is None:
@@ -320,8 +340,9 @@ class ColourTuning:
         return lambda: Detector(profile, size, self.setup.rig.fx).detect(image)[0]
 
     def _is_mine(self, shown: ShownImage) -> bool:
-        """Whether no engine searches the image with these colours: a kept one, or a replay's."""
-        return shown.view is None or self.setup.player is not None
+        """Whether no engine searches the image with these colours: a kept or a frozen one, or a
+        replay's."""
+        return shown.view is None or shown.frozen or self.setup.player is not None
 
     def is_new(self, shown: ShownImage) -> bool:
         """Whether an image is to be searched here and was not."""
@@ -338,7 +359,9 @@ class ColourTuning:
         if shown.view is not None and not self._is_mine(shown):
             return seen_rows(shown.view, self.profile, self.room)
         counts = blob_counts([self._found], self.profile.hue_names, self.profile)
-        return hue_rows(self.profile, counts, None, self.room)
+        live = shown.view if shown.frozen and self.setup.player is None else None
+        expected = expected_counts(live) if live is not None else None
+        return hue_rows(self.profile, counts, expected, self.room)
 
     def words(self, rows: list[HueRow]) -> str:
         """What was done last, and what stands in the way of a hue."""

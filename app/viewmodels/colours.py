@@ -16,8 +16,6 @@ from tracker.calibration.colours_fit import clashes
 from tracker.messages import Array, Blobs, Tracking
 from tracker.vision.colours import HUES, ColourProfile
 
-COLOURED, LIT = 80, 30  # saturation and value that a marker has at least
-
 
 def hue_hex(hue: float) -> str:
     """A clear colour of this OpenCV hue, readable on a dark image."""
@@ -30,13 +28,12 @@ def hue_colours(profile: ColourProfile) -> dict[str, str]:
     return {h.name: hue_hex(h.centre) for h in profile.hues}
 
 
-def likely_hue(profile: ColourProfile, hsv: Array) -> str:
-    """The hue that a pixel (3,) most likely is of; empty where it is too grey or dark to tell."""
-    if hsv[1] < COLOURED or hsv[2] < LIT:
-        return ""
+def nearest_hue(profile: ColourProfile, hsv: Array) -> tuple[str, bool]:
+    """The hue nearest to an HSV pixel (3,), and whether the pixel is in its range; a hue whose
+    range has the pixel goes first."""
     inside = [h.name for h in profile.hues if h.contains(hsv)]
     apart = {h.name: abs((hsv[0] - h.centre + HUES / 2) % HUES - HUES / 2) for h in profile.hues}
-    return min(inside or apart, key=apart.__getitem__)
+    return min(inside or apart, key=apart.__getitem__), bool(inside)
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ class RangeRow(QWidget):
 
     def __init__(self, name: str, top: int, wraps: bool = False) -> None:
         super().__init__()
-        self._wraps = wraps
+        self._wraps, self._pair = wraps, (0, top)
         self.slider = HueRangeSlider(top) if wraps else PlainRangeSlider(top)
         self.slider.setAccessibleName(name)
         self.low, self.high = self._spin(top), self._spin(top)
@@ -48,15 +48,20 @@ class RangeRow(QWidget):
     def _connect(self) -> None:
         self.slider.changed.connect(self._slid)
         self.slider.released.connect(lambda: self._emit(False))
-        self.low.valueChanged.connect(self._typed)
-        self.high.valueChanged.connect(self._typed)
+        for box in (self.low, self.high):
+            box.valueChanged.connect(self._typed)
+            box.editingFinished.connect(lambda: self.set_values(*self._pair))
 
     def values(self) -> tuple[int, int]:
         return self.low.value(), self.high.value()
 
-    def set_values(self, low: int, high: int) -> None:
-        """Show a pair without a signal."""
+    def set_values(self, low: int, high: int, spare_focused: bool = False) -> None:
+        """Show a pair without a signal; with ``spare_focused`` a number with the keyboard's focus
+        shows it once it was edited."""
+        self._pair = low, high
         for box, value in ((self.low, low), (self.high, high)):
+            if spare_focused and box.hasFocus():
+                continue
             box.blockSignals(True)
             box.setValue(value)
             box.blockSignals(False)

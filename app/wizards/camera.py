@@ -45,6 +45,7 @@ from tracker.sensors.image_input import CameraName, Image
 TICK_MS = 200
 NAMES = {"exposure": mark("Exposure"), "gain": mark("Gain"), "white_balance": mark("White balance")}
 LARGEST = 100_000.0
+ABSENT = -1  # index of a camera that is chosen and not connected
 LIVE = 90  # px that an image is high at least
 
 
@@ -64,6 +65,8 @@ class CameraSetup(FormDialog):
         super().__init__("camera_setup", (560, 560), parent)
         self._host, self._store, self._tasks, self._find = host, store, tasks, find
         self._cameras: list[CameraName] = []
+        self._searched = False
+        self._shown: str | None = None  # `choice` as it was last offered
         self.setWindowTitle(self.tr("Camera set-up"))
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
         self.other_right = QLineEdit()
@@ -92,14 +95,20 @@ class CameraSetup(FormDialog):
 
     def _form(self) -> QFormLayout:
         self.again.clicked.connect(self.search)
-        self.other.setPlaceholderText(self.tr("a video file, or rtsp:// or http:// of a stream"))
+        self.other.setPlaceholderText(
+            self.tr("a number (0 is the first camera), a video file, rtsp:// or http://")
+        )
         self.browse = QPushButton(self.tr("&Browse…"))
         self.browse.clicked.connect(self._choose_file)
         form = QFormLayout()
         form.addRow(labelled(self.tr("&Camera"), self.left), beside(self.left, self.again))
         form.addRow(self.tr("&Right images from"), self.right)
-        form.addRow(labelled(self.tr("&Or from"), self.other), beside(self.other, self.browse))
-        self.other_right.setPlaceholderText(self.tr("nothing, or another one for the right images"))
+        form.addRow(
+            labelled(self.tr("&Or number, file"), self.other), beside(self.other, self.browse)
+        )
+        self.other_right.setPlaceholderText(
+            self.tr("nothing, or another number or address for the right images")
+        )
         form.addRow(self.tr("&And from"), self.other_right)
         form.addRow("", self.exchanged)
         return form
@@ -118,13 +127,17 @@ class CameraSetup(FormDialog):
 
     def search(self) -> None:
         """Ask the system for its cameras."""
-        self._tasks.run(
-            self.tr("Looking for cameras"), lambda _progress: self._find(), self._show_cameras
-        )
+        self._tasks.run(self.tr("Looking for cameras"), lambda _progress: self._find(), self._found)
+
+    def _found(self, cameras: list[CameraName]) -> None:
+        self._searched = True
+        self._show_cameras(cameras)
 
     def _show_cameras(self, cameras: list[CameraName]) -> None:
+        """Offer these; what was edited meanwhile stays chosen, else what the settings hold."""
+        edited = self._shown is not None and self.choice() != self._shown
+        chosen = self.choice() if edited else self._store.value.camera
         self._cameras = cameras
-        chosen = self._store.value.camera
         self.left.clear()
         self.left.addItem(self.tr("The first one found"), "")
         self.right.clear()
@@ -137,18 +150,32 @@ class CameraSetup(FormDialog):
             self.right.addItem(title, camera)
         count, chosen = told_count(chosen)
         self.right.setCurrentIndex(count)
-        if chosen.startswith(PAIR):
+        self._show_choice(chosen)
+        self._shown = self.choice()
+
+    def _show_choice(self, chosen: str) -> None:
+        """The settings' text, without its count: on the list, or as it was typed."""
+        pair = chosen.startswith(PAIR)
+        named = pair or chosen.startswith(NAME)
+        first, second = chosen.removeprefix(NAME), ""
+        if pair:
             first, _, second = chosen.removeprefix(PAIR).partition("|")
-            if is_address(first):
-                self.other.setText(first)
-                self.other_right.setText(second)
-                return
-            _select(self.left, first)
-            _select(self.right, second)
-        elif chosen.startswith(NAME) or chosen.isdigit():
-            _select(self.left, chosen.removeprefix(NAME))
-        else:
-            self.other.setText(chosen)
+        absent = [n for n in (first, second) if n and not self._is_listed(n)]
+        typed = any(n.isdigit() or is_address(n) for n in absent) or first == second
+        if absent and (typed or not named):
+            self.other.setText(first)
+            self.other_right.setText(second)
+            return
+        self.other.clear()
+        self.other_right.clear()
+        for box, name in ((self.left, first), (self.right, second)):
+            if name in absent:
+                title = self.tr("{} (not connected)").format(name) if self._searched else name
+                box.addItem(title, CameraName(ABSENT, name, ""))
+            _select(box, name)
+
+    def _is_listed(self, wanted: str) -> bool:
+        return any(wanted in (c.name, str(c.index)) for c in self._cameras)
 
     def _choose_file(self) -> None:
         words = self.tr("A video with both images side by side")
@@ -323,6 +350,8 @@ class LockBox(QGroupBox):
 def _state(control: Control, wanted: bool) -> str:
     if not control.available:
         return tr("this camera has none")
+    if control.is_unverified:
+        return tr("◐ cannot be verified: the camera reads {}").format(f"{control.value:g}")
     if control.locked:
         return tr("● locked at {}").format(f"{control.value:g}")
     if wanted:

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import replace
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
+from PySide6.QtWidgets import QLabel
 
 from app.engines.camera_choice import by_name, by_names, choose
 from app.storage.settings import AppSettings
 from app.viewmodels.checklist import steps
+from app.viewmodels.states import WARN
 from app.wizards.camera import CameraSetup
 from tracker.calibration.still import StillImu, StillPose
 from tracker.errors import DeviceError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.pipeline import Pipeline
-from tracker.sensors.camera_controls import Control, Locks
+from tracker.sensors.camera_controls import PROPERTIES, Control, ControlledInput, Locks
 from tracker.sensors.image_input import CameraName, StreamInput
 from tracker.vision.rig import ideal_rig
 
@@ -80,9 +84,120 @@ def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls
     assert exposure_step(window).reason == "exposure 250, white balance 4600"
 
 
-def test_a_source_without_controls_needs_no_lock(window):
-    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
-    assert exposure_step(window).done and "no exposure" in exposure_step(window).reason
+@pytest.mark.parametrize("controls", [None, SimpleNamespace(controls=lambda: (Control("gain"),))])
+def test_exposure_that_cannot_be_read_is_to_be_checked_and_not_done(window, controls):
+    setup = scripted_setup(ScriptedEngine())
+    window.host.adopt(replace(setup, simulated=False, camera_controls=controls))
+    step = exposure_step(window)
+    assert not step.done and step.passes and step.look(reachable=False) is WARN
+    assert step.reason.startswith("Cannot be verified")
+
+
+class Deaf:
+    """A device whose driver accepts every value and reads back others: ``stuck`` the exposure,
+    or ``automatic`` its switch."""
+
+    def __init__(self, stuck: float | None = None, automatic: bool = False) -> None:
+        self._stuck, self._automatic, self._values = stuck, automatic, {}
+
+    def get(self, prop: int) -> float:
+        if prop == cv2.CAP_PROP_AUTO_EXPOSURE and self._automatic:
+            return PROPERTIES["exposure"].automatic
+        if prop == cv2.CAP_PROP_EXPOSURE and self._stuck is not None:
+            return self._stuck
+        return self._values.get(prop, 0.0)
+
+    def set(self, prop: int, value: float) -> bool:
+        self._values[prop] = value
+        return True
+
+
+class OneDevice:
+    """An image input on a device."""
+
+    live, name, fps = True, "camera", 30.0
+
+    def __init__(self, device: Deaf) -> None:
+        self._device = device
+
+    def open(self) -> None:
+        pass
+
+    def read(self):
+        return None
+
+    def captures(self):
+        return [self._device]
+
+    def close(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize("device", [Deaf(stuck=600.0), Deaf(automatic=True)])
+def test_a_lock_that_the_camera_does_not_confirm_is_never_shown_as_done(window, qtbot, device):
+    source = ControlledInput(OneDevice(device), Locks(exposure=157.0, white_balance=4600.0))
+    setup = scripted_setup(ScriptedEngine())
+    window.host.adopt(replace(setup, simulated=False, camera_controls=source))
+    source.read()
+    step = exposure_step(window)
+    assert not step.done and step.look(reachable=False) is WARN
+    assert step.reason == "Cannot be verified: the camera does not confirm exposure."
+    window.store.update(camera_locks="exposure=157 white_balance=4600")
+    window.run_command("camera_setup")
+    states = window.set_up.dialogs["camera"].locks._states
+    qtbot.waitUntil(lambda: states["exposure"].text().startswith("◐ cannot be verified"))
+    assert states["white_balance"].text() == "● locked at 4600"
+    window.set_up.dialogs["camera"].close()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_a_number_opens_a_camera_where_the_system_lists_none(window, store, qtbot):
+    """The error says where to enter it."""
+    with pytest.raises(DeviceError, match="Or number, file"):
+        chosen("")
+    made = CameraSetup(window.host, store, window.tasks, window, list)
+    window.set_up.show_dialog("camera", made)
+    labels = [label.text().replace("&", "") for label in made.findChildren(QLabel)]
+    assert "Or number, file" in labels
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    qtbot.keyClicks(made.other, "1")
+    made.use.click()
+    assert store.value.camera == "1" and chosen(store.value.camera).title == "camera 1"
+    again = CameraSetup(window.host, store, window.tasks, window, list)
+    qtbot.addWidget(again)
+    assert again.other.text() == "1" and again.choice() == "1"
+    again.other_right.setText("2")
+    assert chosen(again.choice()).source.name == "1 and 2"
+    again._show_cameras([replace(WEB, index=1), ZED])
+    assert again.choice() == by_names(WEB, ZED), "the same cameras, by their names"
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_a_chosen_camera_that_is_not_connected_stays_chosen(window, store, qtbot):
+    store.update(camera=by_name(ZED))
+    made = CameraSetup(window.host, store, window.tasks, window, lambda: [WEB])
+    window.set_up.show_dialog("camera", made)
+    qtbot.waitUntil(lambda: made.left.currentText() == "ZED-M (not connected)", timeout=30_000)
+    made.use.click()
+    assert store.value.camera == by_name(ZED)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_a_search_that_ends_while_an_address_is_typed_leaves_it_alone(window, store, qtbot):
+    typed = threading.Event()
+
+    def slowly() -> list[CameraName]:
+        assert typed.wait(30)
+        return [WEB, ZED]
+
+    store.update(camera=by_name(ZED))
+    made = CameraSetup(window.host, store, window.tasks, window, slowly)
+    window.set_up.show_dialog("camera", made)
+    qtbot.keyClicks(made.other, "rtsp://cam")
+    typed.set()
+    qtbot.waitUntil(lambda: made.left.count() == 3, timeout=30_000)
+    assert made.other.text() == "rtsp://cam" == made.choice()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
 def test_a_lock_is_set_and_lifted_in_the_dialog(window, controls, dialog):

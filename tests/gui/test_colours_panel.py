@@ -20,6 +20,7 @@ from app.viewmodels.colour_fits import fit_words
 from app.viewmodels.colour_images import in_range, mask_image, masks_image, room_shares, to_hsv
 from app.viewmodels.colour_tuning import MASK_STEP, ROOM_EVERY
 from app.viewmodels.colours import hue_colours, seen_rows
+from app.viewmodels.states import GOOD, WARN
 from app.widgets.hue_range import HueRangeSlider
 from app.window.main_window import MainWindow
 from tracker.calibration.colours_fit import FoundHue
@@ -119,7 +120,9 @@ def test_clicks_say_which_hues_are_missing_and_one_that_is_taken_back_does_not_c
     first = [blobs.left.uv[blobs.left.hue == blobs.hue_names.index(n)][0] for n in names]
     said = colours.ranges.words.text
     colours.tools.pick.click()
-    click(colours, qtbot, 0, (2.0, 2.0))  # no marker: a mistake
+    other = first[1]  # of another hue: a mistake, which a second click insists on
+    click(colours, qtbot, 0, other)
+    click(colours, qtbot, 0, other)
     missing = ", ".join(names[1:])
     assert said().startswith(
         f"Clicked: {names[0]}. Still to be clicked before the colours are learned: {missing}."
@@ -349,9 +352,11 @@ def test_only_the_newest_profile_is_searched_with_and_shown(colours, held, qtbot
     assert held.begun[-1].profile == newest
 
 
-def test_a_search_of_an_image_that_is_gone_is_not_shown(colours, held, qtbot):
+def test_a_search_of_an_image_that_is_gone_is_not_shown(colours, engine, held, qtbot):
+    engine.frame = 60
     colours.image.source.choice.setCurrentIndex(0)
-    colours.image.source.freeze.setChecked(True)
+    newest = frame_and_blobs(60)[0].left
+    qtbot.waitUntil(lambda: colours.image.source.image() is newest, timeout=30_000)
     held.go_on.set()
     qtbot.wait(200)
     rows = colours.tuning.rows(colours.image.shown())
@@ -385,6 +390,53 @@ def test_a_frozen_image_stays(colours, engine, qtbot):
     engine.frame = 60
     qtbot.wait(300)
     assert colours.image.source.image() is frame_and_blobs(30)[0].left
+
+
+def test_a_frozen_image_is_counted_with_the_colours_as_they_are_now(colours, engine, qtbot):
+    """The engine searches live images only, so its counts said nothing of a held one."""
+    index = colours.tuning.profile.hue_names.index("green")
+    chip = colours.ranges.hues.chips[index]
+    colours.image.source.freeze.setChecked(True)
+    assert colours.image.mask_view._title == "Mask, image frozen"
+    qtbot.waitUntil(lambda: chip.text().startswith("●") or " of about " in chip.text())
+    image = colours.image.source.image()
+    engine.frame = 60
+    narrow(colours, "green")
+    missed = lambda: colours.tuning.rows(colours.image.shown())[index]  # noqa: E731
+    qtbot.waitUntil(lambda: missed().count.startswith("0 of about "), timeout=30_000)
+    assert missed().look is WARN
+    assert colours.image.source.image() is image
+    colours.undo()
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    found = int((Detector(models()[2], size, fx).detect(image)[0].hue == index).sum())
+    assert found > 0
+    qtbot.waitUntil(lambda: missed().count.startswith(f"{found} of about "), timeout=30_000)
+    assert missed().look is GOOD
+    colours.image.source.freeze.setChecked(False)
+    assert colours.image.mask_view._title == "Mask"
+    qtbot.waitUntil(lambda: colours.image.source.image() is not image, timeout=30_000)
+
+
+def test_another_camera_begins_live(colours):
+    colours.image.source.freeze.setChecked(True)
+    colours.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), camera="Another"))
+    assert not colours.image.source.freeze.isChecked()
+
+
+def test_masks_of_held_images_follow_the_colours(colours, qtbot):
+    cameras = colours.window().cameras
+    colours.window().show_panel("cameras")
+    cameras.masks.setChecked(True)
+    cameras.freeze.setChecked(True)
+    cameras.refresh(colours.host.snapshot())
+    before = cameras.left._array.copy()
+    narrow(colours, "green")
+    cameras.refresh(colours.host.snapshot())
+    green = hue_colours(models()[2])["green"]
+    bgr = [int(green[i : i + 2], 16) for i in (5, 3, 1)]
+    count = lambda image: int((image == bgr).all(axis=2).sum())  # noqa: E731
+    assert count(before) > 0
+    assert count(cameras.left._array) < count(before)
 
 
 def test_red_runs_through_zero_on_the_slider(colours, qtbot):
@@ -589,7 +641,7 @@ def test_a_click_on_a_marker_of_another_hue_is_questioned(colours, engine, qtbot
     before, said = colours.tuning.profile, colours.ranges.words.text
     colours.tools.pick.click()
     click(colours, qtbot, red, green)
-    assert said().startswith("That is green by the colours so far, not red.")
+    assert said().startswith("This looks like green, not red.")
     assert colours.tuning.profile == before and engine.profiles == []
     assert not colours.tuning.all_picked
     click(colours, qtbot, red, green)
@@ -598,6 +650,95 @@ def test_a_click_on_a_marker_of_another_hue_is_questioned(colours, engine, qtbot
     colours.undo()
     assert engine.profiles[-1] == colours.tuning.profile == before
     click(colours, qtbot, red, green)
-    assert said().startswith("That is green")  # asked anew each time
+    assert said().startswith("This looks like green")  # asked each time
     click(colours, qtbot, colours.tuning.profile.hue_names.index("green"), green)
     assert said().startswith("Clicked: green.")
+
+
+def test_a_grey_pixel_is_refused_by_both_eyedroppers_that_take(colours, engine, qtbot):
+    """It would widen a hue until it has the wall, the table and the glove's cloth."""
+    image, _ = frame_and_blobs(engine.frame)
+    wall = np.array([3.0, 3.0])
+    assert np.ptp(image.left[3, 3].astype(int)) < 15  # levels between its channels
+    before, said = colours.tuning.profile, colours.ranges.words.text
+    for button in (colours.tools.pick, colours.tools.take):
+        button.click()
+        for _ in range(2):  # not even a second time
+            click(colours, qtbot, 0, wall)
+            assert said().startswith("This pixel is too grey or too dark to have a hue")
+        assert "Click the middle of a red marker." in said()
+        assert colours.tuning.profile == before and engine.profiles == []
+
+
+@pytest.mark.parametrize("hue", range(4))
+def test_setting_from_a_pixel_makes_a_moved_hue_find_its_markers_again(colours, engine, qtbot, hue):
+    """*Pick +* only widens: what was moved far away would then be half the circle."""
+    image, blobs = frame_and_blobs(engine.frame)
+    name = colours.tuning.profile.hue_names[hue]
+    markers = blobs.left.uv[blobs.left.hue == blobs.hue_names.index(name)]
+    sizes = blobs.left.size[blobs.left.hue == blobs.hue_names.index(name)]
+    largest = markers[np.argmax(sizes.min(axis=1))]
+    colours.choose_hue(hue)
+    shipped = colours.tuning.profile.hues[hue].hue
+    colours.tuning.move("hue", tuple((end + 60) % 180 for end in shipped), held=False)
+    moved = colours.tuning.profile
+    colours.tools.take.click()
+    assert not colours.tools.pick.isChecked()
+    click(colours, qtbot, hue, largest)
+    tuned = engine.profiles[-1].hues[hue]
+    assert tuned == colours.tuning.profile.hues[hue]
+    assert tuned.width < 40 and tuned.hue == colours.ranges.rows["hue"].values()
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    found = Detector(colours.tuning.profile, size, fx).detect(image.left)[0]
+    gaps = np.linalg.norm(found.uv[found.hue == hue] - largest, axis=1)
+    assert gaps.min() < 4
+    colours.undo()
+    assert colours.tuning.profile == moved
+
+
+def test_a_marker_of_a_hue_that_was_moved_is_not_taken_for_another(colours, engine, qtbot):
+    _, blobs = frame_and_blobs(engine.frame)
+    yellow = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("yellow")][0]
+    index = colours.tuning.profile.hue_names.index("yellow")
+    colours.choose_hue(index)
+    colours.tuning.move("hue", (80, 95), held=False)
+    said = colours.ranges.words.text
+    colours.tools.pick.click()
+    click(colours, qtbot, index, yellow)
+    assert said().startswith("Clicked: yellow.")
+    colours.undo()
+    click(colours, qtbot, colours.tuning.profile.hue_names.index("red"), yellow)
+    assert said().startswith("This looks like yellow, not red.")
+
+
+def test_a_number_that_is_typed_is_left_alone_by_colours_that_follow_the_light(
+    colours, engine, qtbot
+):
+    """The user's edit wins; the other end and the other hues are those of the light now."""
+    colours.window().activateWindow()
+    row = colours.ranges.rows["hue"]
+    index = colours.tuning.profile.hue_names.index("green")
+    colours.choose_hue(index)
+    old = row.values()
+    row.low.setFocus()
+    qtbot.waitUntil(row.low.hasFocus)
+    row.low.selectAll()
+    qtbot.keyClicks(row.low, "4")
+    engine.followed = first = warmer(colours.tuning.profile)
+    qtbot.waitUntil(lambda: colours.tuning.profile == first, timeout=30_000)
+    assert row.low.lineEdit().text() == "4"
+    assert row.high.value() == first.hues[index].hue[1] == old[1] - 5
+    qtbot.keyClicks(row.low, "1")
+    qtbot.keyClick(row.low, Qt.Key.Key_Return)
+    assert engine.profiles[-1].hues[index].hue == (41, old[1] - 5)
+    assert engine.profiles[-1].hues[0] == first.hues[0]
+    row.low.selectAll()
+    engine.followed = second = warmer(colours.tuning.profile)
+    qtbot.waitUntil(lambda: colours.tuning.profile == second, timeout=30_000)
+    assert row.low.lineEdit().selectedText() == "41"  # about to be typed over
+    colours.image.mask_view.setFocus()
+    assert row.values() == second.hues[index].hue, "once it is left it shows the latest"
+    assert colours.tuning.profile == second
+    row.low.setFocus()
+    colours.undo()
+    assert row.values() == colours.tuning.profile.hues[index].hue, "what was asked for is shown"

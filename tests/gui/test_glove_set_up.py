@@ -147,3 +147,32 @@ def test_the_port_is_free_when_the_window_is_told_of_the_glove(window, qtbot):
     qtbot.waitUntil(lambda: bool(read_then), timeout=30_000)
     assert read_then == [False]
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_the_set_up_says_which_glove_sends(window, store, qtbot, monkeypatch):
+    """Without a glove "The glove answers" was the simulated one, beside "No USB serial port"."""
+    monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", list)
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    qtbot.waitUntil(lambda: "packets per second" in dialog.state.text(), timeout=30_000)
+    assert dialog.state.text().startswith("Simulated glove: ")
+    qtbot.waitUntil(lambda: dialog.choice.again.isEnabled(), timeout=30_000)
+    assert dialog.choice.words.text().startswith("No glove was found on any USB port.")
+    assert dialog.use.text() == "&Use these files"
+    dialog.close()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_the_set_up_names_the_glove_in_use_and_one_at_a_port(window, qtbot, monkeypatch, tmp_path):
+    monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", list)
+    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False, glove_id=7))
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    qtbot.waitUntil(lambda: dialog.state.text().startswith("Glove 7 in use: "), timeout=30_000)
+    assert dialog.use.text() == "&Use this glove"
+    qtbot.waitUntil(lambda: dialog.choice.again.isEnabled(), timeout=30_000)
+    assert dialog.choice.words.text() == "No other glove was found on any USB port."
+    dialog.choice.add_port(str(tmp_path / "glove"))
+    assert dialog.choice.glove_name(3) == f"Glove 3 at {tmp_path / 'glove'}"
+    dialog.close()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)

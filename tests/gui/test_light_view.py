@@ -8,6 +8,7 @@ from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.viewmodels.checklist import steps
 from app.viewmodels.light import EVERY, KEPT, LightWatch
+from app.viewmodels.states import GOOD, IDLE, WARN
 from tracker import library
 from tracker.calibration.light_meter import Advice, LightMeter
 from tracker.vision.colours import parse_profile
@@ -46,25 +47,26 @@ def test_a_moment_without_the_hand_keeps_what_was_read():
 
 
 @pytest.mark.parametrize(
-    ("advice", "done"),
+    ("advice", "look"),
     [
-        ((), True),
-        ((Advice("room", "The room has red too."),), True),
-        ((Advice("dark", "The markers are dark."),), False),
+        ((), GOOD),
+        ((Advice("room", "The room has red too."),), WARN),
+        ((Advice("dark", "The markers are dark."),), IDLE),
     ],
 )
-def test_the_checklist_asks_for_light_and_lives_with_the_room(window, advice, done):
+def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advice, look):
     watch = LightWatch()
     watch.took(a_reading(*advice))
     window.host.adopt(scripted_setup(ScriptedEngine()))
     view = window.host.snapshot()
     step = next(s for s in steps(view, light=watch) if s.name == "Light")
-    assert step.done == done
+    assert step.look(reachable=False) is look
+    assert step.passes == (look is not IDLE)
     assert step.reason == (advice[0].words if advice else "the markers are clear")
-    assert step.command == ("" if done else "show_colours")
+    assert step.command == ("show_colours" if advice else "")
     unread = next(s for s in steps(view) if s.name == "Light")
     assert not unread.done
-    assert unread.reason == "Waits for images."
+    assert unread.reason == "Reading the light…"  # images arrive already
 
 
 def test_another_word_for_the_light_moves_nothing_beside_it(live, qtbot):

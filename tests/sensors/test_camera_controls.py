@@ -15,7 +15,10 @@ from tracker.sensors.camera_controls import (
     Locks,
     locks_from,
     locks_text,
+    set_control,
 )
+
+EXPOSURE = cv2.CAP_PROP_EXPOSURE
 
 
 class Driver:
@@ -140,3 +143,41 @@ def test_locks_are_kept_as_text():
     assert locks_from(locks_text(locks)) == locks
     assert locks_from("exposure=bright nonsense gain=2") == Locks(gain=2.0)
     assert locks_text(Locks()) == ""
+
+
+def test_a_lock_is_confirmed_by_what_the_device_reads_back():
+    class Rounds(Driver):
+        """Exposure in steps, as V4L2 cameras have them."""
+
+        def set(self, prop: int, value: float) -> bool:
+            return super().set(prop, round(value / 5) * 5 if prop == EXPOSURE else value)
+
+    class Ignores(Driver):
+        """Accepts an exposure and stays at its own."""
+
+        def get(self, prop: int) -> float:
+            return 250.0 if prop == EXPOSURE else super().get(prop)
+
+    class Resumes(Driver):
+        """Its automatic stays on."""
+
+        def get(self, prop: int) -> float:
+            return 3.0 if prop == cv2.CAP_PROP_AUTO_EXPOSURE else super().get(prop)
+
+    for driver, verified in ((Driver, True), (Rounds, True), (Ignores, False), (Resumes, False)):
+        exposure = set_control(driver(), "exposure", 157.0)
+        assert exposure.locked and exposure.verified is verified, driver.__name__
+        assert exposure.is_unverified is not verified and not exposure.is_open
+    assert set_control(Driver(), "exposure", None).is_open
+
+
+def test_of_two_cameras_both_must_confirm():
+    class Ignores(Driver):
+        def get(self, prop: int) -> float:
+            return 250.0 if prop == EXPOSURE else super().get(prop)
+
+    for pair, verified in (((Driver(), Driver()), True), ((Driver(), Ignores()), False)):
+        source = ControlledInput(Input(*pair), Locks(exposure=157.0))
+        source.open()
+        source.read()
+        assert by_name(source)["exposure"].verified is verified

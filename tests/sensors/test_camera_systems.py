@@ -98,7 +98,7 @@ def test_without_a_list_plugins_are_still_offered_and_numbers_open(monkeypatch, 
     assert "cannot be listed by name" in caplog.text
     chosen = choose(AppSettings(camera="1"), 64, 48, 30.0)
     assert chosen.title == "camera 1"
-    with pytest.raises(DeviceError, match="enter its number"):
+    with pytest.raises(DeviceError, match="enter the number of yours"):
         choose(AppSettings(), 64, 48, 30.0)
 
 

@@ -33,16 +33,30 @@ PROPERTIES = {
 }
 ABSENT = -1.0
 """What OpenCV answers for a control that the device does not have."""
+COARSE, STEP = 1.0, 0.05
+"""Steps in which drivers round values: in their own units, and as a share of the value."""
 
 
 @dataclass(frozen=True)
 class Control:
-    """One control as the device says: ``available``, its value, and whether it stays there."""
+    """One control as the device reports it: ``available``, its value, whether it was ``locked``,
+    and whether the device confirms that lock (``verified``)."""
 
     name: str
     available: bool = False
     value: float = 0.0
     locked: bool = False
+    verified: bool = True
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the camera changes it without being asked."""
+        return self.available and not self.locked
+
+    @property
+    def is_unverified(self) -> bool:
+        """Whether it was locked and the camera does not confirm that."""
+        return self.available and self.locked and not self.verified
 
 
 @dataclass(frozen=True)
@@ -129,6 +143,7 @@ def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -
         all(c.available for c in found),
         found[0].value,
         all(c.locked for c in found),
+        all(c.verified for c in found),
     )
 
 
@@ -145,7 +160,16 @@ def set_control(capture: Capture, name: str, value: float | None) -> Control:
         capture.set(prop.switch, prop.manual)
     locked = capture.set(prop.value, value)
     now = capture.get(prop.value)
-    return Control(name, now != ABSENT, now, locked and now != ABSENT)
+    there = now != ABSENT
+    return Control(name, there, now, locked and there, _is_confirmed(capture, prop, now, value))
+
+
+def _is_confirmed(capture: Capture, prop: _Property, now: float, wanted: float) -> bool:
+    """Whether a device that was locked reads back what was set: the value, to its steps, and
+    neither an absent switch nor the automatic one."""
+    if abs(now - wanted) > max(COARSE, STEP * abs(wanted)):
+        return False
+    return prop.switch is None or capture.get(prop.switch) not in (prop.automatic, ABSENT)
 
 
 def locks_text(locks: Locks) -> str:

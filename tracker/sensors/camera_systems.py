@@ -91,7 +91,7 @@ def list_cameras(
         return []
     raise DeviceError(
         f"This system's cameras cannot be listed by name ({trouble}). Enter the camera's number "
-        "under Set-up, Camera: 0 is the first one."
+        "under Set-up, Camera, Or number, file: 0 is the first one."
     )
 
 

@@ -42,9 +42,11 @@ class ColoursImage(QWidget):
 
     def shown(self) -> ShownImage:
         source = self.source
-        return ShownImage(source.image(), source.view, source.right)
+        return ShownImage(source.image(), source.view, source.right, source.is_frozen)
 
     def _image_changed(self) -> None:
+        frozen = self.source.is_frozen
+        self.mask_view.set_title(self.tr("Mask, image frozen") if frozen else self.tr("Mask"))
         self.search()
         self.changed.emit()
 

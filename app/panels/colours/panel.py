@@ -21,6 +21,7 @@ from app.storage.colour_store import ColourStore
 from app.storage.image_folder import ImageFolder
 from app.storage.settings import SettingsStore
 from app.viewmodels.colour_fits import image_fit
+from app.viewmodels.colour_picks import Eyedropper
 from app.viewmodels.colour_tuning import ColourTuning, factory_colours
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.two_halves import TwoHalves
@@ -121,10 +122,10 @@ class ColoursPanel(Panel):
             self.host.set_profile(self.tuning.profile)
             self._took_over(self.tuning)
 
-    def _took_over(self, tuning: ColourTuning) -> None:
+    def _took_over(self, tuning: ColourTuning, followed: bool = False) -> None:
         """The engine has the tuning's profile: keep and show it."""
         self.keeper.changed(tuning.profile)
-        self.ranges.show_range(tuning)
+        self.ranges.show_range(tuning, followed)
         self.image.search()
         self._draw()
 
@@ -133,7 +134,7 @@ class ColoursPanel(Panel):
         setup = self.host.setup
         if self.tuning is not None and setup is not None:
             self.tuning.follow(setup.profile)
-            self._took_over(self.tuning)
+            self._took_over(self.tuning, followed=True)
 
     def undo(self) -> None:
         if self.tuning is not None and self.tuning.undo():
@@ -175,7 +176,8 @@ class ColoursPanel(Panel):
         image = self.image.source.image()
         if self.tuning is not None and image is not None:
             with_control = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
-            if not self.tuning.pick(image, u, v, with_control or self.tools.leaving_out):
+            dropper = Eyedropper.REMOVE if with_control else self.tools.dropper
+            if not self.tuning.pick(image, u, v, dropper or Eyedropper.ADD):
                 self._draw()  # what it asks
                 return
             self._apply()

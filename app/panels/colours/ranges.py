@@ -40,11 +40,12 @@ class ColoursRanges(QWidget):
             column.addWidget(widget)
         column.addStretch(1)
 
-    def show_range(self, tuning: ColourTuning) -> None:
-        """The hue that is tuned."""
+    def show_range(self, tuning: ColourTuning, followed: bool = False) -> None:
+        """The hue that is tuned; what the engine ``followed`` leaves a field in use alone."""
         self.hues.choose(tuning.hue)
         for channel, row in self.rows.items():
-            row.set_values(*getattr(tuning.hue_range, channel))
+            low, high = getattr(tuning.hue_range, channel)
+            row.set_values(low, high, spare_focused=followed)
 
     def show_rows(self, rows: Sequence[HueRow], words: str) -> None:
         self.hues.show_rows(rows)

@@ -55,6 +55,7 @@ class ColoursSource(QWidget):
         self.side.currentIndexChanged.connect(self.changed)
         self.freeze = QCheckBox(self.tr("Freeze"))
         self.freeze.setToolTip(self.tr("Hold this image; tracking goes on"))
+        self.freeze.toggled.connect(self.changed)
         self.keep_button = self._button(self.tr("Keep"), self.tr("Keep this image for later"))
         self.keep_button.clicked.connect(self.keep)
         row = FlowLayout(self, spacing=TIGHT)
@@ -84,6 +85,7 @@ class ColoursSource(QWidget):
     def set_folder(self, folder: ImageFolder) -> None:
         """Offer the images of another camera."""
         self._folder, self._view = folder, None
+        self.freeze.setChecked(False)
         self._list(None)
 
     def take(self, view: Snapshot) -> None:
@@ -94,6 +96,11 @@ class ColoursSource(QWidget):
     @property
     def is_live(self) -> bool:
         return self._kept is None
+
+    @property
+    def is_frozen(self) -> bool:
+        """Whether a live image is held."""
+        return self.is_live and self.freeze.isChecked() and self._view is not None
 
     @property
     def view(self) -> Snapshot | None:

@@ -8,6 +8,7 @@ from functools import partial
 from PySide6.QtCore import Signal, SignalInstance
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
+from app.viewmodels.colour_picks import Eyedropper
 from app.widgets.one_line import OneLine
 
 
@@ -29,38 +30,53 @@ class ColoursTools(OneLine):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.take = self._toggle(
+            self.tr("Pick ="),
+            self.tr(
+                "Set from pixel: an eyedropper; a click on a marker sets the ranges of the chosen "
+                "hue to its colour"
+            ),
+        )
         self.pick = self._toggle(
             self.tr("Pick +"),
             self.tr(
-                "Eyedropper: a click takes a pixel in, Ctrl+click leaves it out. "
-                "With one marker of each colour clicked, the colours are learned."
+                "Eyedropper: a click widens the ranges to take a pixel in, Ctrl+click leaves it "
+                "out. With one marker of each colour clicked, the colours are learned."
             ),
         )
         self.drop = self._toggle(
             self.tr("Pick −"), self.tr("Eyedropper: a click leaves a pixel out")
         )
-        self.pick.toggled.connect(lambda on: self._toggled(self.drop, on))
-        self.drop.toggled.connect(lambda on: self._toggled(self.pick, on))
-        for widget in (self.pick, self.drop, self._fit_button()):
+        self._droppers = {
+            Eyedropper.SET: self.take,
+            Eyedropper.ADD: self.pick,
+            Eyedropper.REMOVE: self.drop,
+        }
+        for dropper in self._droppers.values():
+            dropper.toggled.connect(lambda on, me=dropper: self._toggled(me, on))
+        for widget in (*self._droppers.values(), self._fit_button()):
             self.add(widget)
         self.add(self._button(self.tr("Undo"), self.undo))
         self.add(self._button(self.tr("Redo"), self.redo))
         self.add(self._profile_button())
 
     @property
-    def leaving_out(self) -> bool:
-        return self.drop.isChecked()
+    def dropper(self) -> Eyedropper | None:
+        """The eyedropper in use."""
+        return next((how for how, button in self._droppers.items() if button.isChecked()), None)
 
-    def _toggled(self, other: QToolButton, on: bool) -> None:
+    def _toggled(self, button: QToolButton, on: bool) -> None:
         """One eyedropper at a time."""
         if on:
-            other.setChecked(False)
+            for other in self._droppers.values():
+                if other is not button:
+                    other.setChecked(False)
         self.picking.emit(self.is_picking)
 
     @property
     def is_picking(self) -> bool:
-        """With either eyedropper."""
-        return self.pick.isChecked() or self.drop.isChecked()
+        """With any eyedropper."""
+        return self.dropper is not None
 
     @staticmethod
     def _toggle(text: str, tip: str) -> QToolButton:

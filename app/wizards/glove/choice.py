@@ -134,6 +134,17 @@ class ChoicePage(QWidget):
         """Of the glove at the chosen port; None where it told none."""
         return self._numbers.get(self.port())
 
+    def glove_name(self, number: int | None) -> str:
+        """The glove at the chosen port for people; ``number`` is what it reports of itself."""
+        port = self.port()
+        if port == SIMULATED:
+            return self.tr("Simulated glove")
+        if port == SESSION:
+            return self.tr("Glove {} in use").format(number) if number else self.tr("Glove in use")
+        if number:
+            return self.tr("Glove {} at {}").format(number, port)
+        return self.tr("Glove at {}").format(port)
+
     def bound(self) -> BoundGlove:
         """What the glove is bound to by the choices as they are."""
         return BoundGlove(
@@ -195,7 +206,7 @@ class ChoicePage(QWidget):
         self.ports.addItem(self.tr("Simulated glove (plays along)"), SIMULATED)
         self.ports.setCurrentIndex(max(0, self.ports.findData(before)))
         self.ports.blockSignals(False)
-        self.words.setText("\n".join(_remarks(reports)))
+        self.words.setText("\n".join(_remarks(reports, self.port())))
         self._recall()
         self.changed.emit()
 
@@ -210,10 +221,17 @@ def _title(report: PortReport) -> str:
     return words.format(report.path, hello.glove_id, hello.imu_count, report.baud)
 
 
-def _remarks(reports: list[PortReport]) -> list[str]:
-    """What there is to say about the ports."""
+def _remarks(reports: list[PortReport], chosen: str) -> list[str]:
+    """Sentences about the ports that were searched; the ``chosen`` one is in use and was not."""
+    if not reports and chosen == SIMULATED:
+        return [
+            tr(
+                "No glove was found on any USB port. Plug the glove in, then choose Look again. "
+                "Without one, the simulated glove lets you try these pages."
+            )
+        ]
     if not reports:
-        return [tr("No USB serial port is there. Plug the glove in and look again.")]
+        return [tr("No other glove was found on any USB port.")]
     advice = [latency_advice(r.path) for r in reports if r.is_glove]
     return [w for w in (*(r.trouble for r in reports), *advice) if w]
 

@@ -122,6 +122,8 @@ class GloveSetup(QDialog):
     def _choose(self) -> None:
         """Turn to the glove that is chosen now."""
         models, port = self.choice.models(), self.choice.port()
+        simulated = port == SIMULATED
+        self.use.setText(self.tr("&Use these files") if simulated else self.tr("&Use this glove"))
         if models is None or not port:
             return
         hand, glove = models
@@ -213,18 +215,19 @@ class GloveSetup(QDialog):
             self.wiggle.look(recent)
 
     def _answer(self, recent: list[ImuSample]) -> str:
-        """Whether the chosen glove answers, or what keeps it from that."""
+        """Which glove it is, and whether it sends or what prevents that."""
         if self._feed is None:
             return ""
         if self._feed.trouble:
             return self._feed.trouble
+        name = self.choice.glove_name(self._feed.glove_id)
         if not recent:
-            return self.tr("Waiting for the glove's answer…")
+            return self.tr("{}: waiting for packets…").format(name)
         span = recent[-1].t - recent[0].t
         if span < ENOUGH:
-            return self.tr("The glove answers.")
+            return self.tr("{}: packets arrive.").format(name)
         rate = (len(recent) - 1) / span
-        return self.tr("The glove answers: {} packets a second.").format(round(rate))
+        return self.tr("{}: {} packets per second.").format(name, round(rate))
 
     def _ask(self, part: str) -> None:
         if self._feed is not None:

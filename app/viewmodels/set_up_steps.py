@@ -1,0 +1,104 @@
+"""A step of the set-up: done, to be checked or open; and what stays done once it was."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+from app.engines.engine import EngineSetup
+from app.engines.snapshot import Snapshot
+from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
+from app.words import tr
+
+LASTING = {
+    "still": ("glove",),
+    "light": ("camera",),
+    "colours": ("camera",),
+    "hand": ("glove", "camera"),
+    "calibration": ("glove",),
+}
+"""Steps that vary with the moment, and the devices without which they are open again."""
+MEASURED = ("still", "calibration")
+"""Those with a figure and a lower bound of their own, below which they are open again."""
+
+
+@dataclass(frozen=True)
+class SetUpStep:
+    """``command`` is a key of the window's commands, or empty where nothing is to be done.
+
+    A step is done, or it works but should be checked (``check``), or it is open. An open one
+    ``waits`` where what arrives now does not tell whether it is done.
+    """
+
+    name: str
+    done: bool
+    reason: str
+    command: str = ""
+    button: str = ""
+    check: bool = False
+    waits: bool = False
+
+    @property
+    def passes(self) -> bool:
+        """Whether the next step can be worked on."""
+        return self.done or self.check
+
+    def look(self, reachable: bool) -> StateLook:
+        if self.done:
+            return GOOD
+        return WARN if reachable or self.check else IDLE
+
+
+class SettledSteps:
+    """Keeps steps that were done from falling back until a device that they need is lost."""
+
+    def __init__(self) -> None:
+        self._setup: EngineSetup | None = None
+        self._done: dict[str, SetUpStep] = {}
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._done
+
+    def follow(self, view: Snapshot | None) -> None:
+        """Forget steps of other devices and of devices that are gone."""
+        setup = view.setup if view is not None else None
+        same = (
+            self._setup is not None and setup is not None and self._setup.tracked is setup.tracked
+        )
+        there = {"glove": packets_arrive(view), "camera": images_arrive(view)}
+        self._done = {
+            key: step
+            for key, step in self._done.items()
+            if same and all(there[device] for device in LASTING[key])
+        }
+        self._setup = setup
+
+    def take(self, key: str, step: SetUpStep) -> SetUpStep:
+        """What is shown of a step: once done, it is checked rather than open."""
+        if key not in LASTING:
+            return step
+        if step.done:
+            self._done[key] = step
+        elif step.waits and key in self._done:
+            return self._done[key]
+        elif key in self._done and key not in MEASURED:
+            return replace(step, check=True)
+        elif key in MEASURED:
+            self._done.pop(key, None)
+        return step
+
+
+def summary(shown: Collection[SetUpStep]) -> str:
+    """How far the set-up is, in a few words."""
+    done, check = sum(s.done for s in shown), sum(s.check for s in shown)
+    if done + check < len(shown):
+        return tr("{} of {} done").format(done, len(shown))
+    return tr("Ready, {} to check").format(check) if check else tr("Ready")
+
+
+def packets_arrive(view: Snapshot | None) -> bool:
+    return view is not None and view.packets_arrive
+
+
+def images_arrive(view: Snapshot | None) -> bool:
+    return view is not None and view.images_arrive

@@ -1,0 +1,184 @@
+"""The set-up list in the window: what is green, what is orange, and what stays done."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
+
+from app.viewmodels.states import GOOD, IDLE, WARN
+from tracker.calibration.light_meter import Advice, LightMeter
+from tracker.messages import Status, Tracking
+
+
+class Rig(ScriptedEngine):
+    """A rig whose calibration, devices and blobs a test changes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.sd = 1.0  # of the calibration, in those at which it has settled
+        self.bias_dps = 0.2
+        self.unseen = ()  # hues that are not found
+        self.now = 0.0  # s that the status is after the images and packets
+
+    def calibration(self):
+        c = super().calibration()
+        return replace(
+            c,
+            scale_sd=np.full_like(c.scale, 0.01 * self.sd),
+            mounting_sd=np.full_like(c.mounting, np.deg2rad(2.0) * self.sd),
+            gyro_bias_sd=np.full_like(c.gyro_bias, np.deg2rad(self.bias_dps)),
+        )
+
+    def status(self) -> Status:
+        status = super().status()
+        image = frame_and_blobs(self.frame)[0]
+        return replace(status, t=image.t_arrival + self.now)
+
+    def latest_frame(self, t: float | None = None):
+        frame, blobs, result = super().latest_frame(t)
+        sides = []
+        for side in (blobs.left, blobs.right):
+            seen = [name not in self.unseen for name in blobs.hue_names]
+            keep = np.array(seen)[side.hue]
+            fields = {n: getattr(side, n)[keep] for n in ("uv", "size", "hue", "score")}
+            sides.append(replace(side, **fields))
+        return frame, replace(blobs, left=sides[0], right=sides[1]), result
+
+
+@pytest.fixture
+def rig() -> Rig:
+    return Rig()
+
+
+@pytest.fixture
+def listed(window, rig, qtbot):
+    """The list in sight on a rig that has settled."""
+    window.host.adopt(scripted_setup(rig))
+    window.run_command("show_checklist")
+    qtbot.waitUntil(lambda: shown(window, "Light").look is GOOD, timeout=30_000)
+    return window
+
+
+class Shown:
+    """A row of the list as it is on the screen."""
+
+    def __init__(self, row) -> None:
+        looks = {look.sign: look for look in (GOOD, WARN, IDLE)}
+        self.look, self.reason = looks[row._sign.text()], row._reason.text()
+        self.button = row._button.text() if row._button.isVisible() else ""
+
+
+def shown(window, name: str) -> Shown:
+    return Shown(next(r for r in window.checklist._rows if r._name.text() == name))
+
+
+def refreshed(window) -> None:
+    window.checklist.refresh(window.host.snapshot())
+
+
+def pass_time(window, rig, qtbot, seconds: float) -> None:
+    """No packets and no images arrive for so long; the window asks for figures now and then."""
+    rig.now = seconds
+    arrive = seconds < 0.5
+    qtbot.waitUntil(lambda: window.host.snapshot().images_arrive == arrive, timeout=30_000)
+    refreshed(window)
+
+
+def test_a_settled_calibration_stays_so_while_it_varies_and_not_after_a_reset(listed, rig):
+    assert shown(listed, "Calibration settled").look is GOOD
+    assert listed.checklist.summary.text() == "Ready"
+    rig.sd, rig.bias_dps = 1.6, 0.9
+    refreshed(listed)
+    assert shown(listed, "Calibration settled").look is GOOD
+    assert shown(listed, "Measured at rest").reason == "gyros known to 0.9 °/s"
+    assert listed.checklist.summary.text() == "Ready"
+    rig.sd, rig.bias_dps = 5.0, 3.0
+    refreshed(listed)
+    assert shown(listed, "Calibration settled").button == "Show"
+    assert shown(listed, "Measured at rest").button == "Measure"
+    assert listed.checklist.summary.text() == "8 of 10 done"
+    rig.sd, rig.bias_dps = 1.6, 0.9  # on its way, never settled again
+    refreshed(listed)
+    assert listed.checklist.summary.text() == "8 of 10 done"
+
+
+def test_a_lost_device_opens_its_steps_again(listed, rig, qtbot):
+    rig.sd = 1.6
+    refreshed(listed)
+    assert shown(listed, "Calibration settled").look is GOOD
+    pass_time(listed, rig, qtbot, 2.0)
+    for name in ("Light", "Colours tuned", "Hand in view", "Measured at rest"):
+        assert shown(listed, name).look is not GOOD, name
+    pass_time(listed, rig, qtbot, 0.0)
+    assert shown(listed, "Calibration settled").look is not GOOD, "it has not settled since"
+
+
+def test_a_hand_that_leaves_is_to_be_checked_and_colours_are_not_judged(listed, rig):
+    rig.tracking, rig.unseen = Tracking.SEARCHING, ("red", "yellow", "green", "blue")
+    listed.checklist._hue_seen.clear()
+    refreshed(listed)
+    hand = shown(listed, "Hand in view")
+    assert hand.look is WARN and hand.reason == "It was tracked and is not in view now."
+    assert shown(listed, "Colours tuned").look is GOOD
+    assert listed.checklist.summary.text() == "Ready, 1 to check"
+
+
+def test_a_hue_that_is_missing_on_a_tracked_hand_is_orange(listed, rig):
+    rig.unseen = ("red",)
+    listed.checklist._hue_seen.clear()
+    refreshed(listed)
+    step = shown(listed, "Colours tuned")
+    assert step.look is WARN and step.reason.startswith("Not seen: red")
+    assert step.button == "Tune colours"
+    assert listed.checklist.summary.text() == "Ready, 1 to check"
+
+
+def reading(found: int, of: int, *advice: Advice):
+    meter = LightMeter(scripted_setup(ScriptedEngine()).profile)
+    grey = meter.read(np.full((120, 160, 3), 120, np.uint8))
+    missed = Advice("missed", f"{of - found} of {of} markers are not found with these colours.")
+    return meter, replace(
+        grey,
+        uv=np.zeros((of, 2)),
+        hue=np.zeros(of, np.int64),
+        found=np.arange(of) < found,
+        advice=(*advice, *([missed] if found < of else [])),
+    )
+
+
+@pytest.mark.parametrize(
+    ("found", "light", "colours"),
+    [(9, GOOD, GOOD), (10, GOOD, GOOD), (6, WARN, GOOD), (1, WARN, WARN)],
+)
+def test_missed_markers_are_not_green(listed, monkeypatch, found, light, colours):
+    """Few are missed in any light: those at an edge, or at a grazing angle."""
+    monkeypatch.setattr(listed.checklist.light, "work", lambda *_: None)
+    listed.checklist.light.took(reading(found, 10))
+    refreshed(listed)
+    assert shown(listed, "Light").look is light
+    step = shown(listed, "Colours tuned")
+    assert step.look is colours
+    if light is WARN:
+        assert shown(listed, "Light").reason.startswith(f"{10 - found} of 10 markers")
+    if colours is WARN:
+        assert step.reason == "9 of 10 markers are not found with these colours."
+
+
+def test_colours_that_miss_most_markers_are_not_tuned_from_the_start(window, rig, monkeypatch):
+    window.host.adopt(scripted_setup(rig))
+    monkeypatch.setattr(window.checklist.light, "work", lambda *_: None)
+    window.checklist.light.took(reading(1, 9))
+    refreshed(window)
+    assert shown(window, "Colours tuned").look is WARN
+    assert window.checklist.summary.text() == "8 of 10 done"
+
+
+def test_the_light_of_a_camera_that_is_gone_is_forgotten(listed, rig, qtbot):
+    pass_time(listed, rig, qtbot, 2.0)
+    assert listed.checklist.light.reading is None
+    assert shown(listed, "Light").reason == "Waits for images."
+    pass_time(listed, rig, qtbot, 0.0)
+    assert shown(listed, "Light").reason == "Reading the light…"
