@@ -8,9 +8,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 python=$1 out=$(realpath -m "${2:-build/site}") environment=build/docs-env
 
-if [ ! -x $environment/bin/mkdocs ]; then
+if ! "$environment/bin/python" -c "import mkdocstrings" 2>/dev/null; then
     "$python" -m venv --clear $environment
-    $environment/bin/python -m pip --disable-pip-version-check install --quiet "mkdocs==1.6.1"
+    $environment/bin/python -m pip --disable-pip-version-check install --quiet "mkdocs==1.6.1" \
+        "mkdocstrings==1.0.8" "mkdocstrings-python==2.0.11"
 fi
 $environment/bin/mkdocs --quiet build --strict --clean --site-dir "$out"
 # Pages opened from a disk may read a script, but no JSON (docs/site/search_from_disk.js).
