@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.storage.removed_file import RemovedFile, remove_file
 from app.words import tr
 from tracker.errors import FileError
 from tracker.files import write_kept
@@ -83,5 +84,6 @@ class ImageFolder:
         for old in self.names()[:-MOST]:
             self.remove(old)
 
-    def remove(self, name: str) -> None:
-        self.path(name).unlink(missing_ok=True)
+    def remove(self, name: str) -> RemovedFile:
+        """Raises FileError."""
+        return remove_file(self.path(name))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.words import tr
-from tracker.errors import FileError, GlovetrackError
+from app.storage.removed_file import RemovedFile, remove_file
+from tracker.errors import FileError
 from tracker.files import kept_name
 from tracker.fusion.chain.calibration.profile_file import (
     WearerFile,
@@ -67,12 +67,6 @@ class WearerStore:
             name = f"{stem}_{n}"
         return self.save(name, wearer)
 
-    def remove(self, name: str) -> None:
-        """Raises GlovetrackError where the disk refuses."""
-        try:
-            self.path(name).unlink(missing_ok=True)
-        except OSError as error:
-            reason = error.strerror or str(error)
-            raise GlovetrackError(
-                tr("The profile {} was not removed: {}.").format(name, reason)
-            ) from error
+    def remove(self, name: str) -> RemovedFile:
+        """Raises FileError where there is none, or the disk refuses."""
+        return remove_file(self.path(name))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from app.storage.removed_file import RemovedFile
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, calibration_view
 from app.words import tr
@@ -77,9 +78,9 @@ class WornCalibration:
         self._worn, self._last_fit = wearer, wearer.calibration
         return kept
 
-    def remove(self, name: str) -> None:
-        """Raises GlovetrackError where the disk refuses."""
-        self._store.remove(name)
+    def remove(self, name: str) -> RemovedFile:
+        """Raises FileError where there is none, or the disk refuses."""
+        return self._store.remove(name)
 
     def forgotten(self) -> None:
         """The engine starts anew; what it knew can be compared with."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QCloseEvent
@@ -205,6 +206,8 @@ class MainWindow(QMainWindow):
         self.checklist.action.connect(self.run_command)
         self.calibration.guided_asked.connect(self.set_up.open_guided)
         self.set_up.learned.connect(self._keep_learned)
+        for part in (self.calibration.profiles, self.colours.image.source):
+            part.removed.connect(self._removed)
         self._enable()
 
     # --- what there is to say
@@ -234,6 +237,10 @@ class MainWindow(QMainWindow):
             text = self.tr("It is kept while this session runs.")
             ask = (self.tr("Save it for the next time…"), self.calibration.wearer.ask_name)
             self.messages.say(text, ask, good=True)
+
+    def _removed(self, text: str, undo: Callable[[], None]) -> None:
+        """Nobody was asked before: it can be undone instead."""
+        self.messages.say(text, (self.tr("Undo"), undo), good=True)
 
     # --- what the engine host tells
 

@@ -236,7 +236,10 @@ class CameraSetup(FormDialog):
             words = self.tr("Arriving: {} by {} px of one camera, {} images a second")
         else:
             words = self.tr("Arriving: {} by {} px for each eye, {} images a second")
-        return words.format(image.shape[1], image.shape[0], f"{rate:.0f}")
+        arriving = words.format(image.shape[1], image.shape[0], f"{rate:.0f}")
+        if view.setup.simulated:
+            return self.tr("{} (simulated camera)").format(arriving)
+        return arriving
 
     def _name_images(self, alone: bool) -> None:
         """One camera's image is no left one."""

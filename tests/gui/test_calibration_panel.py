@@ -219,6 +219,23 @@ def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
     assert store.value.wearer == ""
 
 
+def test_a_removed_wearer_comes_back_with_undo(panel, store, qtbot):
+    panel.profiles.save("Anna")
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    path = WearerStore(store.path.parent / "wearers").path("Anna")
+    data, banner = path.read_bytes(), panel.window().banner
+    remove = action(panel.wearer.save_button.menu(), "Remove this profile")
+    remove.trigger()
+    assert banner.text() == "The profile Anna was removed." and not path.exists()
+    banner.buttons[0].click()
+    assert path.read_bytes() == data
+    assert panel.wearer.name == store.value.wearer == "Anna"
+    remove.trigger()
+    path.write_bytes(b"another")
+    banner.buttons[0].click()
+    assert path.read_bytes() == b"another" and "exists again" in banner.text()
+
+
 def test_without_an_engine_that_listens_nothing_can_be_changed(window):
     window.host.adopt(scripted_setup(ScriptedEngine()))  # as a replay
     row = window.calibration.wearer

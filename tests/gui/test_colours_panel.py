@@ -376,6 +376,38 @@ def test_kept_images_are_png_files_that_others_read(colours, engine, qtbot, tmp_
     assert colours.image.source.is_live and (tmp_path / "glove.png").exists()
 
 
+def test_a_removed_image_comes_back_with_undo(colours, engine, qtbot, tmp_path):
+    source, window = colours.image.source, colours.window()
+    source.keep_button.click()
+    qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
+    name, image = source.choice.currentText(), source.image()
+    path = source._folder.path(name)
+    source.remove()
+    assert source.is_live and not path.exists() and source.choice.findText(name) < 0
+    assert window.banner.text() == f"The image {name} was removed."
+    window.banner.buttons[0].click()
+    qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
+    assert path.exists() and source.choice.currentText() == name
+    assert np.array_equal(source.image(), image)
+    source.save_file(tmp_path / "elsewhere.png")
+    idle(colours, qtbot)
+    source.open_file(tmp_path / "elsewhere.png")
+    qtbot.waitUntil(lambda: source.choice.currentText() == "elsewhere", timeout=30_000)
+    source.remove()
+    window.banner.buttons[0].click()
+    assert source.choice.currentText() == "elsewhere" and not source.is_live
+
+
+def test_an_image_that_cannot_be_removed_is_reported(colours, qtbot):
+    source = colours.image.source
+    source.keep_button.click()
+    qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
+    name = source.choice.currentText()
+    source._folder.path(name).unlink()
+    source.remove()
+    assert colours.window().banner.text().startswith(f"{name} was not removed: ")
+
+
 def test_the_oldest_kept_image_goes_first(tmp_path):
     folder = ImageFolder(tmp_path)
     tiny = np.zeros((4, 4, 3), np.uint8)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
@@ -12,6 +13,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.calibration_commands import CalibrationCommands
 from app.panels.calibration.wearer_row import WearerRow
+from app.storage.removed_file import RemovedFile
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile
 from app.viewmodels.wearers_of_hands import WearersOfHands
@@ -27,6 +29,7 @@ class WearerProfiles(QObject):
     another one."""
 
     kept = Signal()
+    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(self, host: EngineHost, store: SettingsStore, row: WearerRow) -> None:
         super().__init__(row)
@@ -149,9 +152,24 @@ class WearerProfiles(QObject):
 
     def remove(self, name: str) -> None:
         """Remove a profile; what the engine has learned stays."""
-        self._try(lambda: self.worn.remove(name))
+        file = self._try(lambda: self.worn.remove(name))
+        if file is None:
+            return
         self._remember("")
         self._show_names("")
+        text = self.tr("The profile {} was removed.").format(name)
+        self.removed.emit(text, partial(self._put_back, name, file))
+
+    def _put_back(self, name: str, file: RemovedFile) -> None:
+        """Chosen again too, unless another one was chosen meanwhile."""
+        try:
+            file.put_back()
+        except GlovetrackError as error:
+            self._host.error.emit(str(error))
+            return
+        if not self._row.name:
+            self._remember(name)
+        self._show_names(self._row.name or name)
 
     def reset(self, segments: list[str] | None) -> None:
         """Forget; what was there can be compared with."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Signal
@@ -24,8 +25,10 @@ from app.storage.image_folder import (
     read_image,
     write_image,
 )
+from app.storage.removed_file import RemovedFile
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.measures import TIGHT
+from tracker.errors import GlovetrackError
 
 LIVE = 0
 SIDES = ("left", "right")
@@ -36,6 +39,7 @@ class ColoursSource(QWidget):
 
     changed = Signal()
     failed = Signal(str)
+    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(self, tasks: TaskOwner, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -202,6 +206,27 @@ class ColoursSource(QWidget):
         if self.is_live or self._folder is None:
             self.failed.emit(self.tr("Choose a kept image first: the live one stays."))
             return
-        if self._opened.pop(name, None) is None:
-            self._folder.remove(name)
+        opened = self._opened.pop(name, None)
+        if opened is not None:
+            undo = partial(self._reopen, opened)
+        else:
+            try:
+                undo = partial(self._put_back, self._folder, self._folder.remove(name))
+            except GlovetrackError as error:
+                self.failed.emit(str(error))
+                return
         self._list(None)
+        self.removed.emit(self.tr("The image {} was removed.").format(name), undo)
+
+    def _reopen(self, image: KeptImage) -> None:
+        self._opened[image.name] = image
+        self._list(image.name)
+
+    def _put_back(self, folder: ImageFolder, file: RemovedFile) -> None:
+        try:
+            file.put_back()
+        except GlovetrackError as error:
+            self.failed.emit(str(error))
+            return
+        if folder is self._folder:  # of the camera in use
+            self._list(file.path.stem)
