@@ -38,13 +38,14 @@ class LightWatch:
         self._image: Image | None = None
         self._profile: ColourProfile | None = None
         self._asked = self._read_at = -np.inf
+        self._read: Image | None = None  # the image of the reading
 
     def work(
         self, image: Image | None, profile: ColourProfile, fx: float, t: float | None
     ) -> Callable[[], tuple[LightMeter, LightReading]] | None:
         """How to read an image, for a background thread; None where nothing new is to be read.
 
-        ``t`` (s) is a live image's exposure, None for a kept one.
+        ``t`` (s) is a live image's exposure, None for one that stays: a kept or a frozen one.
         """
         early = image is self._image or (t is not None and 0 <= t - self._asked < EVERY)
         if image is None or (early and profile == self._profile):
@@ -61,11 +62,16 @@ class LightWatch:
         return read
 
     def took(self, answer: tuple[LightMeter, LightReading]) -> None:
-        """What `work` has brought. A moment without the hand does not count."""
+        """What `work` has brought. A moment of live images without the hand does not count."""
         self._meter, reading = answer
         has_hand = all(a.kind != "hand" for a in reading.advice)
-        if has_hand or self.reading is None or self._asked - self._read_at > KEPT:
-            self.reading, self._read_at = reading, self._asked
+        is_kept = not np.isfinite(self._asked)
+        if has_hand or is_kept or self.reading is None or self._asked - self._read_at > KEPT:
+            self.reading, self._read_at, self._read = reading, self._asked, self._image
+
+    def is_of(self, image: Image | None) -> bool:
+        """Whether the reading is of this very image."""
+        return image is not None and image is self._read
 
     # ---- what is shown
 

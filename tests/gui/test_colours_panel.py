@@ -24,6 +24,7 @@ from app.viewmodels.states import GOOD, WARN
 from app.widgets.hue_range import HueRangeSlider
 from app.window.main_window import MainWindow
 from tracker.calibration.colours_fit import FoundHue
+from tracker.calibration.light_meter import LightMeter
 from tracker.messages import Tracking
 from tracker.vision.colours import (
     LEARNED_BITS,
@@ -596,7 +597,7 @@ def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
     light = colours.light
     qtbot.waitUntil(lambda: light.watch.reading is not None, timeout=30_000)
     narrow(colours, "green")
-    missed = lambda: len(light.rings())  # noqa: E731
+    missed = lambda: len(light.rings(colours.image.shown()))  # noqa: E731
     qtbot.waitUntil(lambda: missed() > 0, timeout=30_000)
     assert "markers missed" in light.watch.line()
     assert "not found with these colours" in light.advice.text()
@@ -607,6 +608,21 @@ def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
     before = missed()
     colours.undo()
     qtbot.waitUntil(lambda: missed() < before, timeout=30_000)
+
+
+def test_missed_markers_of_a_frozen_image_are_those_of_that_image(colours, engine, qtbot):
+    """It was never read where the live one had been read within the second before."""
+    light = colours.light
+    narrow(colours, "green")
+    qtbot.waitUntil(lambda: len(light.rings(colours.image.shown())) > 0, timeout=30_000)
+    engine.frame = 33  # a tenth of a second later
+    newest = frame_and_blobs(33)[0].left
+    qtbot.waitUntil(lambda: colours.image.source.image() is newest, timeout=30_000)
+    colours.image.source.freeze.setChecked(True)
+    qtbot.waitUntil(lambda: light.watch.is_of(newest), timeout=30_000)
+    rings = light.rings(colours.image.shown())
+    missed = LightMeter(colours.tuning.profile, colours.host.setup.rig.fx).read(newest).missed
+    assert [(r.u, r.v) for r in rings] == [tuple(uv) for uv in missed / MASK_STEP]
 
 
 def warmer(profile):

@@ -50,7 +50,7 @@ class ColoursLight(QWidget):
 
     def look_at(self, shown: ShownImage, tuning: ColourTuning) -> None:
         """Have the image read if it is time."""
-        view = shown.view
+        view = shown.view if not shown.frozen else None
         t = view.frame.t if view is not None and view.frame is not None else None
         work = self.watch.work(shown.image, tuning.profile, tuning.setup.rig.fx, t)
         if work is not None:
@@ -69,6 +69,9 @@ class ColoursLight(QWidget):
         self.chip.show_state(look.colour, look.sign, self.watch.line(), " ".join(sentences))
         self.advice.setText("\n\n".join(sentences))
 
-    def rings(self) -> list[Ring]:
-        """Round missed markers, in the mask's pixels."""
-        return self.watch.rings(MASK_STEP) if self.show_missed.isChecked() else []
+    def rings(self, shown: ShownImage) -> list[Ring]:
+        """Round missed markers, in the mask's pixels; of an image that stays once it was read."""
+        live = shown.view is not None and not shown.frozen
+        if not self.show_missed.isChecked() or not (live or self.watch.is_of(shown.image)):
+            return []
+        return self.watch.rings(MASK_STEP)

@@ -217,7 +217,7 @@ class ColoursPanel(Panel):
         self.ranges.show_rows(rows, self.tuning.words(rows))
         mask = self.tuning.mask(shown, rows, self.tools.is_picking)
         if mask is not None:
-            mask.rings.extend(self.light.rings())
+            mask.rings.extend(self.light.rings(shown))
         self.image.show_mask(mask)
         if mask is not None:
             self.ranges.strip.show_hues(mask.histogram, mask.intervals)
