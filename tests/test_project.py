@@ -313,3 +313,16 @@ def test_links_of_a_readme_lead_somewhere(name: str) -> None:
     links = re.findall(r"\]\(([^)#]+)", page.read_text())
     for link in links:
         assert link.startswith("https://") or (page.parent / link).exists(), link
+
+
+def test_the_architecture_page_names_every_part() -> None:
+    """Each folder and module directly below the packages, and each path on the page exists."""
+    page = (ROOT / "docs" / "architecture.md").read_text("utf-8")
+    named = set(re.findall(r"`((?:app|glovetrack|tracker)/[\w/.]*?)/?`", page))
+    for package in ("app", "tracker"):
+        for path in sorted((ROOT / package).iterdir()):
+            if path.name in {"__init__.py", "__pycache__", "py.typed"}:
+                continue
+            assert f"{package}/{path.name}" in named, f"{package}/{path.name} is not described"
+    missing = [name for name in named if not (ROOT / name).exists()]
+    assert not missing, "the page describes what is not there"

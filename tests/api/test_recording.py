@@ -175,3 +175,10 @@ def test_what_is_not_a_session_is_refused_in_words(tmp_path: Path) -> None:
 def test_a_misspelled_name_names_the_nearest(live: glovetrack.Recording) -> None:
     with pytest.raises(KeyError, match="index_tip"):
         live.keypoints["index_tpi"]
+
+
+def test_a_difference_is_located(simulated: glovetrack.Recording) -> None:
+    chain, vist = simulated.track(), simulated.track(engine="vist")
+    found = chain.compare(vist)
+    assert not found["identical"] and 0.0 <= found["first_difference_s"] < 1.0
+    assert vist.track().compare(vist)["first_difference_s"] is None

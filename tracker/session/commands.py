@@ -274,6 +274,8 @@ def _compare(args: argparse.Namespace) -> int:
         )
     ]
     lines.append("identical to the last bit" if found["identical"] else "not identical")
+    if found["first_difference_s"] is not None:
+        lines[-1] += f": they first differ {found['first_difference_s']:.3f} s after the beginning"
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
     lines += _made_on(found["made_on"], found["identical"])

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.clock import NS
 from tracker.errors import FileError
@@ -81,6 +82,7 @@ def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, An
         "estimates": [len(first), len(second)],
         "compared": len(rows_a),
         "identical": _identical(first, second),
+        "first_difference_s": _first_difference(first, second, rows_a, rows_b),
         "mean_mm": _mean(distance),
         "max_mm": _largest(distance),
         "rms_deg": float(np.sqrt(_mean(turn**2))),
@@ -107,6 +109,10 @@ def _of_both(found: dict[str, dict[str, Any]]) -> dict[str, Any]:
         "hands": found,
         "compared": sum(h["compared"] for h in hands),
         "identical": all(h["identical"] for h in hands),
+        "first_difference_s": min(
+            (h["first_difference_s"] for h in hands if h["first_difference_s"] is not None),
+            default=None,
+        ),
         "mean_mm": float(
             np.average([h["mean_mm"] for h in hands], weights=[h["compared"] for h in hands])
         ),
@@ -209,17 +215,32 @@ def _angle_difference(
 
 def _identical(a: EstimateSeries, b: EstimateSeries) -> bool:
     """Whether every number and state is the same to the last bit."""
-    pairs = [
-        (a.stamp_ns, b.stamp_ns),
-        (a.keypoints, b.keypoints),
-        (a.q, b.q),
-        (a.angles, b.angles),
-        (a.state, b.state),
-        (a.angle_state, b.angle_state),
-    ]
-    return a.keypoint_names == b.keypoint_names and all(
-        np.array_equal(x, y, equal_nan=x.dtype.kind == "f") for x, y in pairs
+    return (
+        a.keypoint_names == b.keypoint_names
+        and np.array_equal(a.stamp_ns, b.stamp_ns)
+        and not _differs(a, b).any()
     )
+
+
+def _first_difference(
+    a: EstimateSeries, b: EstimateSeries, rows_a: IntArray, rows_b: IntArray
+) -> float | None:
+    """s from the first estimate of ``a`` to the first common instant at which a number or a state
+    differs; None where none does, or the two have other keypoints."""
+    if a.keypoint_names != b.keypoint_names or a.joint_names != b.joint_names:
+        return None
+    found = np.flatnonzero(_differs(a.rows(rows_a), b.rows(rows_b)))
+    return float(a.elapsed[rows_a[found[0]]]) if len(found) else None
+
+
+def _differs(a: EstimateSeries, b: EstimateSeries) -> NDArray[np.bool_]:
+    """(N,) whether any bit of an estimate differs; both have the same instants and names."""
+    out = np.zeros(len(a), bool)
+    for name in ("keypoints", "q", "sd", "angles", "state", "angle_state"):
+        x, y = getattr(a, name).reshape(len(a), -1), getattr(b, name).reshape(len(b), -1)
+        both_nan = (x != x) & (y != y)
+        out |= ((x != y) & ~both_nan).any(axis=1)
+    return out
 
 
 def _metadata_changes(a: SessionReader, b: SessionReader) -> list[str]:
