@@ -12,7 +12,7 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.inertial import InertialEngine
-from tracker.fusion.chain.pose_reset import is_reset
+from tracker.fusion.chain.pose_reset import RESET_SAID, is_reset
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
 from tracker.fusion.vist.engine import VistEngine
@@ -212,7 +212,8 @@ class Pipeline:
         if isinstance(self.engine, ChainEngine):
             return self.engine.reset_pose()
         return (
-            f"Pose reset: engine {self.settings.engine} has none. Choose engine chain or inertial."
+            f"{RESET_SAID}: engine {self.settings.engine} has none. "
+            "Choose engine chain or inertial."
         )
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:

@@ -169,6 +169,7 @@ def _seen_from(
         vibrate=glove.link.vibrate,
         guide=shared.guide or WearersGuide(tracked),
         command=tracked.command,
+        reset_pose=tracked.reset_pose,
         stage=stage,
         application=shared.application,
         reference_tracking=tracked if shared.fps else None,

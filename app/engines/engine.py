@@ -198,6 +198,7 @@ class EngineSetup:
     stage: ApplicationStage | None = None  # where an application of the hand runs
     application: tuple[str, Mapping[str, Any]] = ("", {})  # what a simulated wearer uses, and how
     guide: PoseGuide | None = None  # tells the engine of guided poses
+    reset_pose: Callable[[], None] | None = None  # of a live engine: the hand is held flat now
     followed: FollowedHand | None = None  # of a live engine
     right_of_way: RightOfWay | None = None  # of a live engine, to be given by what paints
     vibrate: Callable[[int, int, int], bool] | None = None  # channel, amplitude 0..255, ms

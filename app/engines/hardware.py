@@ -144,6 +144,7 @@ def _seen_from(
         vibrate=link.vibrate if link else None,
         guide=WearersGuide(tracked),
         command=tracked.command,
+        reset_pose=tracked.reset_pose,
         stage=stage,
         reference_tracking=tracked if whole else None,
         has_glove=link is not None,

@@ -55,6 +55,10 @@ class AppSettings:
     left_wearer: str = ""  # the same for the left hand
     demo_wearer: str = ""  # the same in the demo, which never uses a real wearer's calibration
     demo_left_wearer: str = ""
+    pose_reset_key: str = "R"
+    pose_reset_countdown: int = 3  # s
+    pose_reset_sound: bool = True
+    pose_reset_tap: bool = False  # two taps on the glove reset the pose, too
     engine: str = "chain"  # what tracks
     curves: str = ""  # which of the sensors panel are shown
     angle_unit: str = "deg"  # or "rad": of the motion panel

@@ -58,5 +58,15 @@ class Commands:
         self.actions[command.key] = action
         return action
 
+    def set_shortcut(self, key: str, shortcut: str) -> None:
+        """Another key for a command; empty for none."""
+        self.actions[key].setShortcut(QKeySequence(shortcut))
+
+    def user_of(self, shortcut: str, but: str) -> str:
+        """The text of the command that has this key, other than the command ``but``; or empty."""
+        wanted = QKeySequence(shortcut)
+        users = (a.text() for k, a in self.actions.items() if k != but and a.shortcut() == wanted)
+        return next(users, "").replace("&", "")
+
     def enable(self, key: str, on: bool) -> None:
         self.actions[key].setEnabled(on)

@@ -1,24 +1,39 @@
-"""The seconds until a recording begins, large over the window, with a beep where wanted."""
+"""The seconds until something begins, large over the window, with a beep where wanted."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QObject, QRect, Qt
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
+from app.jobs.pose_reset import PoseReset
 from app.jobs.record_key import RecordKey
-from app.viewmodels.recording import RecordingPlan
 
 SIDE = 200  # px
 SHADE, INK = QColor(0, 0, 0, 170), QColor("#FFFFFF")  # legible over images of any brightness
 
 
-class Countdown(QWidget):
-    """Lies over the window's middle and takes no clicks; Esc takes the recording back."""
+@dataclass(frozen=True)
+class Announced:
+    """What begins: ``title`` with a place for the seconds, ``words`` over the number; whether each
+    second is to beep."""
 
-    def __init__(self, key: RecordKey, plan: RecordingPlan, window: QMainWindow) -> None:
+    title: str
+    beeps: Callable[[], bool]
+    words: str = ""
+
+
+class Countdown(QWidget):
+    """Lies over the window's middle and takes no clicks; Esc cancels what is counted down to."""
+
+    def __init__(
+        self, key: RecordKey | PoseReset, announced: Announced, window: QMainWindow
+    ) -> None:
         super().__init__(window)
-        self._key, self._plan, self._window = key, plan, window
+        self._key, self._announced, self._window = key, announced, window
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setFixedSize(SIDE, SIDE)
         self._escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), window)
@@ -32,11 +47,11 @@ class Countdown(QWidget):
         self._escape.setEnabled(left > 0)
         self.setVisible(left > 0)
         if left:
-            self.setAccessibleName(self.tr("Recording begins in {} s").format(left))
+            self.setAccessibleName(self._announced.title.format(left))
             self._place()
             self.raise_()
             self.update()
-            if self._plan.countdown_sound:
+            if self._announced.beeps():
                 QApplication.beep()
 
     def _place(self) -> None:
@@ -64,3 +79,7 @@ class Countdown(QWidget):
         painter.setFont(words)
         lower = QRect(0, 2 * SIDE // 3, SIDE, SIDE // 5)
         painter.drawText(lower, Qt.AlignmentFlag.AlignCenter, self.tr("Esc: not now"))
+        if self._announced.words:
+            top = QRect(SIDE // 8, SIDE // 20, 3 * SIDE // 4, SIDE // 4)
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(top, flags, self._announced.words)

@@ -36,15 +36,17 @@ class FocusKeys(QObject):
 
     def __init__(self, actions: Iterable[QAction], parent: QObject) -> None:
         super().__init__(parent)
-        self._single = [a for a in actions if is_single(a)]
-        self._of_text = [a for a in actions if a.shortcut().toString() in ("Ctrl+Z", "Ctrl+Y")]
+        self._actions = list(actions)  # a key may be another one later
+        self._of_text = [
+            a for a in self._actions if a.shortcut().toString() in ("Ctrl+Z", "Ctrl+Y")
+        ]
         app = QApplication.instance()
         assert isinstance(app, QApplication)
         app.focusChanged.connect(self._moved)
 
     def _moved(self, _old: QWidget | None, new: QWidget | None) -> None:
         typed, ticked = isinstance(new, TYPED), isinstance(new, TICKED)
-        for action in self._single:
+        for action in filter(is_single, self._actions):
             _give(action, not typed and not (ticked and action.shortcut().toString() == SPACE))
         for action in self._of_text:
             _give(action, not is_text(new))

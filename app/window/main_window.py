@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QCloseEvent
@@ -12,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.outputs import Outputs
+from app.jobs.pose_reset import PoseReset
 from app.jobs.record_key import RecordKey
 from app.jobs.remote import RemoteControl
 from app.jobs.robot import RobotLink
@@ -39,7 +41,7 @@ from app.window import theme
 from app.window.bug_reports import BugReports, ReportSources
 from app.window.colours_told import ColoursTold
 from app.window.commands import Commands
-from app.window.countdown import Countdown
+from app.window.countdown import Announced, Countdown
 from app.window.dialogs import Dialogs
 from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
 from app.window.drops import Drops
@@ -56,6 +58,8 @@ from app.window.takes import Takes
 from app.window.ticker import Ticker
 from app.window.tool_bar import ToolBar
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
+from app.words import told
+from tracker.fusion.chain.pose_reset import RESET_SAID
 from tracker.messages import Event
 
 USUAL = (1440, 900)
@@ -77,6 +81,7 @@ class MainWindow(QMainWindow):
         self.set_up = SetUpDialogs(self.host, self.store, self.tasks, self)
         self.outputs = Outputs(self.host, self.store, self.tasks, self)
         self.record_key = RecordKey(self.host, self.plan, self)
+        self.pose_reset = PoseReset(self.host, self.store, self)
         self.remote = RemoteControl(self.host, self.plan, self.store, self.tasks, self)
         self.robot_link = RobotLink(self.host, self.store, self)
         self._make_panels()
@@ -87,7 +92,7 @@ class MainWindow(QMainWindow):
         self.layouts = LayoutKeeper(self, self.docks, self.store)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
-        Countdown(self.record_key, self.plan, self)
+        self._make_countdowns()
         self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
         self.reports = bug_reports(self, crashes)
         self.recent = RecentSessions(
@@ -150,6 +155,18 @@ class MainWindow(QMainWindow):
         self.messages.said.connect(self._log_said)
         self.banner = self.messages.banner
 
+    def _make_countdowns(self) -> None:
+        recording = Announced(
+            self.tr("Recording begins in {} s"), lambda: self.plan.countdown_sound
+        )
+        reset = Announced(
+            self.tr("Pose reset in {} s"),
+            lambda: self.store.value.pose_reset_sound,
+            self.tr("Hand flat and level, fingers ahead"),
+        )
+        Countdown(self.record_key, recording, self)
+        Countdown(self.pose_reset, reset, self)
+
     def _make_commands(self) -> None:
         self.commands = Commands(self)
         self._targets = Targets(
@@ -160,6 +177,7 @@ class MainWindow(QMainWindow):
             sources=self.sources,
             plan=self.plan,
             record_key=self.record_key,
+            pose_reset=self.pose_reset,
             set_up=self.set_up,
             reports=self.reports,
             bar=self.bar,
@@ -208,6 +226,7 @@ class MainWindow(QMainWindow):
         self.set_up.learned.connect(self._keep_learned)
         for part in (self.calibration.profiles, self.colours.image.source):
             part.removed.connect(self._removed)
+        self.set_up.pose_reset_changed.connect(self._pose_reset_set_up)
         self._enable()
 
     # --- what there is to say
@@ -223,8 +242,12 @@ class MainWindow(QMainWindow):
         """What devices tell that only the user can mend stands in sight, and not in the log alone;
         not what once was so in a session that is replayed."""
         setup = self.host.setup
-        if event.kind == "error" and setup is not None and setup.player is None:
+        if setup is None or setup.player is not None:
+            return
+        if event.kind == "error":
             self.sources.tell_of_devices(event.text)
+        elif event.kind == "device" and event.text.startswith(RESET_SAID):
+            self.messages.say(told(event.text), good=True)
 
     def _log_said(self, text: str, good: bool) -> None:
         """A sentence of the banner stands in the log, once."""
@@ -317,6 +340,14 @@ class MainWindow(QMainWindow):
         self.motion.plot.set_colours(colours.base, colours.text)
         if name != self.store.value.theme:
             self.store.update(theme=name)
+
+    def set_up_pose_reset(self) -> None:
+        """Its key, countdown, sound and double tap."""
+        self.set_up.open_pose_reset(partial(self.commands.user_of, but="pose_reset"))
+
+    def _pose_reset_set_up(self) -> None:
+        self.commands.set_shortcut("pose_reset", self.store.value.pose_reset_key)
+        self.pose_reset.listen()
 
     def set_language(self, code: str) -> None:
         """The language of the next start: what is on the screen has been said."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -38,6 +39,7 @@ class SetUpDialogs(QObject):
     restart = Signal()
     changed = Signal()  # what is stored of the devices
     learned = Signal()  # of guided poses, to be kept
+    pose_reset_changed = Signal()  # its settings
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, tasks: TaskOwner, window: QWidget
@@ -167,6 +169,16 @@ class SetUpDialogs(QObject):
         dialog = GuidedDialog(self._host, setup, setup.guide, self._store, scene, self._window)
         dialog.kept.connect(self.learned)
         self.show_dialog("guided", dialog)
+
+    def open_pose_reset(self, user_of: Callable[[str], str]) -> None:
+        """Key, countdown, sound and double tap; ``user_of`` names the command that has a key."""
+        if self._raise("pose_reset"):
+            return
+        from app.wizards.pose_reset import PoseResetSettings
+
+        dialog = PoseResetSettings(self._store, user_of, self._window)
+        dialog.saved.connect(self.pose_reset_changed)
+        self.show_dialog("pose_reset", dialog)
 
     def open_conformance(self) -> None:
         """Scripted gestures, recorded and judged."""

@@ -10,6 +10,7 @@ from typing import Protocol
 from PySide6.QtCore import QLocale
 
 from app.engines.engine_host import EngineHost
+from app.jobs.pose_reset import PoseReset
 from app.jobs.record_key import RecordKey
 from app.panels.cameras import CamerasPanel
 from app.panels.colours.panel import ColoursPanel
@@ -48,6 +49,8 @@ class Window(Protocol):
 
     def set_language(self, code: str) -> None: ...
 
+    def set_up_pose_reset(self) -> None: ...
+
 
 @dataclass(frozen=True, eq=False)
 class Targets:
@@ -60,6 +63,7 @@ class Targets:
     sources: Sources
     plan: RecordingPlan
     record_key: RecordKey
+    pose_reset: PoseReset
     set_up: SetUpDialogs
     reports: BugReports
     bar: StatusBar
@@ -127,6 +131,15 @@ def _tracking(on: Targets) -> list[Command]:
         Command("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
         Command("pause", menu, w.tr("&Pause the recording"), on.host.toggle_pause, "Ctrl+P"),
         Command("note", menu, w.tr("Add a &note…"), on.takes.ask_note, "N"),
+        Command(
+            "pose_reset",
+            menu,
+            w.tr("R&eset the pose"),
+            on.pose_reset.press,
+            w.store.value.pose_reset_key,
+            separator=True,
+        ),
+        Command("pose_reset_setup", menu, w.tr("Pose reset sett&ings…"), w.set_up_pose_reset),
         *_engines(on, menu),
     ]
 
@@ -289,6 +302,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("close", opened),
         ("record", host.running and host.records),
         ("pause", recording),
+        ("pose_reset", on.pose_reset.available),
         ("guided", host.running and guided),
         ("conformance", on.set_up.can_conform),
         ("note", host.records),  # a replay's file is not written to again

@@ -18,7 +18,7 @@ from tracker.fusion.chain.guided.events import GuidedSaid
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.pose_reset import bends, is_flat
+from tracker.fusion.chain.pose_reset import RESET_SAID, bends, is_flat
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.reports import with_unsure_size
 from tracker.fusion.chain.state import ChainState
@@ -102,7 +102,7 @@ class ChainEngine:
     def reset_pose(self) -> str:
         """The wearer holds the hand flat, the fingers straight ahead: align joints with that, and
         the heading where no camera measures it. A sentence that says what was done."""
-        hand, before = f"Pose reset, {self._layout.hand.side} hand: ", self._tracker.state
+        hand, before = f"{RESET_SAID}, {self._layout.hand.side} hand: ", self._tracker.state
         if self.tracking == Tracking.SEARCHING:
             return f"{hand}not possible before the hand is tracked."
         refused = self._refuse_reset(before)

@@ -8,6 +8,7 @@ fingers straight ahead, shows both. Tilt needs no reset: gravity measures it.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
@@ -15,6 +16,7 @@ from tracker.geometry import so3
 from tracker.messages import Array, Event
 
 KIND = "pose_reset"
+RESET_SAID = "Pose reset"  # how sentences about one begin
 WORDS = "Pose reset: hand flat, fingers straight ahead."
 FINGER_SD, THUMB_SD = np.deg2rad(6.0), np.deg2rad(15.0)
 """rad an axis by which the joints of a hand that a person holds flat differ from straight."""
@@ -63,8 +65,8 @@ def flat_rows(state: ChainState, layout: ChainLayout) -> tuple[Array, Array, Arr
         at_c, at_a = (layout.blocks.theta + 3 * i for i in (c, a))
         H[rows, at_c : at_c + 3] = J
         H[rows, at_a : at_a + 3] = -J @ so3.exp(bent[c]).T @ layout.R_rest[c].T
-    sd = np.where(thumb[children], THUMB_SD, FINGER_SD)
-    return H, -bent[children].ravel(), np.repeat(sd**2, 3)
+    variance = np.array([(THUMB_SD if thumb[c] else FINGER_SD) ** 2 for c in children])
+    return H, -bent[children].ravel(), np.repeat(variance, 3)
 
 
 def doubt_drift(state: ChainState, layout: ChainLayout, frozen: bool) -> None:
@@ -108,7 +110,7 @@ def turn(state: ChainState, angle: float) -> None:
         state.P[:, rows] = state.P[:, rows] @ Rz.T
 
 
-def _is_thumb(layout: ChainLayout) -> np.ndarray:
+def _is_thumb(layout: ChainLayout) -> NDArray[np.bool_]:
     return np.array([name.startswith("thumb") for name in layout.names])
 
 
