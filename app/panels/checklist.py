@@ -12,7 +12,7 @@ from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.checklist import hues_seen, steps
 from app.viewmodels.light import LightWatch
-from app.viewmodels.set_up_steps import SettledSteps, SetUpStep, images_arrive, summary
+from app.viewmodels.set_up_steps import SettledSteps, SetUpStep, images_arrive, is_lost, summary
 from app.widgets.measures import APART, NEAR
 
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
@@ -71,8 +71,9 @@ class ChecklistPanel(Panel):
 
     def _read_light(self, view: Snapshot | None) -> None:
         """Have the newest image read in the background, once a second."""
-        if view is None or view.frame is None or not images_arrive(view):
+        if is_lost(view, "camera"):
             self.light = LightWatch()  # what was read was of another camera, or of another light
+        if view is None or view.frame is None or not images_arrive(view):
             return
         frame, setup = view.frame, view.setup
         image = frame.left if frame.left is not None else frame.right

@@ -93,7 +93,7 @@ def _glove(view: Snapshot | None) -> SetUpStep:
             glove = f"{glove}. {advice} {tr('Set-up, Glove firmware writes it.')}"
         return SetUpStep(name, True, glove)
     if view is not None and len(view.imu) > 0:
-        reason = tr("The glove was here and is silent. Is it plugged in?")
+        reason = tr("The glove does not respond. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
     if view is None:
         return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
@@ -114,7 +114,7 @@ def _samples(view: Snapshot | None) -> SetUpStep:
         return SetUpStep(
             name,
             False,
-            tr("Silent: {}.").format(", ".join(silent)),
+            tr("Not responding: {}.").format(", ".join(silent)),
             "show_sensors",
             tr("Show sensors"),
         )
@@ -126,7 +126,7 @@ def _still(view: Snapshot | None, most_dps: float) -> SetUpStep:
     their standard deviations are at most ``most_dps`` (°/s)."""
     name = tr("Measured at rest")
     if view is None or view.calibration is None or not packets_arrive(view):
-        return SetUpStep(name, False, tr("Waits for the glove."))
+        return SetUpStep(name, False, tr("Waits for the glove."), waits=True)
     sd = view.calibration.gyro_bias_sd
     if np.all(np.isnan(sd)):
         return SetUpStep(name, True, tr("this engine estimates no biases"))
@@ -140,7 +140,7 @@ def _still(view: Snapshot | None, most_dps: float) -> SetUpStep:
 def _camera(view: Snapshot | None) -> SetUpStep:
     name = tr("Camera found")
     if view is not None and view.frame is not None and not images_arrive(view):
-        reason = tr("The camera was here and is silent. Is it plugged in?")
+        reason = tr("The camera does not respond. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
     if view is not None and view.frame is not None:
         if view.frame.left is not None and one_camera(view.setup, view.frame):
@@ -181,7 +181,7 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     where the camera confirms it."""
     name = tr("Exposure locked")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, tr("Waits for images."))
+        return SetUpStep(name, False, tr("Waits for images."), waits=True)
     if view.setup.simulated or view.setup.player is not None:
         return SetUpStep(name, True, tr("it does not change here"))
     if view.setup.camera_controls is None:
@@ -210,7 +210,7 @@ def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
     """Lamp and exposure must be good; colours of the room and missed markers are to be checked."""
     name = tr("Light")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, tr("Waits for images."))
+        return SetUpStep(name, False, tr("Waits for images."), waits=True)
     if light is None or light.reading is None:
         return SetUpStep(name, False, tr("Reading the light…"), waits=True)
     reading = light.reading
@@ -247,7 +247,7 @@ def _colours(
     """Done when every hue of the glove is found, and most markers are."""
     name = tr("Colours tuned")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, tr("Waits for images."))
+        return SetUpStep(name, False, tr("Waits for images."), waits=True)
     if view.blobs is None:
         return SetUpStep(name, False, tr("Searching for markers…"), waits=True)
     tune = ("show_colours", tr("Tune colours"))
@@ -281,7 +281,7 @@ def _hand(view: Snapshot | None, before: bool) -> SetUpStep:
     """``before``: it was tracked since its devices are there."""
     name = tr("Hand in view")
     if not (packets_arrive(view) or images_arrive(view)):
-        return SetUpStep(name, False, tr("Waits for glove and camera."))
+        return SetUpStep(name, False, tr("Waits for glove and camera."), waits=True)
     if _tracking(view) == Tracking.TRACKING:
         return SetUpStep(name, True, tr("tracking"))
     if view is not None and not view.setup.whole:
@@ -299,7 +299,7 @@ def _calibration(view: Snapshot | None, least: float) -> SetUpStep:
     if view is None or view.calibration is None:
         return SetUpStep(name, False, tr("Waits for tracking."))
     if view.status is not None and images_alone(view.status):
-        return SetUpStep(name, False, tr("Waits for the glove."))
+        return SetUpStep(name, False, tr("Waits for the glove."), waits=True)
     alone = by_one_camera(view)
     shown = calibration_view(view.calibration, one_camera=alone)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence

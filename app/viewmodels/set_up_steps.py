@@ -18,6 +18,8 @@ LASTING = {
     "calibration": ("glove",),
 }
 """Steps that vary with the moment, and the devices without which they are open again."""
+LOST_AFTER = 3.0
+"""s without packets or images, after which the device is lost; a loaded computer may miss some."""
 MEASURED = ("still", "calibration")
 """Those with a figure and a lower bound of their own, below which they are open again."""
 
@@ -65,11 +67,10 @@ class SettledSteps:
         same = (
             self._setup is not None and setup is not None and self._setup.tracked is setup.tracked
         )
-        there = {"glove": packets_arrive(view), "camera": images_arrive(view)}
         self._done = {
             key: step
             for key, step in self._done.items()
-            if same and all(there[device] for device in LASTING[key])
+            if same and not any(is_lost(view, device) for device in LASTING[key])
         }
         self._setup = setup
 
@@ -102,3 +103,17 @@ def packets_arrive(view: Snapshot | None) -> bool:
 
 def images_arrive(view: Snapshot | None) -> bool:
     return view is not None and view.images_arrive
+
+
+def is_lost(view: Snapshot | None, device: str) -> bool:
+    """Whether the "glove" or the "camera" has not sent for `LOST_AFTER`, or was never there."""
+    if view is None:
+        return True
+    if device == "glove":
+        last = view.imu[-1].t_arrival if len(view.imu) > 0 else None
+    else:
+        last = view.frame.t_arrival if view.frame is not None else None
+    if last is None:
+        return True
+    live = view.setup.player is None and view.status is not None
+    return live and view.status is not None and view.status.t - last > LOST_AFTER

@@ -109,11 +109,21 @@ def test_a_lost_device_opens_its_steps_again(listed, rig, qtbot):
     rig.sd = 1.6
     refreshed(listed)
     assert shown(listed, "Calibration settled").look is GOOD
-    pass_time(listed, rig, qtbot, 2.0)
+    pass_time(listed, rig, qtbot, 5.0)
     for name in ("Light", "Colours tuned", "Hand in view", "Measured at rest"):
         assert shown(listed, name).look is not GOOD, name
     pass_time(listed, rig, qtbot, 0.0)
     assert shown(listed, "Calibration settled").look is not GOOD, "it has not settled since"
+
+
+def test_a_moment_without_packets_and_images_opens_nothing_that_was_settled(listed, rig, qtbot):
+    rig.sd = 1.6
+    pass_time(listed, rig, qtbot, 1.5)
+    assert shown(listed, "Glove found").look is WARN, "at once"
+    for name in ("Light", "Colours tuned", "Hand in view", "Measured at rest"):
+        assert shown(listed, name).look is GOOD, name
+    pass_time(listed, rig, qtbot, 0.0)
+    assert listed.checklist.summary.text() == "Ready"
 
 
 def test_a_hand_that_leaves_is_to_be_checked_and_colours_are_not_judged(listed, rig):
@@ -177,7 +187,7 @@ def test_colours_that_miss_most_markers_are_not_tuned_from_the_start(window, rig
 
 
 def test_the_light_of_a_camera_that_is_gone_is_forgotten(listed, rig, qtbot):
-    pass_time(listed, rig, qtbot, 2.0)
+    pass_time(listed, rig, qtbot, 5.0)
     assert listed.checklist.light.reading is None
     assert shown(listed, "Light").reason == "Waits for images."
     pass_time(listed, rig, qtbot, 0.0)
