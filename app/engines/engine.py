@@ -13,6 +13,7 @@ from tracker.clock import ClockAnchor
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.live.history import SearchedImage
 from tracker.live.recording import Recorder
 from tracker.live.right_of_way import RightOfWay
 from tracker.messages import (
@@ -44,6 +45,10 @@ class TrackedHand(Protocol):
     ) -> tuple[StereoFrame, BlobFrame, FrameResult] | None: ...
 
     def recent_imu(self) -> Sequence[ImuSample]: ...
+
+    def recent_estimates(self) -> Sequence[Estimate]: ...
+
+    def recent_images(self) -> Sequence[SearchedImage]: ...
 
     def calibration(self) -> Calibration | None: ...
 

@@ -40,6 +40,8 @@ class HandLooks:
             calibration=hand.calibration(),
             status=self._status_of(hand),
             imu=hand.recent_imu(),
+            estimates=hand.recent_estimates(),
+            images=hand.recent_images(),
         )
 
     def _estimate(self, hand: TrackedHand) -> Estimate | None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.engines.engine import EngineSetup, ReferenceHand
+from tracker.live.history import SearchedImage
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -30,6 +31,7 @@ SILENT_AFTER = 0.7  # s: with a panel's own period a silence is seen within abou
 class Snapshot:
     """The latest of every stream; None where there is nothing yet.
 
+    ``imu``, ``estimates`` and ``images`` are those of the last seconds, oldest first.
     ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: images are some
     40 ms old when they arrive, so an overlay of the newest estimate would lead the hand. ``frame``
     and ``blobs`` of the other hand are this one's; its ``result`` is None where there is none yet.
@@ -45,6 +47,8 @@ class Snapshot:
     calibration: Calibration | None = None
     status: Status | None = None
     imu: Sequence[ImuSample] = field(default_factory=tuple)
+    estimates: Sequence[Estimate] = field(default_factory=tuple)
+    images: Sequence[SearchedImage] = field(default_factory=tuple)
     other: Snapshot | None = None  # of the other hand, with its own setup
 
     @property

@@ -18,28 +18,21 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
+from app.panels.graphs.looks import COLOURS, curve_looks
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
+from app.viewmodels.graphs import value_at
 from app.viewmodels.names import spoken
-from app.viewmodels.sensors import (
-    AngleHistory,
-    Curves,
-    ImuCurves,
-    finger_angles,
-    glove_figures,
-    imu_states,
-    link_tip,
-    values_at,
-)
-from app.viewmodels.states import BLUISH_GREEN, GOOD, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
+from app.viewmodels.sensors import finger_angles, glove_figures, imu_states, link_tip
+from app.viewmodels.signal_curves import Curve, LiveCurves
+from app.viewmodels.signals import AXES, Signal, angle_signal, imu_signals
+from app.viewmodels.states import GOOD
 from app.widgets.chip import Chip
+from app.widgets.curve_plot import ScrollPlot
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.one_line import OneLine
-from app.widgets.scroll_plot import ScrollPlot
 
 SPAN = 8.0  # s
-COLOURS = (ORANGE, BLUISH_GREEN, SKY, PURPLE, VERMILLION, YELLOW)
-AXES = ("x", "y", "z")
 RANGES = {"gyro": (-400.0, 400.0), "accel": (-2.5, 2.5)}
 UNITS = {"gyro": "°/s", "accel": "g", "angles": "°"}
 
@@ -55,13 +48,14 @@ class SensorsPanel(Panel):
         self._store = store
         self.chips: list[Chip] = []
         self.toggles: list[QCheckBox] = []
-        self._history = AngleHistory(SPAN)
-        self._curves = ImuCurves(SPAN)
+        self._curves = LiveCurves(SPAN)
+        self._signals: dict[str, list[Signal]] = {}  # by plot
         self._fingers: dict[str, list[int]] = {}
         self._angle_names: tuple[str, ...] = ()
-        self._shown: dict[str, Curves] = {}
+        self._shown: dict[str, list[Curve]] = {}  # s before now
         self._pointed: float | None = None
         self._figures = ""
+        self._setup: EngineSetup | None = None
         self._make_plots()
         self._lay_out()
         host.opened.connect(self._open)
@@ -115,8 +109,8 @@ class SensorsPanel(Panel):
 
     def _open(self, setup: EngineSetup) -> None:
         """The IMUs of this glove and the angles of this hand."""
-        self._history.clear()
-        self._curves.clear()
+        self._curves = LiveCurves(SPAN)
+        self._setup = setup
         self._angle_names = setup.hand.joint_names
         self._fingers = finger_angles(self._angle_names)
         self.choice.blockSignals(True)
@@ -147,12 +141,25 @@ class SensorsPanel(Panel):
         names: Sequence[str] = AXES
         if columns is not None:
             names = [spoken(self._angle_names[c].split("_", 1)[-1]) for c in columns]
+        self._signals = self._signals_of(columns)
+        self._curves.choose(signal for chosen in self._signals.values() for signal in chosen)
         for name, plot in self.plots.items():
-            wanted = (name == "angles") == (columns is not None)
-            plot.setVisible(wanted)
-            plot.set_curves(COLOURS[: len(names)] if wanted else ())
+            plot.setVisible(name in self._signals)
+            plot.set_looks(curve_looks([""] * len(self._signals.get(name, ()))))
         self._make_toggles(names)
         self._shown = {}
+
+    def _signals_of(self, columns: list[int] | None) -> dict[str, list[Signal]]:
+        """Of each plot that the choice shows; ``columns`` of angles, None of an IMU."""
+        if self._setup is None:
+            return {}
+        side = self._setup.side
+        if columns is not None:
+            return {"angles": [angle_signal(side, c, self._angle_names[c]) for c in columns]}
+        imu = max(0, self.choice.currentIndex())
+        chosen = imu_signals(side, imu, self._setup.glove.imu_names[imu])
+        kinds = ("gyro", "accel")
+        return {k: [s for s in chosen if s.column == k][: len(AXES)] for k in kinds}
 
     def _chosen_angles(self) -> list[int] | None:
         """Columns of the angles to be shown; None while an IMU is chosen."""
@@ -191,22 +198,17 @@ class SensorsPanel(Panel):
             chip.show_state(state.look.colour, state.look.sign, text, state.text)
         self._figures = "   ".join(glove_figures(view.status, view.imu))
         self.figures.setToolTip(link_tip(view.status))
-        if view.estimate is not None:
-            self._history.take(view.estimate)
-        self._curves.take(view.imu)
+        self._curves.take(view)
         if not self.hold.isChecked():
             self._draw()
         self._read()
 
     def _draw(self) -> None:
-        columns = self._chosen_angles()
-        if columns is not None:
-            self._shown = {"angles": self._history.curves(columns)}
-        else:
-            imu = max(0, self.choice.currentIndex())
-            self._shown = {k: self._curves.of(imu, k) for k in ("gyro", "accel")}
-        for name, data in self._shown.items():
-            self.plots[name].show_values(data.t, data.values)
+        for name, chosen in self._signals.items():
+            curves = [self._curves.curve(signal.key) for signal in chosen]
+            now = max((float(t[-1]) for t, _ in curves if len(t)), default=0.0)
+            self._shown[name] = [(t - now, values.copy()) for t, values in curves]
+            self.plots[name].draw(self._shown[name])
 
     # --- the cursor
 
@@ -222,16 +224,13 @@ class SensorsPanel(Panel):
             self.figures.setText(self._figures)
             return
         parts = []
-        for kind, data in self._shown.items():
-            found = values_at(data, self._pointed)
-            if found is None:
-                continue
-            t, values = found
+        for kind, curves in self._shown.items():
             shown = [
-                f"{box.text()} {value:.3g}"
-                for box, value in zip(self.toggles, values, strict=True)
-                if box.isChecked()
+                f"{box.text()} {value_at(curve, self._pointed):.3g}"
+                for box, curve in zip(self.toggles, curves, strict=True)
+                if box.isChecked() and len(curve[0])
             ]
-            parts.append(f"{', '.join(shown)} {UNITS[kind]}")
-            parts[0] = parts[0] if len(parts) > 1 else f"{t:.2f} s: {parts[0]}"
-        self.figures.setText("; ".join(parts))
+            if shown:
+                parts.append(f"{', '.join(shown)} {UNITS[kind]}")
+        text = "; ".join(parts)
+        self.figures.setText(f"{self._pointed:.2f} s: {text}" if text else "")

@@ -61,6 +61,7 @@ class AppSettings:
     pose_reset_tap: bool = False  # two taps on the glove reset the pose, too
     engine: str = "chain"  # what tracks
     curves: str = ""  # which of the sensors panel are shown
+    graphs: dict[str, Any] = field(default_factory=dict)  # of the graphs panel; also by name
     angle_unit: str = "deg"  # or "rad": of the motion panel
     view_3d: str = "auto"  # "auto", "card" or "painted"
     card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted

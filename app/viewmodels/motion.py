@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,7 +27,7 @@ from tracker.session.motion import (
 )
 
 LATELY = 10.0  # s that are shown live
-MOST = 1200  # estimates that are kept for it
+STEP = 0.04  # s at least between two of them: well below the shortest hole
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,7 @@ class MotionModel:
         self.pairs: list[Pair] = [APERTURE] if there else []
         self.units = Units()
         self.take: Take | None = None
-        self._lately: deque[Estimate] = deque(maxlen=MOST)
+        self._lately: deque[Estimate] = deque()
 
     def choose_units(self, angle_unit: str) -> None:
         """``deg`` or ``rad``."""
@@ -88,13 +90,19 @@ class MotionModel:
     def is_angle(self, row: int) -> bool:
         return row < len(self.angle_names)
 
-    def feed(self, estimate: Estimate) -> None:
-        """The newest one; an instant is kept once."""
-        if self._lately and estimate.t < self._lately[-1].t:
+    def feed(self, estimates: Sequence[Estimate]) -> None:
+        """Takes what is new of the last estimates, oldest first, at steps of `STEP` and more."""
+        if not estimates:
+            return
+        now = estimates[-1].t
+        if self._lately and now < self._lately[-1].t:
             self._lately.clear()  # a replay went back
-        if not self._lately or estimate.t > self._lately[-1].t:
-            self._lately.append(estimate)
-        while estimate.t - self._lately[0].t > LATELY:
+        due = self._lately[-1].t + STEP if self._lately else -np.inf
+        for estimate in estimates[bisect_left(estimates, due - 1e-9, key=lambda e: e.t) :]:
+            if estimate.t >= due - 1e-9:
+                self._lately.append(estimate)
+                due = estimate.t + STEP
+        while now - self._lately[0].t > LATELY:
             self._lately.popleft()
 
     def rows(self, estimate: Estimate) -> list[MotionRow]:

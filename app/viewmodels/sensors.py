@@ -9,10 +9,8 @@ from itertools import takewhile
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.viewmodels.timed_rows import TimedRows
 from app.words import mark, tr
-from tracker import GRAVITY
-from tracker.messages import Array, Estimate, ImuSample, Status
+from tracker.messages import ImuSample, Status
 from tracker.sensors.serial_line import GOOD_LATENCY_MS
 
 LINK_WORDS = {
@@ -29,15 +27,6 @@ LINK_WORDS = {
 }
 """Counters of the status, as people call them."""
 LINK_ERRORS = tuple(key for key in LINK_WORDS if key.endswith("_errors"))
-LARGEST_STEP = 0.5  # s between two instants of the same curve
-
-
-@dataclass(frozen=True, eq=False)
-class Curves:
-    """t (n,) s before now (negative), values (n, k) of k curves."""
-
-    t: Array
-    values: Array
 
 
 @dataclass(frozen=True)
@@ -45,38 +34,6 @@ class ImuState:
     name: str
     look: StateLook
     text: str
-
-
-class ImuCurves:
-    """What all IMUs measured in the last ``span`` s, as packets come in."""
-
-    def __init__(self, span: float) -> None:
-        self._taken = TimedRows(span)
-
-    def clear(self) -> None:
-        self._taken.clear()
-
-    def take(self, samples: Sequence[ImuSample]) -> None:
-        """The last packets, oldest first, of which those that are new are added.
-
-        Where a replay went back, or on past all of them, curves begin anew.
-        """
-        last = float(self._taken.t[-1]) if len(self._taken) else -np.inf
-        if not samples or samples[-1].t < last or samples[0].t > last:
-            self._taken.clear()
-            last = -np.inf
-        new = list(takewhile(lambda sample: sample.t > last, reversed(samples)))
-        for s in reversed(new):
-            self._taken.add(s.t, np.stack([s.gyro, s.accel]).ravel())
-
-    def of(self, imu: int, kind: str) -> Curves:
-        """One IMU's three axes: kind "gyro" in °/s or "accel" in g."""
-        if not len(self._taken):
-            return Curves(np.zeros(0), np.zeros((0, 3)))
-        t = self._taken.t
-        both = self._taken.rows.reshape(len(t), 2, -1, 3)
-        rows = both[:, 0 if kind == "gyro" else 1, imu]
-        return Curves(t - t[-1], np.rad2deg(rows) if kind == "gyro" else rows / GRAVITY)
 
 
 def imu_states(
@@ -181,41 +138,3 @@ def finger_angles(joint_names: Sequence[str]) -> dict[str, list[int]]:
     for column, name in enumerate(joint_names):
         out.setdefault(name.split("_")[0], []).append(column)
     return out
-
-
-class AngleHistory:
-    """The hand's angles of the last ``span`` s, as often as they are taken."""
-
-    def __init__(self, span: float) -> None:
-        self._taken = TimedRows(span)
-
-    def clear(self) -> None:
-        self._taken.clear()
-
-    def take(self, estimate: Estimate) -> None:
-        """One more instant. After a gap (the panel was hidden, a replay has jumped) lines break."""
-        if len(self._taken):
-            last = float(self._taken.t[-1])
-            step = estimate.t - last
-            if step == 0:
-                return
-            if step < 0:
-                self._taken.clear()
-            elif step > LARGEST_STEP:
-                self._taken.add(last + step / 2, np.full_like(estimate.angles, np.nan))
-        self._taken.add(estimate.t, estimate.angles)
-
-    def curves(self, columns: Sequence[int]) -> Curves:
-        """t (n,) s before the last instant and angles (n, len(columns)) in degrees."""
-        if not len(self._taken):
-            return Curves(np.zeros(0), np.zeros((0, len(columns))))
-        t = self._taken.t
-        return Curves(t - t[-1], np.rad2deg(self._taken.rows[:, list(columns)]))
-
-
-def values_at(shown: Curves, t: float) -> tuple[float, Array] | None:
-    """The instant of ``shown`` nearest to ``t`` and its values (k,); None where there is none."""
-    if len(shown.t) == 0:
-        return None
-    i = int(np.argmin(np.abs(shown.t - t)))
-    return float(shown.t[i]), shown.values[i]

@@ -1,4 +1,4 @@
-"""Figures of the last seconds, instant by instant, as arrays that need not be built anew."""
+"""Figures of the last seconds, instant by instant, as arrays that need not be built again."""
 
 from __future__ import annotations
 
@@ -37,17 +37,24 @@ class TimedRows:
 
     def add(self, t: float, row: Array) -> None:
         """One more, later than the last."""
-        if self._end == len(self._t):
-            self._make_room(len(row))
-        self._t[self._end], self._rows[self._end] = t, row
-        self._end += 1
-        while t - self._t[self._begin] > self._span:
-            self._begin += 1
+        self.extend(np.array([t]), row[None])
 
-    def _make_room(self, width: int) -> None:
+    def extend(self, t: Array, rows: Array) -> None:
+        """More at once: t (m,) growing and later than the last, rows (m, k)."""
+        count = len(t)
+        if count == 0:
+            return
+        if self._end + count > len(self._t):
+            self._make_room(count, rows.shape[1])
+        end = self._end + count
+        self._t[self._end : end], self._rows[self._end : end] = t, rows
+        self._end = end
+        self._begin += int(np.searchsorted(self.t, t[-1] - self._span))
+
+    def _make_room(self, count: int, width: int) -> None:
         """Move what is left to the front; where it fills half, into twice the room."""
         kept = len(self)
-        t = np.empty(max(2 * kept, FIRST_CAPACITY))
+        t = np.empty(max(2 * (kept + count), FIRST_CAPACITY))
         rows = np.empty((len(t), width))
         if kept:
             t[:kept], rows[:kept] = self.t, self.rows

@@ -68,7 +68,7 @@ JOBS = (
         "film",
         ((("cameras",),), (("hand",),)),
         0.55,
-        across=("library", "motion", "log"),
+        across=("library", "motion", "graphs", "log"),
         below=0.48,
         below_px=222,
     ),
@@ -76,7 +76,7 @@ JOBS = (
         "all",
         "panels-top-left",
         (
-            (("cameras",), ("sensors", "motion", "library", "log")),
+            (("cameras",), ("sensors", "motion", "graphs", "library", "log")),
             (
                 ("hand", "applications", "robot"),
                 ("calibration", "checklist", "colours", "recording", "streams"),
@@ -97,7 +97,7 @@ HALF_AND_MORE = 0.62
 """Of the window at most for a side that needs its room; the images keep the rest."""
 BESIDE = {"robot": "hand"}
 """Docks that come to stand beside another one when they are called, where that is in sight."""
-OVER = {"applications": "hand"}
+OVER = {"applications": "hand", "graphs": "hand"}
 """Docks that come to the place of another when they are called: they need its room."""
 
 

@@ -22,6 +22,7 @@ from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
 from app.panels.colours.panel import ColoursPanel
+from app.panels.graphs.panel import GraphsPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
 from app.panels.log import LogPanel
@@ -127,6 +128,7 @@ class MainWindow(QMainWindow):
         self.streams = StreamsPanel(self.host, self.outputs, self.remote)
         self.applications = ApplicationsPanel(self.host, self.store)
         self.robot = RobotPanel(self.host, self.robot_link)
+        self.graphs = GraphsPanel(self.host, self.store)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -141,6 +143,7 @@ class MainWindow(QMainWindow):
             self.streams,
             self.applications,
             self.robot,
+            self.graphs,
         ]
 
     def _make_frame(self) -> None:
@@ -338,6 +341,7 @@ class MainWindow(QMainWindow):
         self.robot.set_background(colours.scene)
         self.sensors.set_colours(colours.base, colours.text)
         self.motion.plot.set_colours(colours.base, colours.text)
+        self.graphs.set_colours(colours.base, colours.text)
         if name != self.store.value.theme:
             self.store.update(theme=name)
 

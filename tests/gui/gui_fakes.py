@@ -14,6 +14,7 @@ from resources import folder
 from tracker.clock import ClockAnchor
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
+from tracker.live.history import SearchedImage
 from tracker.messages import (
     Calibration,
     Estimate,
@@ -70,6 +71,7 @@ class ScriptedEngine:
         self.recorder = None
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
+        self._looked_at: list[Estimate] = []
         self.events = [Event(0.0, "device", "Glove found.")]
 
     def start(self) -> None:
@@ -131,6 +133,18 @@ class ScriptedEngine:
 
     def recent_imu(self):
         return [s for s in _imu() if s.t <= frame_and_blobs(self.frame)[0].t]
+
+    def recent_estimates(self):
+        """Those of the images at which it was looked at, in order of time."""
+        now = frame_and_blobs(self.frame)[0].t
+        if not self._looked_at or self._looked_at[-1].t != now:
+            earlier = [e for e in self._looked_at if e.t < now]
+            self._looked_at = [*earlier, self.latest_estimate()]
+        return list(self._looked_at)
+
+    def recent_images(self):
+        frame, blobs, result = self.latest_frame()
+        return [SearchedImage(frame.t, len(blobs.left), len(blobs.right), result)]
 
     def calibration(self) -> Calibration:
         names = models()[1].imu_names

@@ -8,7 +8,7 @@ from gui_fakes import ScriptedEngine, models
 from PySide6.QtCore import QEvent, QPointF
 from PySide6.QtWidgets import QApplication
 
-from app.viewmodels.sensors import AngleHistory, Curves, glove_figures, link_tip, values_at
+from app.viewmodels.sensors import glove_figures, link_tip
 from tracker import GRAVITY
 from tracker.messages import Status, Tracking
 from tracker.sensors.decoder import LinkCounters
@@ -127,24 +127,3 @@ def test_the_links_counters_are_shown_as_soon_as_there_is_something_to_show():
     assert "Frames whose check sum was wrong (CRC): 2" in tip
     assert "Times that the port was opened again: 2" in tip
     assert link_tip(None) == ""
-
-
-def test_angles_break_where_nothing_was_seen_and_begin_anew_after_a_jump_back():
-    estimate = ScriptedEngine().latest_estimate()
-    history = AngleHistory(8.0)
-    for t in (1.0, 1.1, 3.0, 3.0, 3.1):
-        history.take(dataclasses.replace(estimate, t=t))
-    shown = history.curves([0])
-    assert shown.t == pytest.approx([-2.1, -2.0, -1.05, -0.1, 0.0])
-    assert np.isnan(shown.values[:, 0]).tolist() == [False, False, True, False, False]
-    history.take(dataclasses.replace(estimate, t=0.5))
-    assert len(history.curves([0]).t) == 1
-    history.take(dataclasses.replace(estimate, t=9.0))
-    assert history.curves([0]).t[0] > -8.0
-
-
-def test_values_are_those_of_the_nearest_instant():
-    shown = Curves(np.array([-2.0, -1.0, 0.0]), np.arange(6.0).reshape(3, 2))
-    t, values = values_at(shown, -0.9)
-    assert t == -1.0 and values.tolist() == [2.0, 3.0]
-    assert values_at(Curves(np.zeros(0), np.zeros((0, 2))), -1.0) is None

@@ -17,12 +17,11 @@ from app.viewmodels.colour_images import hue_histogram, pixel_hsv
 from app.viewmodels.colour_tuning import ProfileHistory, Tuned, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
-from app.viewmodels.sensors import ImuCurves, imu_states
+from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import BAD, WARN
 from app.viewmodels.status import fields, tracking_look
 from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
-from tracker import GRAVITY
 from tracker.messages import Status, Tracking, Validity
 from tracker.sensors.link_figures import LinkFigures
 from tracker.vision.lenses import with_one_camera
@@ -263,36 +262,6 @@ def test_with_one_camera_the_hands_length_is_asked_for_and_not_motion():
     ruler = dataclasses.replace(stranger, hand_length_sd=0.015 * 0.187)
     ruler = dataclasses.replace(ruler, scale_sd=np.full_like(stranger.scale_sd, 0.015))
     assert "Bend" in calibration_view(ruler, one_camera=True).advice
-
-
-def test_curves_end_now_and_are_in_degrees():
-    samples = ScriptedEngine().recent_imu()
-    taken = ImuCurves(0.5)
-    taken.take(samples)
-    shown = taken.of(2, "gyro")
-    assert shown.t[-1] == 0.0 and shown.t[0] >= -0.5
-    assert shown.values[-1] == pytest.approx(np.rad2deg(samples[-1].gyro[2]))
-    assert taken.of(2, "accel").values[-1] == pytest.approx(samples[-1].accel[2] / GRAVITY)
-
-
-def test_curves_taken_bit_by_bit_are_those_taken_at_once():
-    """Live more packets come each time; a replay that goes back, or far on, has other ones."""
-    samples = ScriptedEngine().recent_imu()
-    span, bits = 0.3, ImuCurves(0.3)
-    for end in (1, 2, 30, 31, len(samples), 40, len(samples)):
-        for begin in (0, end // 2, end - 1):
-            shown = samples[begin:end]
-            bits.take(shown)
-            curve = bits.of(1, "accel")
-            # what is older than the first that is handed over may have come before
-            own = [s for s in shown if s.t >= shown[-1].t - span]
-            assert curve.t[-len(own) :] == pytest.approx([s.t - own[-1].t for s in own])
-            assert curve.values[-len(own) :] * GRAVITY == pytest.approx(
-                np.array([s.accel[1] for s in own])
-            )
-            assert (np.diff(curve.t) > 0).all() and curve.t[0] >= -span
-    bits.take([])
-    assert len(bits.of(1, "gyro").t) == 0
 
 
 def test_a_silent_imu_is_found():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import NamedTuple
 
+from tracker.live.history import History, SearchedImage
 from tracker.live.inbox import DetectedFrame
 from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking
 
@@ -21,11 +22,12 @@ class ShownFrame(NamedTuple):
 
 
 class FrameResults:
-    """Written by one thread; ``latest`` may be read by any."""
+    """Written by one thread; ``latest`` and ``history`` may be read by any."""
 
     def __init__(self) -> None:
         self._waiting: deque[DetectedFrame] = deque()
         self._shown: tuple[ShownFrame, ...] = ()
+        self.history: History[SearchedImage] = History()
 
     @property
     def latest(self) -> ShownFrame | None:
@@ -38,6 +40,8 @@ class FrameResults:
 
     def _show(self, found: DetectedFrame, result: FrameResult) -> None:
         self._shown = (*self._shown[1 - MOST_SHOWN :], ShownFrame(found.frame, found.blobs, result))
+        left, right = (len(blobs or ()) for blobs in (found.blobs.left, found.blobs.right))
+        self.history.add(SearchedImage(result.t, left, right, result))
 
     def wait_for(self, found: DetectedFrame) -> None:
         """An image that the filter was just fed with."""

@@ -13,6 +13,7 @@ from tracker.fusion.chain.engine import ChainEngine
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.live.applications import ApplicationThread
 from tracker.live.frame_results import FrameResults, ShownFrame
+from tracker.live.history import History
 from tracker.live.imu_history import ImuHistory
 from tracker.live.journal import Journal
 from tracker.live.right_of_way import RightOfWay
@@ -68,6 +69,7 @@ class LiveHand:
         self.calibration: Calibration | None = None
         self.frames = FrameResults()
         self.history = ImuHistory(self.telemetry)
+        self.estimates: History[Estimate] = History()  # those that were shown
         self.predicted: RegionPrediction | None = None  # for the vision thread
         names = pipeline.glove.keypoint_names(pipeline.hand)
         self.gestures = GestureRecogniser(pipeline.hand, names)
@@ -125,6 +127,7 @@ class LiveHand:
         if not self.is_newer(estimate):
             return False
         self.estimate, state = estimate, estimate.tracking
+        self.estimates.add(estimate)
         self.telemetry.tick("estimate", self._clock())
         for subscriber in self._subscribers:
             subscriber(estimate)

@@ -19,6 +19,7 @@ from tracker.live.colours import FollowedColours
 from tracker.live.devices import CameraReader, GloveReader
 from tracker.live.frame_results import ShownFrame
 from tracker.live.hand import Follower
+from tracker.live.history import SearchedImage
 from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox, ResetCommand
 from tracker.live.journal import Journal
 from tracker.live.loop import LiveLoop
@@ -268,6 +269,14 @@ class HandOfTracker:
     def recent_imu(self) -> list[ImuSample]:
         """Packets of the last seconds, oldest first."""
         return self._hand.history.recent()
+
+    def recent_estimates(self) -> list[Estimate]:
+        """Returns the estimates of the last seconds that were shown, oldest first."""
+        return self._hand.estimates.recent()
+
+    def recent_images(self) -> list[SearchedImage]:
+        """Returns what was found in the images of the last seconds, oldest first."""
+        return self._hand.frames.history.recent()
 
     def calibration(self) -> Calibration | None:
         """Estimated parameters, at most a second old."""

@@ -50,10 +50,11 @@ def is_hole(before: float, after: float) -> bool:
     return after - before > LONGEST_FILLED + _ROUNDING
 
 
-def with_breaks(t: Array, values: Array) -> tuple[Array, Array]:
+def with_breaks(t: Array, values: Array, longest: float = LONGEST_FILLED) -> tuple[Array, Array]:
     """``t`` (N,) s and ``values`` (N, ...) with a row of NaN in the middle of each hole, so that a
-    line drawn through them is interrupted there."""
-    after = np.flatnonzero(np.diff(t) > LONGEST_FILLED + _ROUNDING) + 1
+    line drawn through them is interrupted there. ``longest`` (s) is of series that are slower than
+    the estimates."""
+    after = np.flatnonzero(np.diff(t) > longest + _ROUNDING) + 1
     middle = (t[after] + t[after - 1]) / 2
     return np.insert(t, after, middle), np.insert(np.asarray(values, float), after, np.nan, axis=0)
 

@@ -109,7 +109,8 @@ def distance(take: Take, pair: Pair) -> tuple[Array, Array, IntArray]:
 
 
 def speed(t: Array, values: Array) -> Array:
-    """(N,) change per s of values (N,), over `SMOOTH` s; NaN where any are missing."""
+    """(N,) change per s of values (N,), over `SMOOTH` s, or from one neighbour to the other where
+    those are farther apart; NaN in and next to holes."""
     out = np.full(len(t), np.nan)
     known = np.flatnonzero(np.isfinite(values))
     if len(known) < 2:
@@ -117,6 +118,10 @@ def speed(t: Array, values: Array) -> Array:
     at, x = t[known], values[known]
     before = np.searchsorted(at, at - 0.5 * SMOOTH - 1e-9)
     after = np.searchsorted(at, at + 0.5 * SMOOTH + 1e-9, side="right") - 1
+    place, last = np.arange(len(at)), len(at) - 1
+    is_slow = after - before < 2  # fewer values than SMOOTH needs
+    before = np.where(is_slow, np.maximum(place - 1, 0), before)
+    after = np.where(is_slow, np.minimum(place + 1, last), after)
     span = at[after] - at[before]
     jumps = np.concatenate([[0], np.cumsum(np.diff(at) > LONGEST_FILLED)])
     fine = (span > 0.3 * SMOOTH) & (jumps[after] == jumps[before])

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.engines.replay.tell_markers import MarkerTeller
-from tracker.live.imu_history import HISTORY_S
+from tracker.live.history import History, SearchedImage
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -57,7 +57,8 @@ class ReplayMoment:
         self._images: dict[float, StereoFrame] = {}
         self._hands.clear()
         self._is_fresh = False
-        self._imu: deque[ImuSample] = deque()
+        self._imu: History[ImuSample] = History()
+        self._estimates: History[Estimate] = History()
         self._searched: float | None = None  # t of the last blobs, or of the first image
         self._pictured: float | None = None  # t of the last image, or of the first blobs
         self._waiting: BlobFrame | None = None  # the last blobs, whose image has not come yet
@@ -65,13 +66,12 @@ class ReplayMoment:
     def take(self, message: Message) -> None:
         """The next message of the file; an image waits for its blobs."""
         if isinstance(message, ImuSample):
-            self._imu.append(message)
-            while self._imu[-1].t - self._imu[0].t > HISTORY_S:
-                self._imu.popleft()
+            self._imu.add(message)
         elif isinstance(message, Estimate):
             self._estimate, self._is_fresh = message, True
             self._hole, self._in_hole = np.inf, None
             self._hands.append(message)
+            self._estimates.add(message)
         elif isinstance(message, StereoFrame):
             self._take_image(message)
         elif isinstance(message, BlobFrame):
@@ -153,7 +153,15 @@ class ReplayMoment:
 
     def recent_imu(self) -> Sequence[ImuSample]:
         """The samples of the last seconds."""
-        return tuple(self._imu.copy())
+        return self._imu.recent()
+
+    def recent_estimates(self) -> Sequence[Estimate]:
+        """The estimates of the last seconds."""
+        return self._estimates.recent()
+
+    def recent_images(self) -> Sequence[SearchedImage]:
+        """None: what the filter made of each image is not in a file."""
+        return ()
 
     def take_events(self) -> list[Event]:
         """Those since the last call."""

@@ -67,7 +67,12 @@ class MarkerTeller:
             visible=seen.astype(float),
             match_left=match_left,
             match_right=match_right,
-            residual=nothing.residual,
+            residual=np.hstack(
+                [
+                    _residual(left, match_left, blobs.left),
+                    _residual(right, match_right, blobs.right),
+                ]
+            ),
             stereo_points=int(((match_left >= 0) & (match_right >= 0)).sum()),
         )
 
@@ -99,3 +104,12 @@ class MarkerTeller:
                 match[marker] = blob
                 taken.add(blob)
         return match
+
+
+def _residual(uv: Array, match: IntArray, blobs: Blobs | None) -> Array:
+    """(M, 2) px from each marker's place to the blob that is matched to it; NaN for none."""
+    out = np.full((len(match), 2), np.nan)
+    matched = match >= 0
+    if blobs is not None:
+        out[matched] = blobs.uv[match[matched]] - uv[matched]
+    return out

@@ -119,7 +119,7 @@ class MotionPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         if self.model is None or view is None or view.estimate is None:
             return
-        self.model.feed(view.estimate)
+        self.model.feed(view.estimates)
         self.table.show_rows(self.model.rows(view.estimate))
         player = view.setup.player
         self.plot.show_position(None if player is None else player.position)

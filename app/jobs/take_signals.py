@@ -1,0 +1,112 @@
+"""All signals of a recording, read in the background."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Callable, Collection, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from app.engines.engine import EngineSetup
+from app.engines.replay.tell_markers import MarkerTeller
+from app.platform.tasks import JobProgress
+from app.viewmodels.signal_curves import TakeCurves
+from app.viewmodels.signal_rows import (
+    GestureRows,
+    Rows,
+    hand_rows,
+    image_rows,
+    imu_rows,
+    status_rows,
+)
+from app.viewmodels.signals import Source
+from tracker.live.history import SearchedImage
+from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Status, Tracking
+from tracker.session.reader import SessionReader
+
+KINDS = (ImuSample, Estimate, BlobFrame, Status)
+AT_ONCE = 500  # estimates or images between two looks whether the job is cancelled
+
+
+def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], TakeCurves]:
+    """A job that reads the recording of ``setup`` for the curves of all of its hands."""
+
+    def job(progress: JobProgress) -> TakeCurves:
+        rows: dict[tuple[str, Source], Rows] = {}
+        for hand in setup.hands:
+            with SessionReader(path, side=hand.side, watch=progress) as reader:
+                for source, found in _rows_of(reader, hand, progress).items():
+                    rows[hand.side, source] = found
+        return TakeCurves(rows)
+
+    return job
+
+
+def _rows_of(
+    reader: SessionReader, setup: EngineSetup, progress: JobProgress
+) -> dict[Source, Rows]:
+    """Of one hand, by source; times are s from the recording's start."""
+    found: dict[type, list[object]] = {kind: [] for kind in KINDS}
+    for message in reader.messages(KINDS):
+        found[type(message)].append(message)
+    samples = [m for m in found[ImuSample] if isinstance(m, ImuSample)]
+    estimates = [m for m in found[Estimate] if isinstance(m, Estimate)]
+    estimates.sort(key=lambda e: e.t)
+    blobs = [m for m in found[BlobFrame] if isinstance(m, BlobFrame)]
+    statuses = [m for m in found[Status] if isinstance(m, Status)]
+    start = reader.anchor.monotonic(reader.span_ns[0])
+    rows = {
+        Source.IMU: imu_rows(samples),
+        Source.HAND: hand_rows(estimates),
+        Source.GESTURES: _gestures(setup, estimates, progress),
+        Source.IMAGES: _images(setup, blobs, estimates, progress),
+        Source.STATUS: status_rows(statuses),
+    }
+    return {source: Rows(each.t - start, each.columns) for source, each in rows.items()}
+
+
+def _gestures(setup: EngineSetup, estimates: Sequence[Estimate], progress: JobProgress) -> Rows:
+    source, parts = GestureRows(setup), []
+    for begin in range(0, len(estimates), AT_ONCE):
+        progress(-1.0, "")
+        parts.append(source.rows(estimates[begin : begin + AT_ONCE]))
+    return _joined(parts)
+
+
+def _images(
+    setup: EngineSetup,
+    blobs: Sequence[BlobFrame],
+    estimates: Sequence[Estimate],
+    progress: JobProgress,
+) -> Rows:
+    """Which blob is which marker is not recorded: it follows from the recorded estimates."""
+    teller = MarkerTeller(setup.hand, setup.glove, setup.rig) if setup.camera_calibrated else None
+    images = []
+    for i, frame in enumerate(blobs):
+        if i % AT_ONCE == 0:
+            progress(-1.0, "")
+        at = bisect_left(estimates, frame.t, key=lambda e: e.t)
+        around = estimates[max(0, at - 1) : at + 1]
+        result = _result(setup, teller, frame, around)
+        images.append(SearchedImage(frame.t, len(frame.left or ()), len(frame.right or ()), result))
+    return image_rows(images)
+
+
+def _result(
+    setup: EngineSetup,
+    teller: MarkerTeller | None,
+    frame: BlobFrame,
+    around: Sequence[Estimate],
+) -> FrameResult:
+    if teller is not None:
+        return teller.tell(frame, around)
+    return FrameResult.nothing(frame.t, Tracking.SEARCHING, len(setup.glove.markers))
+
+
+def _joined(parts: Sequence[Rows]) -> Rows:
+    if not parts:
+        return Rows(np.zeros(0), {})
+    names: Collection[str] = parts[0].columns
+    columns = {name: np.concatenate([part.columns[name] for part in parts]) for name in names}
+    return Rows(np.concatenate([part.t for part in parts]), columns)

@@ -1,0 +1,1 @@
+"""Graphs of any signals, side by side."""

@@ -1,0 +1,21 @@
+"""Colours and strokes that tell the curves of one graph apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt
+
+from app.viewmodels.states import BLUISH_GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
+from app.widgets.curve_plot import CurveLook
+
+COLOURS = (ORANGE, SKY, BLUISH_GREEN, PURPLE, VERMILLION, YELLOW)
+STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
+
+
+def curve_looks(names: Sequence[str]) -> list[CurveLook]:
+    """One for each curve, in their order: first other colours, then other strokes."""
+    return [
+        CurveLook(COLOURS[k % len(COLOURS)], STYLES[k // len(COLOURS) % len(STYLES)], name)
+        for k, name in enumerate(names)
+    ]

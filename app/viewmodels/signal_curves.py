@@ -1,0 +1,177 @@
+"""Curves of chosen signals: of the last seconds, fed with what is new, or of a whole recording."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from typing import TypeVar
+
+import numpy as np
+
+from app.engines.snapshot import Snapshot
+from app.viewmodels.signal_rows import (
+    LEAD,
+    LONGEST_STEP,
+    GestureRows,
+    Rows,
+    hand_rows,
+    image_rows,
+    imu_rows,
+    is_smoothed,
+    status_rows,
+    values_of,
+)
+from app.viewmodels.signals import Signal, Source
+from app.viewmodels.timed_rows import TimedRows
+from tracker.live.history import Timed
+from tracker.messages import Array
+from tracker.session.holes import with_breaks
+
+Curve = tuple[Array, Array]
+"""t (n,) s and values (n,) in the signal's unit; NaN interrupts the line."""
+FIRST_GESTURES = 2.0  # s for which strengths are computed when the first gesture is chosen
+T = TypeVar("T", bound=Timed)
+
+
+def no_curve() -> Curve:
+    """Nothing to draw."""
+    return np.zeros(0), np.zeros(0)
+
+
+class LiveCurves:
+    """Curves of the signals that are chosen, over the last ``span`` s; times are the engine's.
+
+    What is chosen later begins with what the engine still has of the last seconds. Nothing is
+    computed for other signals.
+    """
+
+    def __init__(self, span: float) -> None:
+        self._span = span
+        self._chosen: dict[str, Signal] = {}
+        self._taken: dict[str, TimedRows] = {}
+        self._gestures: dict[str, GestureRows] = {}
+
+    def clear(self) -> None:
+        """Forget all values; what is chosen stays so."""
+        self._taken = {key: TimedRows(self._span) for key in self._chosen}
+        self._gestures.clear()
+
+    def choose(self, chosen: Iterable[Signal]) -> None:
+        """Collect these from now on."""
+        self._chosen = {signal.key: signal for signal in chosen}
+        before = self._taken
+        self._taken = {key: before.get(key) or TimedRows(self._span) for key in self._chosen}
+        sides = {s.side for s in self._chosen.values() if s.source is Source.GESTURES}
+        self._gestures = {side: rows for side, rows in self._gestures.items() if side in sides}
+
+    def take(self, view: Snapshot) -> None:
+        """Add what has come since the last call."""
+        for hand in view.hands:
+            by_source: dict[Source, list[Signal]] = {}
+            for signal in self._chosen.values():
+                if signal.side == hand.setup.side:
+                    by_source.setdefault(signal.source, []).append(signal)
+            for source, chosen in by_source.items():
+                self._take(hand, source, chosen)
+
+    def _take(self, view: Snapshot, source: Source, chosen: Sequence[Signal]) -> None:
+        match source:
+            case Source.IMU:
+                self._add(chosen, view.imu, imu_rows)
+            case Source.HAND:
+                self._add(chosen, view.estimates, hand_rows)
+            case Source.IMAGES:
+                self._add(chosen, view.images, image_rows)
+            case Source.STATUS:
+                self._add(chosen, (view.status,) if view.status is not None else (), status_rows)
+            case Source.GESTURES:
+                self._add_gestures(chosen, view)
+
+    def _add(
+        self,
+        chosen: Sequence[Signal],
+        messages: Sequence[T],
+        rows_of: Callable[[Sequence[T]], Rows],
+    ) -> None:
+        """Of ``messages``, oldest first, those that are new to each signal."""
+        if not messages:
+            return
+        by_last: dict[float, list[Signal]] = {}
+        for signal in chosen:
+            by_last.setdefault(self._last(signal, messages[-1].t), []).append(signal)
+        for last, signals in by_last.items():
+            if messages[-1].t > last:
+                first = bisect_right(messages, last - LEAD - 1e-9, key=lambda m: m.t) - 1
+                self._append(signals, rows_of(messages[max(0, first) :]), last)
+
+    def _add_gestures(self, chosen: Sequence[Signal], view: Snapshot) -> None:
+        if not view.estimates:
+            return
+        side, now = view.setup.side, view.estimates[-1].t
+        known = side in self._gestures
+        source = self._gestures.setdefault(side, GestureRows(view.setup))
+        last = min(self._last(signal, now) for signal in chosen)
+        since = last if known and np.isfinite(last) else now - FIRST_GESTURES
+        first = bisect_right(view.estimates, since, key=lambda e: e.t)
+        rows = source.rows(view.estimates[first:])
+        for signal in chosen:
+            self._append([signal], rows, self._last(signal, now))
+
+    def _last(self, signal: Signal, now: float) -> float:
+        """The last instant of a curve (s), -inf of an empty one. One that ``now`` (s) is before is
+        emptied: a replay went back."""
+        taken = self._taken[signal.key]
+        if len(taken) and taken.t[-1] > now:
+            taken.clear()
+        return float(taken.t[-1]) if len(taken) else -np.inf
+
+    def _append(self, signals: Sequence[Signal], rows: Rows, last: float) -> None:
+        """The rows after ``last`` (s), those before are for what needs their neighbours."""
+        if len(rows.t) == 0:
+            return
+        for signal in signals:
+            until = _known_until(rows) if is_smoothed(signal) else rows.t[-1]
+            new = (rows.t > last) & (rows.t <= until)
+            if not new.any():
+                continue
+            t, values = rows.t[new], values_of(signal, rows)[new]
+            if np.isfinite(last):  # for a break between the last instant and these
+                t, values = np.r_[last, t], np.r_[np.nan, values]
+            t, values = with_breaks(t, values, LONGEST_STEP[signal.source])
+            begin = int(np.isfinite(last))
+            self._taken[signal.key].extend(t[begin:], values[begin:, None])
+
+    def curve(self, key: str) -> Curve:
+        """Valid until the next `take`."""
+        taken = self._taken.get(key)
+        return (taken.t, taken.rows[:, 0]) if taken is not None and len(taken) else no_curve()
+
+
+def _known_until(rows: Rows) -> float:
+    """The last instant (s) whose smoothed value no later row changes."""
+    return float(min(rows.t[-1] - LEAD / 2, rows.t[-2])) if len(rows.t) > 1 else -np.inf
+
+
+class TakeCurves:
+    """Curves of a whole recording; times are s from its start. ``rows`` are by side and source."""
+
+    def __init__(self, rows: Mapping[tuple[str, Source], Rows]) -> None:
+        self._rows = rows
+        self._curves: dict[str, Curve] = {}
+
+    @property
+    def figures(self) -> Collection[str]:
+        """Names of the status figures that the recording has."""
+        found = (rows for (_, source), rows in self._rows.items() if source is Source.STATUS)
+        return dict.fromkeys(name for rows in found for name in rows.columns)
+
+    def curve(self, signal: Signal) -> Curve:
+        """Computed once."""
+        if signal.key not in self._curves:
+            rows = self._rows.get((signal.side, signal.source))
+            self._curves[signal.key] = (
+                with_breaks(rows.t, values_of(signal, rows), LONGEST_STEP[signal.source])
+                if rows is not None and len(rows.t)
+                else no_curve()
+            )
+        return self._curves[signal.key]

@@ -1,0 +1,168 @@
+"""Curves over time with a cursor that reads them and a line at the position of a replay.
+
+Pens are one pixel wide, axes are drawn only when they change and curves have no more points than
+the screen can show: wider pens cost five times as much to draw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
+
+from app.widgets.thinning import thinned
+from tracker.messages import Array
+
+MARGIN = 0.05  # of the range, above and below curves whose range follows them
+LEAST_COLUMNS = 100
+"""px that a plot is taken to be wide at least, as long as it has no size yet."""
+
+
+class CurveLook(NamedTuple):
+    """``right``: on the axis at the right."""
+
+    colour: str
+    style: Qt.PenStyle = Qt.PenStyle.SolidLine
+    name: str = ""
+    right: bool = False
+
+
+def keep_axes(plot: pg.PlotWidget, sides: Sequence[str] = ("left", "bottom")) -> None:
+    """Draw its axes only when they change; they cost more than the curves that move over them."""
+    for side in sides:
+        plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
+
+
+def span_of(values: Array) -> tuple[float, float] | None:
+    """The range that an axis has for finite ones of ``values``, with a margin; None without any."""
+    if not np.isfinite(values).any():
+        return None
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    margin = MARGIN * (high - low) or max(MARGIN * abs(high), 1e-3)
+    return low - margin, high + margin
+
+
+class CurvePlot(QWidget):
+    """``pointed``: the instant under the pointer (s); ``left``: the pointer has gone;
+    ``sought``: a click at an instant while a position is shown."""
+
+    pointed = Signal(float)
+    left = Signal()
+    sought = Signal(float)
+
+    def __init__(self, title: str = "", parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.plot = pg.PlotWidget(enableMenu=False)
+        self.plot.setMinimumHeight(80)
+        if title:
+            self.plot.setLabel("left", title)
+        self.plot.setMouseEnabled(x=False, y=False)
+        self.plot.hideButtons()
+        self.plot.showGrid(y=True, alpha=0.2)
+        keep_axes(self.plot)
+        self.plot.getAxis("bottom").enableAutoSIPrefix(False)
+        self.curves: list[pg.PlotCurveItem] = []
+        self._looks: Sequence[CurveLook] = ()
+        self._cursor, self.at = (pg.InfiniteLine(angle=90, movable=False) for _ in range(2))
+        for line in (self._cursor, self.at):
+            line.hide()
+            self.plot.addItem(line, ignoreBounds=True)
+        self.plot.scene().sigMouseMoved.connect(self._moved)
+        self.plot.scene().sigMouseClicked.connect(self._clicked)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.plot)
+
+    def set_colours(self, background: str, text: str) -> None:
+        """Dress the plot; pyqtgraph does not follow the palette by itself."""
+        self.plot.setBackground(background)
+        for line in (self._cursor, self.at):
+            line.setPen(pg.mkPen(text, width=1))
+        for side in ("left", "bottom", "right"):
+            self.plot.getAxis(side).setPen(text)
+            self.plot.getAxis(side).setTextPen(text)
+
+    def set_looks(self, looks: Sequence[CurveLook]) -> None:
+        """An empty curve for each, in place of those before."""
+        for curve, look in zip(self.curves, self._looks, strict=True):
+            self._place(look).removeItem(curve)
+        self._looks, self.curves = tuple(looks), []
+        for look in looks:
+            pen = pg.mkPen(look.colour, width=1, style=look.style)
+            curve = pg.PlotCurveItem(pen=pen, name=look.name or None)
+            self._place(look).addItem(curve)
+            self.curves.append(curve)
+
+    @property
+    def looks(self) -> Sequence[CurveLook]:
+        """Of the curves."""
+        return self._looks
+
+    def _place(self, look: CurveLook) -> pg.PlotItem | pg.ViewBox:
+        """What draws a curve of this look."""
+        return self.plot.getPlotItem()
+
+    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
+        """t (n,) s and values (n,) of each curve; NaN interrupts a line. ``now`` (s) is at 0 of the
+        axis, of which only what is in sight is drawn."""
+        (begin, end), _ = self.plot.viewRange()
+        columns = max(LEAST_COLUMNS, int(self.plot.getPlotItem().vb.width()))
+        for curve, (t, values) in zip(self.curves, curves, strict=True):
+            t, values = thinned(t, values, begin + now, end + now, columns)
+            curve.setData(t - now, values, connect="finite")
+
+    def show_cursor(self, t: float | None) -> None:
+        """A line at an instant; None takes it away."""
+        self._cursor.setVisible(t is not None)
+        if t is not None:
+            self._cursor.setValue(t)
+
+    def show_position(self, position: float | None) -> None:
+        """A line where a replay is (s); None takes it away."""
+        self.at.setVisible(position is not None)
+        if position is not None:
+            self.at.setValue(position)
+
+    def _moved(self, place: QPointF) -> None:
+        if self.plot.plotItem.vb.sceneBoundingRect().contains(place):
+            self.pointed.emit(self.plot.plotItem.vb.mapSceneToView(place).x())
+
+    def _clicked(self, event: object) -> None:
+        at = self.plot.getPlotItem().vb.mapSceneToView(event.scenePos())  # type: ignore[attr-defined]
+        if self.at.isVisible():
+            self.sought.emit(float(at.x()))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.left.emit()
+
+
+class ScrollPlot(CurvePlot):
+    """Curves over the last ``span`` s, between ``limits`` or as high as they are."""
+
+    def __init__(
+        self,
+        title: str,
+        span: float,
+        limits: tuple[float, float] | None,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(title, parent)
+        self._limits = limits
+        self.plot.setXRange(-span, 0, padding=0)
+        if limits is not None:
+            self.plot.setYRange(*limits, padding=0)
+
+    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
+        """As of every plot; without limits the axis follows the curves that are shown."""
+        super().draw(curves, now)
+        seen = [v for curve, (_, v) in zip(self.curves, curves, strict=True) if curve.isVisible()]
+        found = span_of(np.concatenate(seen)) if self._limits is None and seen else None
+        if found is not None:
+            low, high = found
+            room = max(0.0, 1.0 - MARGIN * (high - low))
+            self.plot.setYRange(low - room, high + room, padding=0)
