@@ -67,6 +67,7 @@ class CurvePlot(QWidget):
         self.plot.getAxis("bottom").enableAutoSIPrefix(False)
         self.curves: list[pg.PlotCurveItem] = []
         self._looks: Sequence[CurveLook] = ()
+        self._seen: list[Array] = []  # values of each curve that are drawn
         self._cursor, self.at = (pg.InfiniteLine(angle=90, movable=False) for _ in range(2))
         for line in (self._cursor, self.at):
             line.hide()
@@ -111,9 +112,11 @@ class CurvePlot(QWidget):
         axis, of which only what is in sight is drawn."""
         (begin, end), _ = self.plot.viewRange()
         columns = max(LEAST_COLUMNS, int(self.plot.getPlotItem().vb.width()))
+        self._seen = []
         for curve, (t, values) in zip(self.curves, curves, strict=True):
             t, values = thinned(t, values, begin + now, end + now, columns)
             curve.setData(t - now, values, connect="finite")
+            self._seen.append(values)
 
     def show_cursor(self, t: float | None) -> None:
         """A line at an instant; None takes it away."""
@@ -160,7 +163,8 @@ class ScrollPlot(CurvePlot):
     def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
         """As of every plot; without limits the axis follows the curves that are shown."""
         super().draw(curves, now)
-        seen = [v for curve, (_, v) in zip(self.curves, curves, strict=True) if curve.isVisible()]
+        shown = zip(self.curves, self._seen, strict=True)
+        seen = [values for curve, values in shown if curve.isVisible()]
         found = span_of(np.concatenate(seen)) if self._limits is None and seen else None
         if found is not None:
             low, high = found

@@ -22,8 +22,10 @@ def thinned(t: Array, values: Array, begin: float, end: float, columns: int) -> 
     t, values = t[first:last], values[first:last]
     if len(t) <= WORTH * columns or end <= begin:
         return t, values
-    column = np.floor(t * (columns / (end - begin)))
-    starts = np.r_[0, np.flatnonzero(np.diff(column)) + 1]
+    width = (end - begin) / columns
+    edges = np.arange(np.floor(t[0] / width) + 1, np.floor(t[-1] / width) + 1) * width
+    starts = np.concatenate([[0], np.searchsorted(t, edges)])
+    starts = starts[np.diff(starts, append=len(t)) > 0]  # columns with a point
     out = np.empty((len(starts), 2))
     out[:, 0] = np.minimum.reduceat(values, starts)
     out[:, 1] = np.maximum.reduceat(values, starts)

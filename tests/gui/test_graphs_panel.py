@@ -14,9 +14,16 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
+from app.engines.replay.engine import open_replay
 from app.viewmodels.graphs import MOST_CURVES, Graph
 from app.window.main_window import MainWindow
 from tracker import GRAVITY
+from tracker.messages import BlobFrame, ImuSample
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.session.motion import read_take
+from tracker.session.reader import SessionReader
 
 GYRO_X = "right/imu/dorsum/gyro/x"
 
@@ -106,7 +113,7 @@ def test_a_signal_is_found_by_words_ticked_and_taken_out(graphs, engine):
     x, y = drawn(plot)
     assert y == pytest.approx([np.rad2deg(s.gyro[imu, 0]) for s in samples][-len(y) :])
     assert len(y) > 50 and x[-1] == pytest.approx(samples[-1].t - plot.now)
-    assert "dorsum angular rate x" in plot.legend.text()
+    assert "dorsum&nbsp;angular&nbsp;rate&nbsp;x" in plot.legend.text()
     assert plot.plot.plot.getAxis("left").labelText.endswith("°/s")
     tick(graphs, GYRO_X, False)
     assert plot.graph.keys == () and plot.plot.curves == []
@@ -251,3 +258,43 @@ def test_nothing_is_computed_out_of_sight(graphs, live, engine, monkeypatch, qtb
     assert asked == []
     live.show_panel("graphs")
     qtbot.waitUntil(lambda: bool(asked), timeout=10_000)
+
+
+def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot, tmp_path):
+    simulated, tracked = tmp_path / "simulated.mcap", tmp_path / "tracked.mcap"
+    simulate(simulated, SimulateOptions(seed=3, duration=3.0, fps=30, images=False))
+    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+    window.host.adopt(open_replay(tracked, lambda *_: None))
+    window.show_panel("graphs")
+    graphs = window.graphs
+    angle, residual = "right/hand/angle/index_pip_flexion", "right/images/residual_left"
+    show(graphs, (angle, residual), (GYRO_X,), ("right/gestures/fist", "right/images/blobs_left"))
+    qtbot.waitUntil(lambda: graphs._take is not None, timeout=60_000)
+    player = window.host.setup.player
+    player.play(False)
+    graphs.refresh(window.host.snapshot())
+    with SessionReader(tracked) as reader:
+        take, start = read_take(reader), reader.anchor.monotonic(reader.span_ns[0])
+        samples = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
+        blobs = [m for m in reader.messages([BlobFrame]) if isinstance(m, BlobFrame)]
+    first, second, third = graphs.plots
+    t, values = drawn(first)
+    np.testing.assert_allclose(t, take.t)
+    column = take.angle_names.index("index_pip_flexion")
+    np.testing.assert_allclose(values, np.rad2deg(take.angles[:, column]))
+    imu = models()[1].imu_names.index("dorsum")
+    np.testing.assert_allclose(drawn(second)[0], [s.t - start for s in samples])
+    assert drawn(second)[1] == pytest.approx([np.rad2deg(s.gyro[imu, 0]) for s in samples])
+    np.testing.assert_array_equal(drawn(third, 1)[1], [len(b.left) for b in blobs])
+    # px from the glove file's markers on the recorded hand: its wearer's own sit 3 mm beside them
+    assert 0.0 < np.nanmedian(drawn(first, 1)[1]) < 8.0
+    begin, end = first.plot.plot.viewRange()[0]
+    assert begin == 0.0 and end == pytest.approx(player.duration)
+    first.plot.sought.emit(2.0)
+    qtbot.waitUntil(lambda: abs(first.plot.at.value() - 2.0) < 0.1, timeout=10_000)
+    first.controls.span.setCurrentIndex(1)
+    first.controls.span.activated.emit(1)
+    graphs.refresh(window.host.snapshot())
+    begin, end = first.plot.plot.viewRange()[0]
+    assert end - begin == pytest.approx(5.0) and begin < 2.0 < end
+    assert first.graph.span == 10.0 and first.graph.replay_span == 5.0

@@ -71,7 +71,7 @@ def test_smoothed_curves_taken_bit_by_bit_are_those_taken_at_once(setup):
     bits, once = LiveCurves(10.0), LiveCurves(10.0)
     bits.choose([speed])
     once.choose([speed])
-    for end in (1, 2, 3, 9, 10, 30, 59):
+    for end in (1, 2, 3, 9, 10, 28, 45, 59):
         bits.take(Snapshot(setup, True, estimates=estimates[max(0, end - 20) : end]))
     once.take(Snapshot(setup, True, estimates=estimates))
     (t, values), (u, wanted) = bits.curve(speed.key), once.curve(speed.key)

@@ -55,6 +55,8 @@ def with_breaks(t: Array, values: Array, longest: float = LONGEST_FILLED) -> tup
     line drawn through them is interrupted there. ``longest`` (s) is of series that are slower than
     the estimates."""
     after = np.flatnonzero(np.diff(t) > longest + _ROUNDING) + 1
+    if len(after) == 0:
+        return t, np.asarray(values, float)
     middle = (t[after] + t[after - 1]) / 2
     return np.insert(t, after, middle), np.insert(np.asarray(values, float), after, np.nan, axis=0)
 

@@ -66,15 +66,14 @@ class TwoAxisPlot(CurvePlot):
             keep_axes(self.plot, ("right",))
         self._fit_right()
 
-    def follow(self, curves: Sequence[tuple[Array, Array]], now: float) -> None:
-        """Fit both axes to what is in sight of the curves."""
-        (begin, end), _ = self.plot.viewRange()
+    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
+        """As of every plot; both axes are fitted to what is in sight, unless they are zoomed."""
+        super().draw(curves, now)
+        if not self.follows:
+            return
         for box, right in ((self.plot.getPlotItem().vb, False), (self.right, True)):
-            seen = [
-                values[np.searchsorted(t, begin + now) : np.searchsorted(t, end + now)]
-                for (t, values), look in zip(curves, self._looks, strict=True)
-                if look.right == right
-            ]
+            shown = zip(self._seen, self._looks, strict=True)
+            seen = [values for values, look in shown if look.right == right]
             found = span_of(np.concatenate(seen)) if seen else None
             if found is not None:
                 _fit(box, found)
@@ -109,6 +108,8 @@ class GraphPlot(QFrame):
         self._missing: list[str] = []
         self.plot = TwoAxisPlot()
         self.plot.setMinimumHeight(HEIGHT)
+        ignored = QSizePolicy.Policy.Ignored  # pyqtgraph asks for 480 px
+        self.plot.setSizePolicy(ignored, ignored)
         self.controls = GraphControls()
         self.legend = QLabel()
         self.legend.setWordWrap(True)
@@ -195,7 +196,7 @@ class GraphPlot(QFrame):
         if self.paused:
             return
         self.curves, self.now = list(curves), now
-        self._draw()
+        self.redraw()
 
     def hold(self) -> None:
         """Keep what is shown: the buffers of the curves go on."""
@@ -210,17 +211,11 @@ class GraphPlot(QFrame):
             begin = 0.0 if span == WHOLE else position - TRAIL * span
             end = duration if span == WHOLE else begin + span
             self._show_time(begin, end)
-        if self.curves != list(curves):
-            self.curves, self.now = list(curves), 0.0
-        self._draw()
-
-    def _draw(self) -> None:
-        if self.plot.follows:
-            self.plot.follow(self.curves, self.now)
-        self.plot.draw(self.curves, self.now)
+        self.curves, self.now = list(curves), 0.0
+        self.redraw()
 
     def redraw(self) -> None:
-        """After a zoom, while no new curves come."""
+        """After a zoom, too, while no new curves come."""
         if self.curves:
             self.plot.draw(self.curves, self.now)
 
@@ -244,8 +239,7 @@ class GraphPlot(QFrame):
         self.plot.follows = True
         if not self._is_replay:
             self._show_time(-self.span, 0.0)
-        if self.curves:
-            self._draw()
+        self.redraw()
 
     def _choose_span(self) -> None:
         span = self.controls.chosen_span
@@ -266,17 +260,19 @@ class GraphPlot(QFrame):
         entries = []
         curves = self.curves or [no_curve()] * len(self.signals)
         for signal, curve, look in zip(self.signals, curves, self.plot.looks, strict=True):
-            text = escape(signal.label)
+            text = escape(signal.label).replace(" ", "&nbsp;")  # lines break between entries
             if t is not None:
                 value = number(value_at(curve, self.now + t))
-                text += f" <b>{value}</b> {escape(signal.unit)}"
-            entries.append(f'<span style="color:{look.colour}">{SIGNS[look.style]}</span> {text}')
+                text += f"&nbsp;<b>{value}</b>&nbsp;{escape(signal.unit)}"
+            entries.append(
+                f'<span style="color:{look.colour}">{SIGNS[look.style]}</span>&nbsp;{text}'
+            )
         gone = self.tr("not available")
         entries += [f"<i>{escape(key)}: {escape(gone)}</i>" for key in self._missing]
         if not entries:
             entries = [escape(self.tr("Tick signals in the tree, or drag them here."))]
         at = f"{t:.2f} s&nbsp;&nbsp; " if t is not None else ""
-        self.legend.setText(at + "&nbsp;&nbsp; ".join(entries))
+        self.legend.setText(at + "&nbsp; ".join(entries))
 
     # --- mouse
 
