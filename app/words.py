@@ -13,14 +13,18 @@ class _Catalogue:
 
     look_up: Callable[[str], str | None] | None = None
     sentences: Callable[[str], str] | None = None
+    decimal = "."
 
 
 def use(
-    look_up: Callable[[str], str | None] | None, sentences: Callable[[str], str] | None = None
+    look_up: Callable[[str], str | None] | None,
+    sentences: Callable[[str], str] | None = None,
+    decimal: str = ".",
 ) -> None:
     """Translate by ``look_up`` from now on, which gives None for what it does not hold; and what
-    the engine says by ``sentences``."""
+    the engine says by ``sentences``. ``decimal``: the separator in numbers."""
     _Catalogue.look_up, _Catalogue.sentences = look_up, sentences
+    _Catalogue.decimal = decimal
 
 
 def tr(text: str) -> str:
@@ -32,6 +36,23 @@ def tr(text: str) -> str:
 def mark(text: str) -> str:
     """``text`` as it is, listed for translation: for tables, whose words pass `tr` when shown."""
     return text
+
+
+def local(value: float) -> LocalFloat:
+    """``value``, to be formatted in the user's language: ``f"{local(0.5):.1f}"``, German 0,5."""
+    return LocalFloat(value)
+
+
+def decimal() -> str:
+    """The decimal separator of the user's language."""
+    return _Catalogue.decimal
+
+
+class LocalFloat(float):
+    """A number whose formatted text has the decimal separator of the user's language."""
+
+    def __format__(self, spec: str) -> str:
+        return format(float(self), spec).replace(".", _Catalogue.decimal)
 
 
 def told(text: str) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.compare import Comparison
+from app.viewmodels.names import engine_name
 from app.words import tr
 from tracker.errors import FileError
 from tracker.offline.options import TrackOptions
@@ -24,10 +25,10 @@ def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
         from tracker.offline.track import track
         from tracker.session.reader import SessionReader
 
-        progress(0.0, wanted.engine)
+        progress(0.0, engine_name(wanted.engine))
 
         def forward(share: float) -> None:
-            progress(TRACKING_SHARE * share, wanted.engine)
+            progress(TRACKING_SHARE * share, engine_name(wanted.engine))
 
         report = track(source, out, wanted, forward)
         with SessionReader(source) as reader:

@@ -63,7 +63,7 @@ class RecordingPanel(Panel):
         host.recording.changed.connect(self._recording_changed)
         host.running_changed.connect(lambda _on: self._enable())
         host.opened.connect(lambda _setup: self._enable())
-        host.closed.connect(self._enable)
+        host.closed.connect(self._close)
         key.counted.connect(lambda _left: self._enable())
         self._enable()
 
@@ -204,6 +204,18 @@ class RecordingPanel(Panel):
     def _recording_changed(self, on: bool) -> None:
         if not on:
             self._rate, self._messages = RateMeter(), RateMeter()
+        self._enable()
+
+    def _close(self) -> None:
+        """The figures of the last recording are not of what is opened next."""
+        for label in (
+            self.file_label,
+            self.time_label,
+            self.size_label,
+            self.messages_label,
+            self.losses_label,
+        ):
+            label.setText("–")
         self._enable()
 
     def _enable(self) -> None:

@@ -26,11 +26,12 @@ from app.viewmodels.names import spoken
 from app.viewmodels.sensors import finger_angles, glove_figures, imu_states, link_tip
 from app.viewmodels.signal_curves import Curve, LiveCurves
 from app.viewmodels.signals import AXES, Signal, angle_signal, imu_signals
-from app.viewmodels.states import GOOD
+from app.viewmodels.states import GOOD, IDLE
 from app.widgets.chip import Chip
 from app.widgets.curve_plot import ScrollPlot
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.one_line import OneLine
+from app.words import local
 
 SPAN = 8.0  # s
 RANGES = {"gyro": (-400.0, 400.0), "accel": (-2.5, 2.5)}
@@ -187,6 +188,8 @@ class SensorsPanel(Panel):
     # --- what it shows
 
     def refresh(self, view: Snapshot | None) -> None:
+        if view is None:
+            self._show_nothing()
         if view is None or not self.chips:
             return
         states = imu_states(
@@ -201,6 +204,16 @@ class SensorsPanel(Panel):
         self._curves.take(view)
         if not self.hold.isChecked():
             self._draw()
+        self._read()
+
+    def _show_nothing(self) -> None:
+        """No engine is open."""
+        self._curves.clear()
+        self._draw()
+        for chip in self.chips:
+            chip.show_state(IDLE.colour, IDLE.sign, chip.text().partition(":")[0])
+        self._figures = ""
+        self.figures.setToolTip("")
         self._read()
 
     def _draw(self) -> None:
@@ -226,11 +239,11 @@ class SensorsPanel(Panel):
         parts = []
         for kind, curves in self._shown.items():
             shown = [
-                f"{box.text()} {value_at(curve, self._pointed):.3g}"
+                f"{box.text()} {local(value_at(curve, self._pointed)):.3g}"
                 for box, curve in zip(self.toggles, curves, strict=True)
                 if box.isChecked() and len(curve[0])
             ]
             if shown:
                 parts.append(f"{', '.join(shown)} {UNITS[kind]}")
         text = "; ".join(parts)
-        self.figures.setText(f"{self._pointed:.2f} s: {text}" if text else "")
+        self.figures.setText(f"{local(self._pointed):.2f} s: {text}" if text else "")

@@ -14,13 +14,15 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from pathlib import Path
 
-from app.words import mark, tr
+from app.words import decimal, mark, tr
 
 ENGINE = "tracker/"
 """Where the sentences of the engine stand, as a ``.ts`` file locates them."""
 LEAST = 6  # letters of its own that a template needs: ": ." fits everything
 HUES = "red|green|blue|yellow"
 """Words of colour files that the engine enumerates: "red, green and blue"."""
+FIGURE = r"[-+]?\d+\.\d+( ?(mm|px|s|ms|°|°/s|%|Hz|V))?"
+"""A value with decimals; a version has more points."""
 SIDES = {"left": mark("Left"), "right": mark("Right")}
 
 
@@ -68,6 +70,8 @@ class EngineSentences:
         """A value is a name or a figure; or a word of ours, or another sentence."""
         if text in SIDES:
             return tr(SIDES[text]).lower()
+        if re.fullmatch(FIGURE, text):
+            return text.replace(".", decimal())
         return self._fit(text) or _listed(text) or tr(text)
 
 

@@ -53,7 +53,10 @@ def chosen(setting: str, system: str, offered: list[str]) -> str:
 def install(app: QCoreApplication, setting: str, where: Path | None = None) -> str:
     """Speak the language of ``setting`` from now on; returns its code."""
     where = where or place()
-    code = chosen(setting, QLocale.system().name(), languages(where))
+    system = QLocale.system()
+    code = chosen(setting, system.name(), languages(where))
+    # fields for numbers use the language's separator too; the system's own region otherwise
+    QLocale.setDefault(system if system.name().startswith(code) else QLocale(code))
     if code == ENGLISH:
         words.use(None)
         return code
@@ -62,7 +65,11 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
     catalogue.load(str(where / f"{PREFIX}{code}.qm"))
     app.installTranslator(catalogue)
     sentences = EngineSentences(where / f"{PREFIX}{code}.ts")
-    words.use(lambda text: catalogue.translate(CONTEXT, text), sentences.translate)
+    words.use(
+        lambda text: catalogue.translate(CONTEXT, text),
+        sentences.translate,
+        QLocale().decimalPoint(),
+    )
     return code
 
 

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from app.engines.engine import EngineSetup
-from app.words import told, tr
+from app.words import local, told, tr
 from tracker.applications.drawing import Drawing
 from tracker.applications.registry import titles
 from tracker.applications.runner import BEGINS, ENDS, KIND
@@ -139,5 +139,5 @@ def parsed(text: str, like: Any) -> Any:
 def written(value: Any) -> str:
     """A text or a tuple of numbers as a user writes it."""
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return ", ".join(f"{float(v):g}" for v in value)
+        return ", ".join(f"{local(float(v)):g}" for v in value)
     return str(value)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.snapshot import Snapshot
-from app.viewmodels.names import spoken
-from app.words import mark, tr
+from app.viewmodels.names import bone, spoken
+from app.words import local, mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Calibration, Status
 
@@ -21,12 +21,20 @@ RANGES = {
     "accel_bias": (0.4, 0.03),
 }
 ADVICE = {
-    "scale": mark("Spread the fingers and turn the hand before the camera: sizes settle."),
-    "mounting": mark(
-        "Bend and stretch the fingers and turn the wrist: the mounting of IMUs settles."
+    "scale": mark(
+        "Spread the fingers and turn the hand in front of the camera so that sizes settle "
+        "(least certain: {})."
     ),
-    "gyro_bias": mark("Hold the hand still for three seconds: gyro biases settle."),
-    "accel_bias": mark("Hold the hand at several slants: accelerometer biases settle."),
+    "mounting": mark(
+        "Bend and stretch the fingers and turn the wrist so that the mounting of IMUs settles "
+        "(least certain: {})."
+    ),
+    "gyro_bias": mark(
+        "Hold the hand still for three seconds so that gyro biases settle (least certain: {})."
+    ),
+    "accel_bias": mark(
+        "Hold the hand at several slants so that accelerometer biases settle (least certain: {})."
+    ),
 }
 MEASURE = mark(
     "One camera cannot tell how large the hand is: measure it with a ruler and enter it under "
@@ -47,7 +55,10 @@ class CalibrationCell:
 
 @dataclass(frozen=True)
 class CalibrationRow:
+    """``bone``: the segment in a sentence."""
+
     segment: str
+    bone: str
     cells: tuple[CalibrationCell, ...]  # scale, mounting, gyro bias, accel bias
 
 
@@ -89,7 +100,7 @@ _KINDS = {
 def _figures(values: Array, sd: Array, kind: _Kind) -> str:
     """All known components with their 2σ."""
     parts = [
-        f"{kind.pattern.format(v * kind.factor)} ± {2 * s * kind.factor:.2g}"
+        f"{kind.pattern.format(local(v * kind.factor))} ± {local(2 * s * kind.factor):.2g}"
         for v, s in zip(values, sd, strict=True)
         if np.isfinite(v) and np.isfinite(s)
     ]
@@ -116,9 +127,8 @@ def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> C
     if before is not None:
         old, old_sd = before
         return _change(values - old, np.hypot(sd, old_sd), name, figures, settled)
-    text = (
-        f"{kind.pattern.format(_one(values, name) * kind.factor)} ± {2 * worst * kind.factor:.2g}"
-    )
+    one, worst_sd = _one(values, name) * kind.factor, 2 * worst * kind.factor
+    text = f"{kind.pattern.format(local(one))} ± {local(worst_sd):.2g}"
     return CalibrationCell(f"{text} {kind.unit}".strip(), figures, settled)
 
 
@@ -139,7 +149,7 @@ def _change(
     clear = bool(np.any(np.abs(difference) > 2 * sd))
     one = _one(difference, name) * kind.factor
     sign = "+" if name == "scale" and one >= 0 else ""
-    text = f"{'▲ ' if clear else ''}Δ {sign}{kind.pattern.format(one)} {kind.unit}".strip()
+    text = f"{'▲ ' if clear else ''}Δ {sign}{kind.pattern.format(local(one))} {kind.unit}".strip()
     word = tr("more than 2σ of both") if clear else tr("within 2σ of both")
     change = _figures(difference, sd, kind)
     tip = tr("now {}\nchange {}: {}").format(figures, change, word)
@@ -153,7 +163,9 @@ def calibration_view(
     hand's size is a ruler or an earlier session, no motion."""
     kinds = tuple(RANGES)
     rows = tuple(
-        CalibrationRow(spoken(segment), tuple(_cell(c, i, k, reference) for k in kinds))
+        CalibrationRow(
+            spoken(segment), bone(segment), tuple(_cell(c, i, k, reference) for k in kinds)
+        )
         for i, segment in enumerate(c.segments)
     )
     shares = {k: [r.cells[j].convergence for r in rows] for j, k in enumerate(kinds)}
@@ -191,16 +203,16 @@ def _advice(
     if worst is None or known[worst] >= SETTLED:
         return tr("Everything has settled.")
     least = int(np.nanargmin(shares[worst]))
-    return tr("{} Least so far: {}.").format(tr(ADVICE[worst]), rows[least].segment)
+    return tr(ADVICE[worst]).format(rows[least].bone)
 
 
 def _length(c: Calibration, reference: Calibration | None) -> str:
     if not np.isfinite(c.hand_length):
         return "–"
-    text = f"{c.hand_length * 1000:.1f} ± {2 * c.hand_length_sd * 1000:.1f} mm"
+    text = f"{local(c.hand_length * 1000):.1f} ± {local(2 * c.hand_length_sd * 1000):.1f} mm"
     if reference is None or not np.isfinite(reference.hand_length):
         return text
-    return f"{text}, Δ {(c.hand_length - reference.hand_length) * 1000:+.1f}"
+    return f"{text}, Δ {local((c.hand_length - reference.hand_length) * 1000):+.1f}"
 
 
 def _mean(values: list[float]) -> float:
@@ -217,9 +229,9 @@ def camera_time(status: Status | None) -> str:
     word = tr("late") if late_ms >= 0 else tr("early")
     taken_off = v.get("camera_offset_applied_ms", 0.0)
     if not taken_off and abs(late_ms) <= 2 * sd_ms:
-        return tr("none (± {:.1f} ms)").format(2 * sd_ms)
+        return tr("none (± {:.1f} ms)").format(local(2 * sd_ms))
     applied = tr("corrected") if taken_off else tr("not corrected")
-    size = tr("{:.1f} ± {:.1f} ms").format(abs(late_ms), 2 * sd_ms)
+    size = tr("{:.1f} ± {:.1f} ms").format(local(abs(late_ms)), local(2 * sd_ms))
     return tr("{} {}, {}").format(size, word, applied)
 
 
@@ -232,5 +244,5 @@ def right_camera_time(status: Status | None) -> str:
         return ""
     word = tr("later") if late_ms >= 0 else tr("earlier")
     return tr("both images arrive, the right one {:.1f} ms {}, which is taken off").format(
-        abs(late_ms), word
+        local(abs(late_ms)), word
     )

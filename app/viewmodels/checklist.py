@@ -26,7 +26,7 @@ from app.viewmodels.set_up_steps import (
     packets_arrive,
 )
 from app.viewmodels.status import images_alone
-from app.words import mark, told, tr
+from app.words import local, mark, told, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
@@ -90,7 +90,7 @@ def _glove(view: Snapshot | None) -> SetUpStep:
         glove = view.setup.glove.name
         if view.setup.firmware_advice:
             advice = told(view.setup.firmware_advice)
-            glove = f"{glove}. {advice} {tr('Set-up, Glove firmware writes it.')}"
+            glove = f"{glove}. {advice} {tr('Update it under Set-up, Glove firmware.')}"
         return SetUpStep(name, True, glove)
     if view is not None and len(view.imu) > 0:
         reason = tr("The glove does not respond. Is it plugged in?")
@@ -132,7 +132,7 @@ def _still(view: Snapshot | None, most_dps: float) -> SetUpStep:
         return SetUpStep(name, True, tr("this engine estimates no biases"))
     worst_dps = float(np.rad2deg(np.nanmax(sd)))
     if worst_dps <= most_dps:
-        return SetUpStep(name, True, tr("gyros known to {:.1f} °/s").format(worst_dps))
+        return SetUpStep(name, True, tr("gyros known to {:.1f} °/s").format(local(worst_dps)))
     reason = tr("Lay the hand flat on the table for two seconds.")
     return SetUpStep(name, False, reason, "glove_setup", tr("Measure"))
 
@@ -173,7 +173,7 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
     if view.setup.rig.one_camera:
         return SetUpStep(name, True, tr("one camera: distances are as sure as the hand's size"))
     baseline = view.setup.rig.baseline * 1000
-    return SetUpStep(name, True, tr("baseline {:.1f} mm").format(baseline))
+    return SetUpStep(name, True, tr("baseline {:.1f} mm").format(local(baseline)))
 
 
 def _exposure(view: Snapshot | None) -> SetUpStep:
@@ -202,7 +202,7 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     if unsure:
         words = tr("Cannot be verified: the camera does not confirm {}.").format(", ".join(unsure))
         return SetUpStep(name, False, words, "camera_setup", tr("Show"), check=True)
-    values = (f"{tr(CONTROLS[n])} {c.value:g}" for n, c in controls.items())
+    values = (f"{tr(CONTROLS[n])} {local(c.value):g}" for n, c in controls.items())
     return SetUpStep(name, True, ", ".join(values))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from app.engines.snapshot import Snapshot
 from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
-from app.words import tr
+from app.words import local, tr
 from tracker.calibration.colours_fit import clashes
 from tracker.messages import Array, Blobs, Tracking
 from tracker.vision.colours import HUES, ColourProfile
@@ -134,5 +134,5 @@ def _room(name: str, room: Mapping[str, float]) -> str:
     return (
         ""
         if share is None
-        else tr("the room has this colour too ({:.2g} % of it)").format(100 * share)
+        else tr("the room has this colour too ({:.2g} % of it)").format(local(100 * share))
     )

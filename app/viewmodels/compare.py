@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from app.viewmodels.names import spoken
-from app.words import tr
+from app.viewmodels.names import engine_name, spoken
+from app.words import local, tr
 
 SHOWN = 0.005  # mm; less is not to be seen in the figures
 
@@ -32,7 +32,9 @@ class Comparison:
     def names(self) -> tuple[str, str]:
         """What tells them apart: their engines, or where that is one the files' names."""
         first, second = self.engines
-        return self.engines if first and second and first != second else self.stems
+        if first and second and first != second:
+            return engine_name(first), engine_name(second)
+        return self.stems
 
     @property
     def stems(self) -> tuple[str, str]:
@@ -93,8 +95,8 @@ def _mean(errors: dict[str, float]) -> float:
 
 
 def _mm(value: float) -> str:
-    return f"{value:.2f} mm" if math.isfinite(value) else "–"
+    return f"{local(value):.2f} mm" if math.isfinite(value) else "–"
 
 
 def _deg(value: float) -> str:
-    return f"{value:.2f}°" if math.isfinite(value) else "–"
+    return f"{local(value):.2f}°" if math.isfinite(value) else "–"

@@ -49,5 +49,6 @@ class ShownGestures:
 
 
 def _said(name: str, value: float, sure: float) -> str:
-    text = f"{tr(WORDS[name])} {100 * value:.0f} %"
-    return text if sure >= UNSURE else tr("{} (unsure)").format(text)
+    if sure < UNSURE:
+        return tr("{} (low confidence)").format(tr(WORDS[name]))
+    return f"{tr(WORDS[name])} {100 * value:.0f} %"

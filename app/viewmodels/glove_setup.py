@@ -13,7 +13,7 @@ import numpy as np
 
 from app.viewmodels.names import spoken
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.words import tr
+from app.words import local, tr
 from tracker.calibration.still import StillParams, StillPose, still_pose
 from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, moving
 from tracker.messages import Array, ImuSample
@@ -142,13 +142,13 @@ def still_rows(pose: StillPose) -> list[GloveRow]:
     """IMU, bias x y z, its uncertainty, noise, gravity, state."""
     rows = []
     for imu in pose.imus:
-        bias = " ".join(f"{v:+.2f}" for v in np.rad2deg(imu.gyro_bias))
+        bias = " ".join(f"{local(v):+.2f}" for v in np.rad2deg(imu.gyro_bias))
         texts = (
             spoken(imu.name),
             bias,
-            f"{np.rad2deg(imu.gyro_bias_sd):.3f}",
-            f"{1000 * np.rad2deg(imu.gyro_noise):.1f}",
-            f"{np.linalg.norm(imu.accel):.2f}",
+            f"{local(np.rad2deg(imu.gyro_bias_sd)):.3f}",
+            f"{local(1000 * np.rad2deg(imu.gyro_noise)):.1f}",
+            f"{local(float(np.linalg.norm(imu.accel))):.2f}",
             imu.trouble or "good",
         )
         rows.append(GloveRow(texts, BAD if imu.trouble else GOOD))

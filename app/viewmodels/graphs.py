@@ -10,7 +10,7 @@ import numpy as np
 
 from app.viewmodels.signal_curves import Curve
 from app.viewmodels.signals import Signal
-from app.words import tr
+from app.words import local, tr
 from tracker.messages import Array
 
 SPANS = (5.0, 10.0, 30.0, 60.0)
@@ -115,7 +115,7 @@ def value_at(curve: Curve, t: float) -> float:
 
 def number(value: float) -> str:
     """As a read-out shows it."""
-    return f"{value:.4g}" if np.isfinite(value) else "–"
+    return f"{local(value):.4g}" if np.isfinite(value) else "–"
 
 
 def table(curves: Mapping[Signal, Curve], begin: float, end: float, zero: float) -> str:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.words import mark, tr
+from app.words import local, mark, tr
 from tracker.fusion.chain.known import Remembered
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS
@@ -149,12 +149,13 @@ def _size_words(before: Calibration, after: Calibration) -> list[str]:
     change_mm = new.value - old.value
     longer = tr("Your hand is {:.1f} mm longer than was thought.")
     shorter = tr("Your hand is {:.1f} mm shorter than was thought.")
-    return [(longer if change_mm > 0 else shorter).format(abs(change_mm))]
+    return [(longer if change_mm > 0 else shorter).format(local(abs(change_mm)))]
 
 
 def _row(what: str, old: Figure, new: Figure, unit: str, least: float) -> LearnedRow:
     before, after = (
-        f"{f.value:.1f}{unit}" + (f" ± {f.sd:.1f}" if np.isfinite(f.sd) else "") for f in (old, new)
+        f"{local(f.value):.1f}{unit}" + (f" ± {local(f.sd):.1f}" if np.isfinite(f.sd) else "")
+        for f in (old, new)
     )
-    change = f"{new.value - old.value:+.1f}{unit}"
+    change = f"{local(new.value - old.value):+.1f}{unit}"
     return LearnedRow(what, before, after, change, _is_clear(old, new, least))

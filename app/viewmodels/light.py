@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.widgets.image_shapes import Ring
-from app.words import mark, told, tr
+from app.words import local, mark, told, tr
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.vision.colours import ColourProfile
 
@@ -100,7 +100,7 @@ class LightWatch:
         words = [told(a.words) for a in r.advice] or [
             tr("Nothing to change: the markers are clear.")
         ]
-        figures = [tr("noise {:.1f} levels").format(r.noise)]
+        figures = [tr("noise {:.1f} levels").format(local(r.noise))]
         if len(r.uv):
             found = int(r.found.sum())
             figures = [
@@ -109,7 +109,7 @@ class LightWatch:
                 *figures,
             ]
         if np.isfinite(r.warmth):
-            figures.append(tr("red to blue on the cloth {:.1f}").format(r.warmth))
+            figures.append(tr("red to blue on the cloth {:.1f}").format(local(r.warmth)))
         return [*words, ", ".join(figures) + "."]
 
     def rings(self, step: int) -> list[Ring]:

@@ -29,6 +29,44 @@ WORDS = {
 """What the files that come with the program are made of; other files' words stay as they are."""
 
 
+BONES = {
+    "thumb_metacarpal": mark("thumb, first bone"),
+    "thumb_proximal": mark("thumb, second bone"),
+    "thumb_distal": mark("thumb, third bone"),
+    "index_proximal": mark("index finger, first bone"),
+    "index_intermediate": mark("index finger, second bone"),
+    "index_distal": mark("index finger, third bone"),
+    "middle_proximal": mark("middle finger, first bone"),
+    "middle_intermediate": mark("middle finger, second bone"),
+    "middle_distal": mark("middle finger, third bone"),
+    "ring_proximal": mark("ring finger, first bone"),
+    "ring_intermediate": mark("ring finger, second bone"),
+    "ring_distal": mark("ring finger, third bone"),
+    "little_proximal": mark("little finger, first bone"),
+    "little_intermediate": mark("little finger, second bone"),
+    "little_distal": mark("little finger, third bone"),
+    "dorsum": mark("back of the hand"),
+}
+"""Segments that a glove has IMUs on, in a sentence."""
+ENGINES = {
+    "chain": mark("Chain"),
+    "vist": mark("VIST"),
+    "switching": mark("Switching"),
+    "madgwick": mark("Madgwick"),
+    "inertial": mark("IMUs only"),
+}
+
+
+def bone(segment: str) -> str:
+    """``index_intermediate`` as ``index finger, second bone``, in the user's language."""
+    return tr(BONES[segment]) if segment in BONES else spoken(segment)
+
+
+def engine_name(name: str) -> str:
+    """``vist`` as ``VIST``: where its whole title is too long."""
+    return tr(ENGINES[name]) if name in ENGINES else name
+
+
 def spoken(name: str) -> str:
     """``index_mcp_flexion`` as ``index mcp flexion``, in the user's language."""
     return " ".join(tr(WORDS[part]) if part in WORDS else part for part in name.split("_"))

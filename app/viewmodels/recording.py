@@ -11,7 +11,7 @@ from pathlib import Path
 from app.engines.engine import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.take_names import USUAL, check_template, take_path
-from app.words import tr
+from app.words import decimal, local, tr
 from tracker.errors import FileError
 
 LOW_BYTES = 5_000_000_000
@@ -88,13 +88,14 @@ def free_bytes(folder: Path) -> int:
 def size_text(size: float) -> str:
     for unit in ("B", "kB", "MB", "GB"):
         if size < 1000:
-            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+            return f"{size:.0f} {unit}" if unit == "B" else f"{local(size):.1f} {unit}"
         size /= 1000
-    return f"{size:.1f} TB"
+    return f"{local(size):.1f} TB"
 
 
 def duration_text(seconds: float) -> str:
-    whole = int(seconds)
+    """Whole seconds, cut off after the hundredths that `position_text` shows were rounded."""
+    whole = max(0, round(seconds * 100)) // 100
     hours, minutes = whole // 3600, whole // 60 % 60
     return f"{hours}:{minutes:02d}:{whole % 60:02d}" if hours else f"{minutes}:{whole % 60:02d}"
 
@@ -102,7 +103,7 @@ def duration_text(seconds: float) -> str:
 def position_text(seconds: float) -> str:
     """A position in a session to the hundredth: images are 17 ms apart."""
     hundredths = max(0, round(seconds * 100))
-    return f"{duration_text(hundredths // 100)}.{hundredths % 100:02d}"
+    return f"{duration_text(seconds)}.{hundredths % 100:02d}".replace(".", decimal())
 
 
 def losses_text(values: Mapping[str, float]) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, ORANGE, WARN, StateLook
 from app.widgets.view3d.scene import rgb
-from app.words import mark, tr
+from app.words import local, mark, tr
 from tracker.messages import Array, RobotModel, RobotState
 from tracker.robot.library import MODELS as MODELS
 from tracker.robot.look import NO_FINGER, Placed, RobotShape
@@ -143,7 +143,7 @@ def _following(view: RobotView, took: list[float], missed: int) -> RobotFigures:
     late = 1e3 * float(np.percentile(took, 99)) if len(took) > 20 else float("nan")
     parts = [tr("Follows")]
     if np.isfinite(error):
-        parts.append(tr("fingertips {} mm off").format(f"{error:.1f}"))
+        parts.append(tr("fingertips {} mm off").format(f"{local(error):.1f}"))
     if late > 0:
         parts.append(tr("{} ms behind (99 %)").format(f"{late:.0f}"))
     good = not error > FAR_MM and not late > LATE_MS

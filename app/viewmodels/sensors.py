@@ -9,7 +9,7 @@ from itertools import takewhile
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.words import mark, tr
+from app.words import local, mark, tr
 from tracker.messages import ImuSample, Status
 from tracker.sensors.serial_line import GOOD_LATENCY_MS
 
@@ -124,12 +124,12 @@ def _counted(count: float, one: str, many: str) -> str:
 def link_tip(status: Status | None) -> str:
     """Each counter of the link with its own name, for who looks for a fault."""
     v = status.values if status is not None else {}
-    lines = [f"{tr(words)}: {v[key]:g}" for key, words in LINK_WORDS.items() if key in v]
+    lines = [f"{tr(words)}: {local(v[key]):g}" for key, words in LINK_WORDS.items() if key in v]
     return "\n".join(lines)
 
 
 def _figure(value: float | None, pattern: str) -> str:
-    return "" if value is None or not np.isfinite(value) else pattern.format(value)
+    return "" if value is None or not np.isfinite(value) else pattern.format(local(value))
 
 
 def finger_angles(joint_names: Sequence[str]) -> dict[str, list[int]]:

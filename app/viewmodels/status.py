@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
-from app.words import mark, told, tr
+from app.viewmodels.states import BAD, GOOD, IDLE, PURPLE, TRACKING, WARN, StateLook
+from app.words import local, mark, told, tr
 from tracker.live.load import BEGINS
 from tracker.messages import Shed, Status, Tracking
 
@@ -20,28 +20,47 @@ STAGES = {
     "total": mark("An image's arrival to the estimate made of it"),
 }
 SHED = {
-    Shed.VIEW_RATE: mark("3D rate"),
-    Shed.OVERLAYS: mark("overlays"),
-    Shed.WHOLE_SEARCHES: mark("wide search"),
-    Shed.IMAGES: mark("images"),
+    Shed.VIEW_RATE: mark("3D view slower"),
+    Shed.OVERLAYS: mark("overlays off"),
+    Shed.WHOLE_SEARCHES: mark("full-frame search off"),
+    Shed.IMAGES: mark("fewer images searched"),
 }
 
 
 @dataclass(frozen=True)
 class Field:
-    """One figure: what it is called, its text and how well it is."""
+    """One figure: what it is called, its text and how well it is.
+
+    ``short``: all of it where there is too little room; empty where it cannot be shorter.
+    """
 
     key: str
     name: str
     text: str
     look: StateLook
     tip: str
+    short: str = ""
+
+    @property
+    def full(self) -> str:
+        """Name and text."""
+        return f"{self.name} {self.text}".strip()
 
 
-def tracking_look(status: Status | None, running: bool, has_place: bool = True) -> StateLook:
-    """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost."""
+def tracking_look(
+    status: Status | None,
+    running: bool,
+    has_place: bool = True,
+    replayed: bool = False,
+    brief: bool = False,
+) -> StateLook:
+    """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost.
+    ``replayed``: the status is from a session, not of now. ``brief``: without the heading's sd.
+    """
     if not running or status is None:
         return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
+    if replayed:
+        return StateLook(PURPLE, "▶", tr("Replay: {}").format(tr(TRACKING[status.tracking].word)))
     if nothing_arrives(status):
         return StateLook(BAD.colour, BAD.sign, tr("Nothing arrives"))
     if images_alone(status):
@@ -51,7 +70,8 @@ def tracking_look(status: Status | None, running: bool, has_place: bool = True) 
         return replace(look, word=tr(look.word))
     word = tr(look.word) if has_place else tr("Place unknown")
     look = look if has_place else StateLook(WARN.colour, WARN.sign, word)
-    return replace(look, word=_drifting(word, status.values.get("heading_sd_deg", math.nan)))
+    heading_sd_deg = math.nan if brief else status.values.get("heading_sd_deg", math.nan)
+    return replace(look, word=_drifting(word, heading_sd_deg))
 
 
 def nothing_arrives(status: Status) -> bool:
@@ -81,9 +101,18 @@ def hand_tip(status: Status | None) -> str:
     return f"{glove.name} {glove.text}\n{losses.name} {losses.text}"
 
 
-def fields(status: Status | None) -> list[Field]:
-    """The figures of the bar, in its order."""
+def fields(status: Status | None, replayed: bool = False) -> list[Field]:
+    """The figures of the bar, in its order; of a replay without a judgement."""
     v = status.values if status is not None else {}
+    found = _fields(status, v)
+    if not replayed:
+        return found
+    tip = tr("As it was recorded")
+    shown = [replace(f, look=IDLE, tip=f"{f.tip}\n{tip}") for f in found if f.key != "shed"]
+    return [*shown, _shed({})]
+
+
+def _fields(status: Status | None, v: dict[str, float]) -> list[Field]:
     return [
         _glove(v),
         _rate("frame_rate_hz", tr("Camera"), v, tr("Stereo images each second")),
@@ -101,7 +130,7 @@ def _shed(values: dict[str, float]) -> Field:
         return Field("shed", "", "", IDLE, "")
     names = ", ".join(tr(SHED[step]) for step in SHED if step <= level)
     said = "\n".join(told(BEGINS[step]) for step in SHED if step <= level)
-    return Field("shed", tr("Left out:"), names, WARN, said)
+    return Field("shed", tr("System overloaded:"), names, WARN, said, tr("Overloaded"))
 
 
 def _glove(values: dict[str, float]) -> Field:
@@ -109,7 +138,8 @@ def _glove(values: dict[str, float]) -> Field:
     field = _rate("imu_rate_hz", tr("Glove"), values, tr("Packets of the glove each second"))
     if not values.get("battery_low") or field.look not in (GOOD, IDLE):
         return field
-    low = tr("Its battery is low ({} V): charge it soon").format(f"{values['battery_v']:.2f}")
+    volts = f"{local(values['battery_v']):.2f}"
+    low = tr("Its battery is low ({} V): charge it soon").format(volts)
     tip = f"{field.tip}\n{low}"
     return replace(field, text=tr("{}, battery low").format(field.text), look=WARN, tip=tip)
 
@@ -136,7 +166,8 @@ def _latency(values: dict[str, float]) -> Field:
     worst = values.get("latency_total_p99_ms", math.nan)
     text = f"{total:.0f} ms" + (f" (99 %: {worst:.0f})" if math.isfinite(worst) else "")
     look = GOOD if total < LATENCY_WARN_MS else WARN if total < LATENCY_BAD_MS else BAD
-    return Field("latency", tr("Latency"), text, look, tip)
+    short = f"{tr('Latency')} {total:.0f} ms"
+    return Field("latency", tr("Latency"), text, look, tip, short)
 
 
 def _stages(values: dict[str, float]) -> list[str]:
@@ -149,7 +180,7 @@ def _stages(values: dict[str, float]) -> list[str]:
 
 def _ms(values: dict[str, float], key: str) -> str:
     value = values.get(key, math.nan)
-    return f"{value:.1f} ms" if math.isfinite(value) else "–"
+    return f"{local(value):.1f} ms" if math.isfinite(value) else "–"
 
 
 def _losses(values: dict[str, float]) -> Field:
@@ -165,4 +196,5 @@ def _losses(values: dict[str, float]) -> Field:
         tr("{} packets, {} images").format(f"{lost:.0f}", f"{dropped:.0f}"),
         look,
         tip,
+        f"{tr('Lost')} {lost:.0f} + {dropped:.0f}",
     )

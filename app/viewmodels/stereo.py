@@ -9,7 +9,7 @@ import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, StateLook
 from app.widgets.image_shapes import Cross, Line, Shape
-from app.words import mark, told, tr
+from app.words import local, mark, told, tr
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     known_baseline_problems,
@@ -61,8 +61,8 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
             cover.tilted / p.tilted,
         ),
         Meter(
-            tr("Far over near"),
-            tr("{:.2f} of {:.2f}").format(cover.distances, p.distances),
+            tr("Distance range"),
+            tr("{:.2f} ({:.2f} required)").format(local(cover.distances), local(p.distances)),
             (cover.distances - 1) / (p.distances - 1),
         ),
     ]
@@ -103,7 +103,7 @@ def view_name(index: int, view: StereoView, error_px: float) -> str:
     if np.isnan(error_px):
         return words
     sign = BAD.sign if error_px > SUSPECT_PX else GOOD.sign
-    off = tr("{}, off by {:.2f} px").format(words, error_px)
+    off = tr("{}, off by {:.2f} px").format(words, local(error_px))
     return f"{sign} {off}"
 
 
@@ -123,7 +123,7 @@ def view_rows(solution: Solution) -> list[ViewRow]:
     return [
         ViewRow(
             str(i + 1),
-            tuple(f"{e:.2f}" for e in errors),
+            tuple(f"{local(e):.2f}" for e in errors),
             GOOD if i in used else BAD,
             tr("used") if i in used else tr("dropped: it does not fit the others"),
         )
@@ -144,11 +144,11 @@ def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list
 def solution_figures(solution: Solution) -> list[tuple[str, str]]:
     """Name and value of what was found."""
     focal = [
-        f"{camera.K[0, 0]:.1f} px ± {100 * sd:.2f} %"
+        f"{local(camera.K[0, 0]):.1f} px ± {local(100 * sd):.2f} %"
         for camera, sd in zip(solution.cameras, solution.focal_sd, strict=True)
     ]
     views = tr("{} used, {} dropped").format(len(solution.used), len(solution.dropped))
-    corners = (tr("Error of all corners"), f"{solution.rms_px:.3f} px")
+    corners = (tr("Error of all corners"), f"{local(solution.rms_px):.3f} px")
     if solution.right is None:
         return [corners, (tr("Focal length"), focal[0]), (tr("Views"), views)]
     turn_deg = np.rad2deg(np.linalg.norm(so3.log(solution.R)))
@@ -156,9 +156,9 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
         corners,
         (
             tr("Distance of the lenses"),
-            f"{1000 * float(np.linalg.norm(solution.T)):.2f} mm",
+            f"{local(1000 * float(np.linalg.norm(solution.T))):.2f} mm",
         ),
-        (tr("Turned against each other"), f"{turn_deg:.2f}°"),
+        (tr("Turned against each other"), f"{local(turn_deg):.2f}°"),
         (tr("Focal length, left"), focal[0]),
         (tr("Focal length, right"), focal[1]),
         (tr("Views"), views),
@@ -170,13 +170,13 @@ def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
     if rig.one_camera:
         return [
             (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
-            (tr("Focal length"), f"{rig.left.K[0, 0]:.1f} px"),
+            (tr("Focal length"), f"{local(rig.left.K[0, 0]):.1f} px"),
         ]
     return [
         (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
-        (tr("Distance of the lenses"), f"{1000 * rig.baseline:.2f} mm"),
-        (tr("Focal length, left"), f"{rig.left.K[0, 0]:.1f} px"),
-        (tr("Focal length, right"), f"{rig.right.K[0, 0]:.1f} px"),
+        (tr("Distance of the lenses"), f"{local(1000 * rig.baseline):.2f} mm"),
+        (tr("Focal length, left"), f"{local(rig.left.K[0, 0]):.1f} px"),
+        (tr("Focal length, right"), f"{local(rig.right.K[0, 0]):.1f} px"),
     ]
 
 
@@ -185,16 +185,16 @@ def check_figures(found: Verification) -> list[tuple[str, str]]:
     if len(found.off_px) == 0:
         return []
     if found.one_camera:
-        return [(tr("Worst corner"), f"{found.worst_px:.2f} px")]
+        return [(tr("Worst corner"), f"{local(found.worst_px):.2f} px")]
     return [
-        (tr("Worst corner"), f"{found.worst_px:.2f} px"),
-        (tr("All rows shifted by"), f"{found.offset_px:+.2f} px"),
+        (tr("Worst corner"), f"{local(found.worst_px):.2f} px"),
+        (tr("All rows shifted by"), f"{local(found.offset_px):+.2f} px"),
     ]
 
 
 def check_rows(found: Verification) -> list[tuple[str, str]]:
     """Each fresh view and how far its corners are off."""
-    return [(str(i + 1), f"{e:.2f} px") for i, e in enumerate(found.off_px.tolist())]
+    return [(str(i + 1), f"{local(e):.2f} px") for i, e in enumerate(found.off_px.tolist())]
 
 
 def split_fresh(views: Sequence[StereoView]) -> tuple[list[StereoView], list[StereoView]]:

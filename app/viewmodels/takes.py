@@ -12,7 +12,7 @@ import numpy as np
 from app.storage.session_tags import move_tags
 from app.viewmodels.names import spoken
 from app.viewmodels.recording import duration_text
-from app.words import tr
+from app.words import local, tr
 from tracker.errors import FileError
 from tracker.files import name_part
 from tracker.messages import ImuSample, Status
@@ -55,7 +55,7 @@ def report_text(report: TakeReport) -> str:
     if report.packets_lost is not None:
         parts.append(packets_lost(report.packets_lost))
     if report.camera_silent:
-        parts.append(tr("no image for {:.1f} s").format(report.camera_silent))
+        parts.append(tr("no image for {:.1f} s").format(local(report.camera_silent)))
     said = {hand.side: ", ".join(_hand_parts(hand, report.by_imus)) for hand in report.hands}
     if len(said) < 2:
         text = ", ".join([*parts, *said.values()])
@@ -68,7 +68,7 @@ def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
     """How long its glove was silent, if it was, and how long it was tracked."""
     parts = []
     if hand.glove_silent:
-        parts.append(tr("nothing from the glove for {:.1f} s").format(hand.glove_silent))
+        parts.append(tr("nothing from the glove for {:.1f} s").format(local(hand.glove_silent)))
     if by_imus:
         parts.append(tr("by its IMUs alone"))
     elif hand.tracked is None:
@@ -132,7 +132,7 @@ def _missing_images(status: Status, wanted: float) -> Missing:
         return {"camera": tr("no images from the camera")}
     if rate < SLOW * wanted:
         words = tr("{:.0f} of {:.0f} images per second from the camera")
-        return {"camera rate": words.format(rate, wanted)}
+        return {"camera_rate": words.format(rate, wanted)}
     return {}
 
 

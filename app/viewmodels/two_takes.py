@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.words import tr
+from app.words import local, tr
 from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.messages import Array, Estimate, Validity
@@ -172,5 +172,5 @@ def figures_text(figures: Difference | None) -> str:
         return tr("The takes have no tracked instant in common here.")
     rms, largest = np.rad2deg([figures.rms, figures.largest])
     return tr("differ by {:.1f}° (rms), {:.1f}° at most, over {:.1f} s").format(
-        rms, largest, figures.common
+        local(rms), local(largest), local(figures.common)
     )

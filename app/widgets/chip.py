@@ -39,5 +39,10 @@ class Chip(QWidget):
         self._text.setText(text)
         self.setAccessibleName(text)
 
+    def width_with(self, text: str) -> int:
+        """px that it needs with this text."""
+        advance = self._text.fontMetrics().horizontalAdvance
+        return self.sizeHint().width() + advance(text) - advance(self._text.text())
+
     def text(self) -> str:
         return self._text.text()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QInputDialog, QLabel, QWidget
@@ -21,6 +23,14 @@ def question(parent: QWidget, title: str, words: str, text: str = "") -> QInputD
     if label is not None:
         label.setMinimumWidth(title_width(title))
     return dialog
+
+
+def choice(parent: QWidget, title: str, words: str, items: Sequence[str]) -> str:
+    """Which of ``items`` is chosen; empty where none is."""
+    dialog = question(parent, title, words)
+    dialog.setComboBoxItems(list(items))
+    dialog.setComboBoxEditable(False)
+    return dialog.textValue() if dialog.exec() == QInputDialog.DialogCode.Accepted else ""
 
 
 def answer(parent: QWidget, title: str, words: str, text: str = "") -> str:

@@ -7,10 +7,10 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QInputDialog, QMainWindow, QMenu
+from PySide6.QtWidgets import QMainWindow, QMenu
 
 from app.storage.settings import SettingsStore
-from app.widgets.question import answer
+from app.widgets.question import answer, choice
 from app.window.commands import Command, Commands
 from app.window.layouts import (
     JOBS,
@@ -229,10 +229,7 @@ class LayoutKeeper(QObject):
         names = list(self._store.value.layouts)
         if not names:
             return ""
-        name, ok = QInputDialog.getItem(
-            self._window, title, self.tr("Layout"), names, editable=False
-        )
-        return name if ok else ""
+        return choice(self._window, title, self.tr("Layout"), names)
 
     def _ask_rename(self) -> None:
         name = self._ask_which(self.tr("Rename a layout"))

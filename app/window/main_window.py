@@ -188,6 +188,7 @@ class MainWindow(QMainWindow):
             cameras=self.cameras,
             hand=self.hand,
             colours=self.colours,
+            calibration=self.calibration,
         )
         add_commands(self._targets, self.commands)
         list_docks(self.docks, self.commands, self.open_panel)
@@ -271,7 +272,8 @@ class MainWindow(QMainWindow):
     # --- what the engine host tells
 
     def _opened(self, setup: EngineSetup) -> None:
-        self.setWindowTitle(self.tr("{} – Glovetrack").format(setup.name))
+        live, replay = self.tr("{} – Glovetrack"), self.tr("Replay of {} – Glovetrack")
+        self.setWindowTitle((live if setup.player is None else replay).format(setup.name))
         if not self.start_page.isHidden():  # later openings leave panels as the user put them
             self.start_page.hide()
             self.layouts.show_first()
@@ -356,7 +358,7 @@ class MainWindow(QMainWindow):
     def set_language(self, code: str) -> None:
         """The language of the next start: what is on the screen has been said."""
         self.store.update(language=code)
-        text = self.tr("Glovetrack speaks another language when it is started the next time.")
+        text = self.tr("The language changes after a restart.")
         self.messages.say(text, good=True)
 
     def closeEvent(self, event: QCloseEvent) -> None:

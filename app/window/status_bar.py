@@ -22,6 +22,8 @@ PROGRESS_MS = 100  # between two values of a job's progress
 
 
 BETWEEN = 12  # px from one to the next
+SHORTENED = ("shed", "latency", "losses")
+"""What has a shorter text, the first one first."""
 GIVES_WAY = ("latency", "losses", "estimate_rate_hz", "frame_rate_hz", "imu_rate_hz")
 """What is left out where there is too little room, the first one first."""
 
@@ -39,7 +41,8 @@ class StatusBar(QStatusBar):
         self.chips = {f.key: Chip(firm=f.key in RATES) for f in fields(None)}
         for chip in self.chips.values():
             self.addWidget(chip)
-        self._fine = dict.fromkeys(self.chips, True)
+        self._fields = {f.key: f for f in fields(None)}
+        self._looks = [tracking_look(None, False)] * 2  # of the tracking: whole, and in brief
         self.chips["shed"].hide()
         self.recording = Chip(firm=True)
         self._task_name = ElidedLabel()
@@ -54,30 +57,60 @@ class StatusBar(QStatusBar):
         tasks.changed.connect(self._watch)
         self._watch()
 
-    def show_status(self, status: Status | None, running: bool, has_place: bool = True) -> None:
-        look = tracking_look(status, running, has_place)
-        self.tracking.show_state(look.colour, look.sign, look.word, self.tracking.toolTip())
-        for field in fields(status if running else None):
-            text = f"{field.name} {field.text}".strip()
-            self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
-            self._fine[field.key] = field.look in (GOOD, IDLE)
+    def show_status(
+        self,
+        status: Status | None,
+        running: bool,
+        has_place: bool = True,
+        replayed: bool = False,
+    ) -> None:
+        """``replayed``: it is from a session, not of now."""
+        self._looks = [
+            tracking_look(status, running, has_place, replayed, brief) for brief in (False, True)
+        ]
+        self._show_tracking(brief=False)
+        shown = status if running else None
+        self._fields = {f.key: f for f in fields(shown, replayed and shown is not None)}
         self._make_room()
 
+    def _show_tracking(self, brief: bool) -> None:
+        look = self._looks[brief]
+        self.tracking.show_state(look.colour, look.sign, look.word, self.tracking.toolTip())
+
     def _make_room(self) -> None:
-        """Where not all can be read, what is fine and asked for least is left out, not cut."""
-        chips = {key: chip for key, chip in self.chips.items() if chip.text()}
+        """Where there is too little room, first texts are shortened; then what is fine and needed
+        least is left out, not cut."""
+        texts = {key: field.full for key, field in self._fields.items() if field.full}
         others = (self.tracking, self.other_hand, self.recording, self._task_name)
         rest = (self._bar, self._cancel)
-        shown = [w for w in (*others, *rest) if not w.isHidden()] + list(chips.values())
-        needed = sum(w.sizeHint().width() + BETWEEN for w in shown)
+        taken = sum(w.sizeHint().width() + BETWEEN for w in (*others, *rest) if not w.isHidden())
+
+        def is_full() -> bool:
+            chips = sum(self.chips[key].width_with(text) + BETWEEN for key, text in texts.items())
+            return taken + chips > self.width()
+
+        if is_full() and self.other_hand.isHidden():
+            taken -= self.tracking.sizeHint().width()
+            self._show_tracking(brief=True)
+            taken += self.tracking.sizeHint().width()
+        for key in SHORTENED:
+            if key in texts and self._fields[key].short and is_full():
+                texts[key] = self._fields[key].short
         for key in GIVES_WAY:
-            if needed > self.width() and key in chips and self._fine[key]:
-                needed -= chips.pop(key).sizeHint().width() + BETWEEN
+            if key in texts and self._fields[key].look in (GOOD, IDLE) and is_full():
+                del texts[key]
         for key, chip in self.chips.items():
-            chip.setVisible(key in chips)
+            if key in texts:
+                look, tip = self._fields[key].look, self._fields[key].tip
+                chip.show_state(look.colour, look.sign, texts[key], tip)
+            chip.setVisible(key in texts)
 
     def show_hands(
-        self, hands: Mapping[str, Status | None], running: bool, has_place: bool = True
+        self,
+        hands: Mapping[str, Status | None],
+        running: bool,
+        has_place: bool = True,
+        replayed: bool = False,
     ) -> None:
         """Of two hands each by its name, that of the panels first; after `show_status`."""
         self.other_hand.setVisible(len(hands) > 1)
@@ -87,7 +120,7 @@ class StatusBar(QStatusBar):
         for chip, (side, status) in zip(
             (self.tracking, self.other_hand), hands.items(), strict=True
         ):
-            look = tracking_look(status, running, has_place)
+            look = tracking_look(status, running, has_place, replayed)
             chip.show_state(look.colour, look.sign, f"{names[side]}: {look.word}", hand_tip(status))
         self._make_room()
 

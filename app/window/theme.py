@@ -146,6 +146,7 @@ def _frame(c: Colours) -> str:
     QTabBar QToolButton {{ padding: 0px; background: {c.raised}; }}
     QTabBar::tab {{ color: {c.faint}; padding: {TIGHT}px {APART}px; border: none;
         border-bottom: 2px solid transparent; }}
+    QMainWindow > QTabBar::tab {{ padding: {TIGHT}px {NEAR}px; }}
     QTabBar::tab:selected {{ color: {c.text}; border-bottom-color: {c.accent}; }}
     QTabBar::tab:hover {{ color: {c.text}; }}
     QTabBar::tab:selected:focus {{ background: {c.raised}; }}

@@ -73,6 +73,7 @@ class Ticker(QObject):
         """Show that there is no engine."""
         self._refresher.clear()
         self._bar.show_status(None, False)
+        self._bar.show_hands({}, False)
 
     def _tick(self) -> None:
         now = time.monotonic()
@@ -114,10 +115,11 @@ class Ticker(QObject):
 
     def _refresh_status(self, view: Snapshot | None) -> None:
         placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
-        self._bar.show_status(view.status if view else None, self._host.running, placed)
+        replayed = view is not None and view.setup.player is not None
+        self._bar.show_status(view.status if view else None, self._host.running, placed, replayed)
         hands = (view, view.other) if view is not None and view.other is not None else ()
         statuses = {v.setup.side: v.status for v in hands}
-        self._bar.show_hands(statuses, self._host.running, placed)
+        self._bar.show_hands(statuses, self._host.running, placed, replayed)
         values = view.status.values if view is not None and view.status is not None else {}
         self._pace.look(view is not None and view.is_strained)
         unfit = bool(values.get("colours_unfit", 0.0))

@@ -12,6 +12,7 @@ from PySide6.QtCore import QLocale
 from app.engines.engine_host import EngineHost
 from app.jobs.pose_reset import PoseReset
 from app.jobs.record_key import RecordKey
+from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
@@ -71,6 +72,7 @@ class Targets:
     cameras: CamerasPanel
     hand: HandPanel
     colours: ColoursPanel
+    calibration: CalibrationPanel
 
 
 def add_commands(on: Targets, commands: Commands) -> None:
@@ -117,6 +119,7 @@ def _set_up(on: Targets) -> list[Command]:
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
+        Command("save_wearer", menu, w.tr("Save the &wearer…"), on.calibration.wearer.ask_name),
         Command("conformance", menu, w.tr("C&onformance…"), on.set_up.open_conformance),
         Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
     ]
@@ -291,19 +294,21 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     """Those that make sense in the state the engine is in."""
     host, w = on.host, on.window
     opened = host.setup is not None
+    tracks = host.setup is not None and host.setup.player is None
     guided = host.setup is not None and host.setup.guide is not None
     recording = host.recording.request is not None
     both = host.setup is not None and host.setup.other is not None
     for key, able in (
         ("hand_left", both),
         ("hand_right", both),
-        ("start", opened and not host.running),
-        ("stop", host.running),
+        ("start", tracks and not host.running),
+        ("stop", tracks and host.running),
         ("close", opened),
         ("record", host.running and host.records),
         ("pause", recording),
         ("pose_reset", on.pose_reset.available),
         ("guided", host.running and guided),
+        ("save_wearer", on.calibration.profiles.link.available),
         ("conformance", on.set_up.can_conform),
         ("note", host.records),  # a replay's file is not written to again
         ("live", on.sources.can_go_live),

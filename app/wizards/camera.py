@@ -37,7 +37,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.widgets.image_view import ImageView
 from app.wizards.form_dialog import FormDialog, beside, filler, labelled
-from app.words import mark, told, tr
+from app.words import local, mark, told, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.image_input import CameraName, Image
@@ -354,12 +354,12 @@ def _state(control: Control, wanted: bool) -> str:
     if not control.available:
         return tr("this camera has none")
     if control.is_unverified:
-        return tr("◐ cannot be verified: the camera reads {}").format(f"{control.value:g}")
+        return tr("◐ cannot be verified: the camera reads {}").format(f"{local(control.value):g}")
     if control.locked:
-        return tr("● locked at {}").format(f"{control.value:g}")
+        return tr("● locked at {}").format(f"{local(control.value):g}")
     if wanted:
         return tr("▲ the camera does not take it")
-    return tr("○ by itself, now {}").format(f"{control.value:g}")
+    return tr("○ by itself, now {}").format(f"{local(control.value):g}")
 
 
 def _select(box: QComboBox, wanted: str) -> None:

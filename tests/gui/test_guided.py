@@ -364,7 +364,7 @@ def test_a_change_within_what_is_left_unsure_is_no_sentence(guided, clock, engin
     teach(engine.inner, 6.0, sure=0.9)  # of 8.2° that people differ by in a fist
     qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
     said = guided.outcome.words.text()
-    assert said == "You bend your fingers as was thought, as far as these poses tell."
+    assert said == "Your fingers bend as expected."
     assert told_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
 
 

@@ -195,7 +195,7 @@ def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
 def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
     window.run_command("again")
     dialog = replayed.findChild(TrackDialog)
-    dialog.engine.setCurrentText("vist")
+    dialog.engine.setCurrentIndex(dialog.engine.findData("vist"))
     press(qtbot, dialog)
     qtbot.waitUntil(lambda: replayed.findChild(CompareDialog) is not None, timeout=90_000)
     table = replayed.findChild(CompareDialog)
@@ -269,7 +269,7 @@ def test_the_reference_says_what_it_is_and_columns_what_tracked_them(window, tmp
     other = controls.reference.findData("other")
     assert not controls.reference.model().item(other).isEnabled()  # nothing is there to compare
     window.library.beside.emit("vist")
-    assert controls.reference.currentText() == "Reference: vist"
+    assert controls.reference.currentText() == "Reference: VIST"
     figures = {"identical": True, "compared": 3, "mean_mm": 0.0, "max_mm": 0.0, "rms_deg": 0.0}
     figures |= {"keypoints_mm": {}, "joints_rms_deg": {}}
     paths, errors = (tmp_path / "a.mcap", tmp_path / "a_vist.mcap"), ({"wrist": 1.0},) * 2
@@ -277,8 +277,8 @@ def test_the_reference_says_what_it_is_and_columns_what_tracked_them(window, tmp
         Comparison(*paths, figures, errors, engines).names
         for engines in (("chain", "vist"), ("chain", "chain"), ("", "vist"))
     ]
-    assert names == [("chain", "vist"), ("a", "a_vist"), ("a", "a_vist")]
+    assert names == [("Chain", "VIST"), ("a", "a_vist"), ("a", "a_vist")]
     dialog = CompareDialog(Comparison(*paths, figures, errors, ("chain", "vist")), window)
     table = dialog.table
-    assert table.horizontalHeaderItem(3).text() == "Error of vist"
+    assert table.horizontalHeaderItem(3).text() == "Error of VIST"
     assert table.horizontalHeader().length() <= max(table.viewport().width(), 100 * 4)

@@ -37,7 +37,7 @@ from tracker.offline.track import track
 from tracker.session.holes import LONGEST_FILLED
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
-from tracker.session.writer import SessionRecorder
+from tracker.session.writer import RecorderParams, SessionRecorder
 
 SECONDS = 3.0
 
@@ -349,6 +349,33 @@ def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
         assert place == pytest.approx(1.25, abs=0.02)
     finally:
         setup.close()
+
+
+def test_what_is_replayed_happens_neither_in_the_log_nor_to_the_live_commands(
+    window, tmp_path, sessions, qtbot
+):
+    path = tmp_path / "noted.mcap"
+    with SessionReader(sessions["simulated"]) as reader:
+        info = replace(reader.info, rig=reader.rig())
+        messages = list(reader.messages())
+    start = messages[0].t_arrival
+    with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
+        for message in messages:
+            recorder.write(message)
+        recorder.write(Event(start + 0.2, "note", "gripped the cup"))
+        recorder.write(Event(start + 0.3, "error", "The disk is full."))
+    window.host.adopt(open_replay(path, lambda *_: None))
+    player = window.host.setup.player
+    player.seek(0.0)
+    player.play(True)
+    qtbot.waitUntil(lambda: player.position > 0.6, timeout=30_000)
+    lines = " ".join(entry.line for entry in window.log.model.entries())
+    assert "gripped the cup" not in lines and "disk" not in lines
+    assert not window.messages.isVisible()
+    assert window.windowTitle() == "Replay of noted.mcap – Glovetrack"
+    qtbot.waitUntil(lambda: window.bar.tracking.text().startswith("Replay: "), timeout=10_000)
+    for key in ("start", "stop", "record", "note"):
+        assert not window.commands.actions[key].isEnabled(), key
 
 
 class Held:

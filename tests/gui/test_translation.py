@@ -3,8 +3,10 @@
 import ast
 import re
 from pathlib import Path
+from string import Formatter
 
 import pytest
+from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication
 
 from app import words
@@ -20,6 +22,7 @@ from app.tools.translations import (
     words_in,
     write,
 )
+from app.viewmodels.recording import position_text
 from app.window.main_window import MainWindow
 
 APP = Path(__file__).resolve().parents[2] / "app"
@@ -170,6 +173,7 @@ def test_a_catalogue_speaks_from_menus_subclasses_and_view_models(tmp_path, stor
     finally:
         window.close()
         words.use(None)
+        QLocale.setDefault(QLocale.system())
         for catalogue in app.findChildren(Catalogue):
             app.removeTranslator(catalogue)
             catalogue.deleteLater()
@@ -231,6 +235,52 @@ def german(tmp_path):
 )
 def test_what_the_engine_says_is_translated_with_its_values(german, said, translated):
     assert german(said) == translated
+
+
+def test_decimals_are_written_as_the_language_does(german, monkeypatch):
+    monkeypatch.setattr(words._Catalogue, "decimal", ",")
+    assert f"{words.local(63.0):.1f} mm" == "63,0 mm" and f"{words.local(5.4):.0f}" == "5"
+    assert position_text(83.996) == "1:24,00"
+    assert german("1.25 mm and a are exchanged.") == "a ist mit 1,25 mm vertauscht."
+    assert german("1.2.0 and b are exchanged.") == "b ist mit 1.2.0 vertauscht.", "a version"
+
+
+FOR_PROGRAMS = {"graphs.py": ["x", "t"]}  # a table of comma-separated values
+DECIMALS = re.compile(r"[-+]?\.([1-9]|\{)\S*[fg]|g")
+
+
+def not_local(code: str) -> list[str]:
+    """Formatted numbers with decimals that are not passed through `words.local`."""
+    found = []
+    for node in ast.walk(ast.parse(code)):
+        pairs: list[tuple[ast.expr, str]] = []
+        if isinstance(node, ast.FormattedValue) and node.format_spec is not None:
+            pairs = [(node.value, ast.unparse(node.format_spec)[2:-1])]
+        elif isinstance(node, ast.Call) and words_name(node.func) == "format":
+            template = "".join(
+                part.value
+                for part in ast.walk(node.func)
+                if isinstance(part, ast.Constant) and isinstance(part.value, str)
+            )
+            specs = [spec or "" for _, name, spec, _ in Formatter().parse(template) if name == ""]
+            pairs = list(zip(node.args, specs, strict=False))
+        for value, spec in pairs:
+            local = isinstance(value, ast.Call) and words_name(value.func) == "local"
+            if DECIMALS.fullmatch(spec) and not local:
+                found.append(ast.unparse(value))
+    return found
+
+
+def test_numbers_that_pass_local_by_are_noticed():
+    assert not_local('f"{x:.1f} {local(y):.1f} {z:.0f}"') == ["x"]
+    assert not_local('tr("{} of {:.2f}").format(a, b)') == ["b"]
+    assert not_local('f"{x:.{digits}f}"') == ["x"]
+
+
+@pytest.mark.parametrize("part", ["viewmodels", "panels"])
+def test_decimals_on_the_screen_are_in_the_user_s_language(part):
+    found = {p.name: not_local(p.read_text("utf-8")) for p in (APP / part).rglob("*.py")}
+    assert {p: n for p, n in found.items() if n and n != FOR_PROGRAMS.get(p)} == {}
 
 
 def test_hues_that_the_engine_enumerates_are_translated(monkeypatch):

@@ -1,6 +1,7 @@
 """What panels show, computed from messages of which everything is known."""
 
 import dataclasses
+import tomllib
 
 import cv2
 import numpy as np
@@ -10,6 +11,7 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
+from app.viewmodels import names
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
 from app.viewmodels.camera_overlay import Layers, overlay
 from app.viewmodels.checklist import steps
@@ -17,11 +19,14 @@ from app.viewmodels.colour_images import hue_histogram, pixel_hsv
 from app.viewmodels.colour_tuning import ProfileHistory, Tuned, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
+from app.viewmodels.recording import duration_text, position_text
 from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import BAD, WARN
 from app.viewmodels.status import fields, tracking_look
 from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
+from resources import folder
+from tracker import library, settings
 from tracker.messages import Status, Tracking, Validity
 from tracker.sensors.link_figures import LinkFigures
 from tracker.vision.lenses import with_one_camera
@@ -297,9 +302,28 @@ def test_what_is_left_out_of_a_slow_computer_is_said_in_words():
         return fields(Status(0.0, Tracking.TRACKING, {"load_shed": level}))[-1]
 
     assert shown(0.0).text == shown(0.0).name == ""
-    assert (shown(1.0).name, shown(1.0).text) == ("Left out:", "3D rate")
-    assert shown(4.0).text == "3D rate, overlays, wide search, images"
+    assert (shown(1.0).name, shown(1.0).text) == ("System overloaded:", "3D view slower")
+    assert shown(4.0).text == (
+        "3D view slower, overlays off, full-frame search off, fewer images searched"
+    )
+    assert shown(4.0).short == "Overloaded"
     assert shown(3.0).look.word == "attention" and len(shown(3.0).tip.splitlines()) == 3
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.994, 0.996, 23.994, 23.996, 59.999, 3599.996, 3661.2])
+def test_a_length_and_a_position_agree_on_the_second(seconds):
+    assert position_text(seconds).rpartition(".")[0] == duration_text(seconds)
+
+
+def test_engines_and_bones_have_names_for_people():
+    assert set(names.ENGINES) == set(settings.ENGINES)
+    segments = {imu for glove in library.names("gloves") for imu in imus_of(glove)}
+    assert segments and segments <= set(names.BONES)
+
+
+def imus_of(glove: str) -> set[str]:
+    text = (folder("gloves") / f"{glove}.toml").read_text("utf-8")
+    return {imu["segment"] for imu in tomllib.loads(text)["imu"]}
 
 
 def test_each_stage_has_its_latency():

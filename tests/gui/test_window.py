@@ -3,6 +3,7 @@
 import gc
 import threading
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from app.viewmodels.camera_overlay import project
+from app.viewmodels.states import IDLE
 from app.widgets.command_palette import CommandPalette, rank
 from app.window.main_window import MainWindow
 from tracker.messages import Event, Status, Tracking
@@ -299,7 +301,7 @@ def test_where_there_is_no_room_a_field_is_left_out_and_not_cut(window, qtbot):
     values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0, "imu_lost": 0.0}
     status = Status(0.0, Tracking.COASTING, values | {"load_shed": 4.0})
     bar = window.bar
-    for width in (1366, 1000):
+    for width in (1366, 800):
         window.resize(width, 768)
         bar.show_status(status, running=True)
         bar.show_hands({"right": status, "left": status}, running=True)
@@ -313,3 +315,65 @@ def test_where_there_is_no_room_a_field_is_left_out_and_not_cut(window, qtbot):
     bad = Status(0.0, Tracking.COASTING, values | {"imu_lost": 7.0})
     bar.show_status(bad, running=True)
     assert bar.chips["losses"].isVisible(), "what is not fine stays"
+
+
+@pytest.mark.parametrize("width", [911, 1366])
+def test_latency_and_losses_are_shown_on_a_small_screen_at_150_percent(window, qtbot, width):
+    """1366 px are 911 then; there they are short, and a recording is shown too."""
+    values = {"imu_rate_hz": 100.0, "frame_rate_hz": 30.0, "estimate_rate_hz": 100.0}
+    values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0}
+    values |= {"imu_lost": 0.0, "frames_dropped": 36.0}
+    bar = window.bar
+    window.setMinimumSize(0, 0)
+    window.resize(width, 512)
+    bar.show_recording("Recording 12:34", "#000")
+    bar.show_status(Status(0.0, Tracking.TRACKING, values), running=True)
+    QApplication.processEvents()
+    long = width == 1366
+    assert bar.chips["latency"].text() == ("Latency 9 ms (99 %: 30)" if long else "Latency 9 ms")
+    assert bar.chips["losses"].text() == ("Lost 0 packets, 36 images" if long else "Lost 0 + 36")
+    chips = (bar.tracking, bar.recording, *(c for k, c in bar.chips.items() if k != "shed"))
+    assert all(chip.isVisible() for chip in chips)
+    qtbot.waitUntil(lambda: not any(chip._text.is_elided for chip in chips))
+
+
+def test_the_status_of_a_replay_does_not_look_live(window):
+    values = {"imu_rate_hz": 100.0, "frame_rate_hz": 0.0, "load_shed": 2.0}
+    window.bar.show_status(Status(0.0, Tracking.TRACKING, values), True, replayed=True)
+    assert window.bar.tracking.text() == "Replay: Tracking"
+    assert {f.look for f in window.bar._fields.values()} == {IDLE}
+    assert not window.bar.chips["shed"].isVisible()
+    assert "recorded" in window.bar.chips["imu_rate_hz"].toolTip()
+
+
+def test_after_closing_no_panel_shows_values_of_before(live, engine, qtbot):
+    table = live.calibration.table
+    live.show_panel("calibration")
+    qtbot.waitUntil(lambda: table.rowCount() > 0, timeout=30_000)
+    live.show_panel("sensors")
+    qtbot.waitUntil(lambda: "Hz" in live.sensors.figures.text(), timeout=30_000)
+    live.run_command("record")
+    live.recording.refresh(None)
+    assert live.recording.file_label.text() != "–"
+    live.run_command("record")
+    live.run_command("close")
+    assert table.rowCount() == 0 and live.calibration.length.text() == "–"
+    assert live.calibration.overall.value() == 0
+    assert live.sensors.figures.text() == ""
+    assert all(chip._shown[0] == IDLE.colour for chip in live.sensors.chips)
+    curves = [curve for plot in live.sensors.plots.values() for curve in plot.curves]
+    assert curves
+    assert all(not np.size(curve.xData) for curve in curves if curve.xData is not None)
+    assert live.recording.file_label.text() == "–"
+    assert live.hand.gesture.text() == ""
+
+
+def test_the_wearer_is_saved_by_a_command_of_its_own(live, engine, monkeypatch):
+    """Three menus deep in a narrow panel nobody finds it."""
+    asked = []
+    monkeypatch.setattr("app.panels.calibration.wearer_row.answer", lambda *a: asked.append(a))
+    engine_setup = replace(scripted_setup(engine), command=lambda _work: None)
+    live.host.adopt(engine_setup)
+    assert live.commands.actions["save_wearer"].isEnabled()
+    live.run_command("save_wearer")
+    assert len(asked) == 1

@@ -22,7 +22,7 @@ from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame, Trackin
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
-FOLLOWED = "The light is not the one that the colours were made for: the colours follow it."
+FOLLOWED = "The light has changed; adapting the colours."
 """Said of each new profile: it has changed, or the first colours were of another room."""
 
 APART = 0.2  # s between two images that are looked at

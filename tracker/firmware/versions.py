@@ -19,8 +19,8 @@ def advice(version: Version) -> str:
     if not is_old(version):
         return ""
     return (
-        f"The glove has firmware {version_text(version)}; {version_text(shipped_image().version)} "
-        "comes with the program."
+        f"Firmware {version_text(shipped_image().version)} is available "
+        f"(installed: {version_text(version)})."
     )
 
 

@@ -56,6 +56,7 @@ class HandsInFile:
             r.info.side: References(path, r.info.side, holds(r, f"/truth/{r.info.side}/"))
             for r in readers
         }
+        self._events: deque[Event] = deque(maxlen=1000)  # of the window
 
     def messages(
         self,
@@ -112,8 +113,8 @@ class HandsInFile:
                 deque(self.stages[read.side].feed(message), maxlen=0)
 
     def tell(self, event: Event) -> None:
-        """An event of the window's."""
-        self.take(OfFile("", event))
+        """Report something that happens now, which is not an event of the file."""
+        self._events.append(event)
 
     def tell_damage(self, every: bool = False) -> None:
         """How many messages were left out because they are damaged: at the first one, and when
@@ -126,9 +127,11 @@ class HandsInFile:
                 self.tell(Event(0.0, "error", text))
 
     def take_events(self) -> list[Event]:
-        """Those since the last call: all moments have the same."""
-        first, *_ = [moment.take_events() for moment in self.moments.values()]
-        return first
+        """What was told since the last call."""
+        events = []
+        while self._events:
+            events.append(self._events.popleft())
+        return events
 
     def seek(self, t: float) -> None:
         """Begin anew with the hands beside, at ``t`` s of the monotonic clock."""

@@ -14,7 +14,6 @@ from tracker.messages import (
     BlobFrame,
     Calibration,
     Estimate,
-    Event,
     FrameResult,
     ImuSample,
     Message,
@@ -49,7 +48,6 @@ class ReplayMoment:
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
         self._calibration: Calibration | None = None
         self._status = Status(0.0, Tracking.SEARCHING, {})
-        self._events: deque[Event] = deque(maxlen=1000)
         self.forget()
 
     def forget(self) -> None:
@@ -64,7 +62,10 @@ class ReplayMoment:
         self._waiting: BlobFrame | None = None  # the last blobs, whose image has not come yet
 
     def take(self, message: Message) -> None:
-        """The next message of the file; an image waits for its blobs."""
+        """The next message of the file; an image waits for its blobs.
+
+        Events of the file are on the timeline: they did not happen now.
+        """
         if isinstance(message, ImuSample):
             self._imu.add(message)
         elif isinstance(message, Estimate):
@@ -80,8 +81,6 @@ class ReplayMoment:
             self._calibration = message
         elif isinstance(message, Status):
             self._status = message
-        elif isinstance(message, Event):
-            self._events.append(message)
 
     def _take_image(self, image: StereoFrame) -> None:
         self._pictured = image.t
@@ -162,13 +161,6 @@ class ReplayMoment:
     def recent_images(self) -> Sequence[SearchedImage]:
         """None: what the filter made of each image is not in a file."""
         return ()
-
-    def take_events(self) -> list[Event]:
-        """Those since the last call."""
-        events = []
-        while self._events:
-            events.append(self._events.popleft())
-        return events
 
 
 def lost(estimate: Estimate) -> Estimate:

@@ -17,7 +17,7 @@ class ApplicationControls(OneLine):
         super().__init__(parent)
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Application"))
-        self.again = QPushButton(self.tr("Begin anew"))
+        self.again = QPushButton(self.tr("Restart"))
         self.fit = QPushButton(self.tr("Show all"))
         self.fit.setToolTip(self.tr("Move the eye until all that is drawn is in sight"))
         self.settings, self.page = QToolButton(), QToolButton()

@@ -48,19 +48,20 @@ class CalibrationPanel(Panel):
     # --- widgets
 
     def _make_widgets(self) -> None:
-        self.length = QLabel("–")
+        self.length = QLabel()
         self.length.setProperty("role", "figure")
-        self.camera_time = ElidedLabel("–")
+        self.camera_time = ElidedLabel()
         self.camera_time.setToolTip(
             self.tr("How late images are stamped, from the motion of the hand and its gyroscope")
         )
         self.overall = QProgressBar()
         self.overall.setRange(0, 100)
         self.overall.setFormat(self.tr("settled: %p %"))
-        self.advice = QLabel(self.tr("Start tracking to see what is estimated."))
+        self.advice = QLabel()
         self.advice.setWordWrap(True)
         self.wearer = WearerRow()
         self.table = CalibrationTable()
+        self._show_nothing()
 
     def _lay_out(self) -> None:
         head = QHBoxLayout()
@@ -108,6 +109,9 @@ class CalibrationPanel(Panel):
     # --- what it shows
 
     def refresh(self, view: Snapshot | None) -> None:
+        if view is None:
+            self.profiles.worn.latest = None
+            self._draw()
         if view is None or view.calibration is None:
             return
         if view.status is not None and images_alone(view.status):
@@ -121,11 +125,20 @@ class CalibrationPanel(Panel):
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
 
+    def _show_nothing(self) -> None:
+        """There is no calibration."""
+        self.length.setText("–")
+        self.camera_time.setText("–")
+        self.overall.setValue(0)
+        self.advice.setText(self.tr("Start tracking to see what is estimated."))
+        self.table.show_rows(())
+
     def _draw(self) -> None:
         comparing, frozen = self.wearer.comparing.isChecked(), self.wearer.frozen.isChecked()
         self._drawn_frozen = frozen
         shown = self.profiles.worn.shown(comparing, frozen, self._alone)
         if shown is None:
+            self._show_nothing()
             return
         self.length.setText(shown.hand_length)
         share = shown.convergence

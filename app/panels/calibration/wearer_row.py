@@ -80,9 +80,9 @@ class WearerRow(OneLine):
         for widget in (
             who,
             self.choice,
+            self.save_button,
             self.guided_button,
             self.length_button,
-            self.save_button,
             self.import_button,
             self.export_button,
             self.reset_button,

@@ -19,6 +19,7 @@ from app.viewmodels.signal_curves import Curve, no_curve
 from app.viewmodels.signals import Signal as Figure
 from app.widgets.curve_plot import CurveLook, CurvePlot, keep_axes, span_of
 from app.widgets.measures import TIGHT
+from app.words import local
 from tracker.messages import Array
 
 SIGNS = {Qt.PenStyle.SolidLine: "━", Qt.PenStyle.DashLine: "╍", Qt.PenStyle.DotLine: "┅"}
@@ -271,7 +272,7 @@ class GraphPlot(QFrame):
         entries += [f"<i>{escape(key)}: {escape(gone)}</i>" for key in self._missing]
         if not entries:
             entries = [escape(self.tr("Tick signals in the tree, or drag them here."))]
-        at = f"{t:.2f} s&nbsp;&nbsp; " if t is not None else ""
+        at = f"{local(t):.2f} s&nbsp;&nbsp; " if t is not None else ""
         self.legend.setText(at + "&nbsp; ".join(entries))
 
     # --- mouse

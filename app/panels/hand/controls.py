@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 
 from app.viewmodels.hand_scene import ShownParts
+from app.viewmodels.names import engine_name, spoken
 from app.widgets.one_line import OneLine
 from tracker.settings import ENGINES
 
@@ -85,7 +86,7 @@ class HandControls(OneLine):
         choice.addItem(self.tr("No reference"), NO_REFERENCE)
         choice.addItem("", OTHER)
         for name in ENGINES:
-            choice.addItem(self.tr("Reference: {}").format(name), name)
+            choice.addItem(self.tr("Reference: {}").format(engine_name(name)), name)
         choice.currentIndexChanged.connect(lambda _i: self.reference_chosen.emit(self.engine))
         return choice
 
@@ -118,7 +119,11 @@ class HandControls(OneLine):
     def name_other(self, name: str) -> None:
         """What the other hand is; empty where there is none, which cannot be chosen then."""
         row = self.reference.findData(OTHER)
-        words = self.tr("Reference: {}").format(name) if name else self.tr("No second tracking")
+        words = (
+            self.tr("Reference: {}").format(engine_name(name))
+            if name
+            else self.tr("No second tracking")
+        )
         self.reference.setItemText(row, words)
         self.reference.model().item(row).setEnabled(bool(name))  # type: ignore[attr-defined]
 
@@ -128,7 +133,7 @@ class HandControls(OneLine):
         self.trail.clear()
         self.trail.addItem(self.tr("No trail"), "")
         for name in tips:
-            self.trail.addItem(self.tr("Trail: {}").format(name), name)
+            self.trail.addItem(self.tr("Trail: {}").format(spoken(name)), name)
         self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
         for i in range(self.reference.count()):
             able = self.reference.itemData(i) not in ENGINES or engines

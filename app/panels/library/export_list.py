@@ -40,7 +40,7 @@ class ExportList(QWidget):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         self.cancel_button = QPushButton(self.tr("Cancel the export"))
         self.cancel_button.clicked.connect(self.cancel_selected)
-        clear = QPushButton(self.tr("Forget what has ended"))
+        clear = QPushButton(self.tr("Clear finished"))
         clear.clicked.connect(queue.forget_ended)
         self.folder_button = QPushButton(self.tr("Open folder"))
         self.folder_button.clicked.connect(self.show_folder)

@@ -104,7 +104,9 @@ class SessionFiles(QObject):
 
     def report(self, paths: Sequence[Path]) -> None:
         """One page about all of them, beside the first, and shown in the browser."""
-        title = self.tr("Report of {} takes").format(len(paths))
+        title = self.tr("Report of {}").format(paths[0].stem)
+        if len(paths) > 1:
+            title = self.tr("Report of {} recordings").format(len(paths))
         self._tasks.run(title, report_job(paths), open_folder)
 
     def crop(self, path: Path, part: tuple[float, float]) -> None:

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.words import tr
 from tracker import library
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.settings import ENGINES
@@ -35,8 +36,8 @@ class TrackDialog(QDialog):
         self.setWindowTitle(self.tr("Track {} again").format(source.name))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.engine = QComboBox()
-        for name in ENGINES:
-            self.engine.addItem(name, name)
+        for name, title in ENGINES.items():
+            self.engine.addItem(tr(title), name)
         self.hand = self._choice("hands")
         self.glove = self._choice("gloves")
         self.colours = self._choice("colours")

@@ -18,6 +18,7 @@ from app.viewmodels.recording import position_text
 from app.widgets.measures import TIGHT
 from app.widgets.one_line import OneLine
 from app.widgets.timeline import Mark, TimelineBar
+from app.words import local
 from tracker.messages import Event
 
 SAME_PLACE = 0.6  # s; while it plays one is soon past the note that one jumped to
@@ -89,7 +90,7 @@ class TransportBar(QWidget):
         self.speed = QComboBox()
         self.speed.setAccessibleName(self.tr("Speed"))
         for speed in SPEEDS:
-            self.speed.addItem(f"{speed:g}×", speed)
+            self.speed.addItem(f"{local(speed):g}×", speed)
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
         self.speed.currentIndexChanged.connect(self._set_speed)
         row.add(self.speed)

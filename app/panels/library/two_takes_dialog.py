@@ -21,6 +21,7 @@ from app.panels.library.take_pair import TakePair
 from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_takes import TwoTakes, figures_text
+from app.words import local
 from tracker.errors import GlovetrackError
 
 LONGEST = 86_400.0  # s of offset
@@ -123,7 +124,7 @@ class TwoTakesDialog(QDialog):
             return
         self.set_offset(found.offset)
         told = self.tr("{} Correlation {:.2f}, elsewhere {:.2f} at most.")
-        text = told.format(self.figures.text(), found.correlation, found.elsewhere)
+        text = told.format(self.figures.text(), local(found.correlation), local(found.elsewhere))
         self.figures.setText(text)
 
     def _keep(self) -> None:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.motion import MotionRow, shown_name
 from app.viewmodels.states import GREY, VALIDITY
-from app.words import tr
+from app.words import local, tr
 
 NAME, STATE, VALUE, BAR, LEAST, GREATEST, RANGE, FASTEST = range(8)
 SHARE = int(Qt.ItemDataRole.UserRole)
@@ -78,14 +78,14 @@ class MotionTable(QTableWidget):
             self._item(k, STATE).setToolTip(tr(look.word))
             known = np.isfinite(row.value)
             digits = 2 if row.unit == "rad" else 1
-            self._put(k, VALUE, f"{row.value:.{digits}f} {row.unit}" if known else "–")
+            self._put(k, VALUE, f"{local(row.value):.{digits}f} {row.unit}" if known else "–")
             self._item(k, BAR).setData(SHARE, row.share)
 
     def show_figures(self, figures: Sequence[Sequence[float]], digits: Sequence[int]) -> None:
         """Least, greatest, range and fastest of each row, as they are written."""
         for k, values in enumerate(figures):
             for column, value in zip((LEAST, GREATEST, RANGE, FASTEST), values, strict=True):
-                self._put(k, column, f"{value:.{digits[k]}f}" if np.isfinite(value) else "–")
+                self._put(k, column, f"{local(value):.{digits[k]}f}" if np.isfinite(value) else "–")
 
     def _item(self, row: int, column: int) -> QTableWidgetItem:
         item = self.item(row, column)

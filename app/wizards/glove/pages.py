@@ -178,9 +178,7 @@ class WigglePage(QWidget):
             self._bars.append(bar)
             self._grid.addWidget(QLabel(spoken(name)), i, 0)
             self._grid.addWidget(bar, i, 1)
-        self.words.setText(
-            self.tr("You are asked to move one part after the other; no click is needed.")
-        )
+        self.words.setText(self.tr("Press Start, then move each part as asked."))
         self.table.show_rows([])
 
     @property

@@ -15,7 +15,7 @@ class GuidedResultPage(OutcomePage):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        names = (self.tr("Of you"), self.tr("Before"), self.tr("After"), self.tr("Change"))
+        names = (self.tr("Measured"), self.tr("Before"), self.tr("After"), self.tr("Change"))
         self.name_columns(self.tr("What was learned"), names, wide=0)
         self.keep_button = QPushButton(self.tr("&Keep"))
         self.keep_button.setDefault(True)
@@ -27,12 +27,12 @@ class GuidedResultPage(OutcomePage):
 
     def show_waiting(self) -> None:
         """Before the engine has answered."""
-        self.tell(self.tr("The tracking thinks about it…"), "")
+        self.tell(self.tr("Evaluating the poses…"), "")
         self.enable(False)
 
     def show_learned(self, learned: Learned, held: int, asked: int) -> None:
         """The engine's answer, after ``held`` of ``asked`` poses."""
-        nothing = self.tr("You bend your fingers as was thought, as far as these poses tell.")
+        nothing = self.tr("Your fingers bend as expected.")
         rows = [
             (row.what, row.before, row.after, f"▲ {row.change}" if row.is_clear else row.change)
             for row in learned.rows
