@@ -179,11 +179,16 @@ def write_whole(
 
 def write_kept(path: Path, text: str | bytes, force: bool = True) -> None:
     """`write_whole` in a folder that is made where it is missing. Raises FileError, DiskError."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise disk_error(path, error) from error
+    make_folder(path.parent)
     write_whole(path, text, force)
+
+
+def make_folder(folder: Path) -> None:
+    """Make it where it is missing. Raises DiskError."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise disk_error(folder, error) from error
 
 
 def sha256(path: Path) -> str:

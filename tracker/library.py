@@ -66,6 +66,7 @@ def _named(kind: str, name: str) -> tuple[str, str]:
 
 
 def texts(glove: str = DEFAULT_GLOVE, hand: str | None = None) -> tuple[str, str]:
-    """(hand text, glove text) as `load` reads them."""
+    """(hand text, glove text) as `load` reads them, which it can. Raises FileError as it does."""
+    load(glove, hand)  # its errors name the files
     glove_text = text("gloves", glove)
     return text("hands", hand or glove_hand_name(glove_text, glove)), glove_text

@@ -90,6 +90,17 @@ def test_lost_and_damaged_packets_are_counted_and_never_believed(bench: Bench) -
     assert missing.sum() == bench.link.figures.lost
 
 
+def test_packets_that_arrive_twice_are_used_once_and_counted(bench: Bench) -> None:
+    bench.until(lambda: len(bench.samples) > 20)
+    feed, before = bench.link.decoder.feed, bench.link.figures.packets
+    bench.link.decoder.feed = lambda data: [f for frame in feed(data) for f in (frame, frame)]  # type: ignore[method-assign]
+    bench.until(lambda: len(bench.samples) > 70)
+    figures = bench.link.figures
+    assert figures.repeated == figures.packets - before >= 40
+    assert figures.values()["glove_repeated"] == figures.repeated
+    assert np.all(np.diff([s.seq for s in bench.samples]) >= 1)
+
+
 def test_a_restart_in_mid_stream(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 20)
     bench.device.reset()

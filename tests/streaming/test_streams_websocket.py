@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import logging
 import socket
 import time
 from collections.abc import Iterator
@@ -55,6 +56,14 @@ def test_every_client_gets_the_estimates(server, make_estimate, names, wait_for)
                 assert read["t"] == t
                 assert read["keypoints"]["thumb_tip"]["position"] is None
     wait_for(lambda: not server.clients or server.send(make_estimate()))
+
+
+def test_connections_add_nothing_to_the_log(server, wait_for, caplog) -> None:
+    with caplog.at_level(logging.INFO):
+        with connect(url(server)):
+            wait_for(lambda: server.clients == 1)
+        wait_for(lambda: server.clients == 0)
+    assert [r.message for r in caplog.records if "client" not in r.name] == []
 
 
 def test_a_client_that_does_not_read_slows_nobody(server, make_estimate, wait_for) -> None:

@@ -11,6 +11,8 @@ from tracker.terminal import add_json
 if TYPE_CHECKING:
     from tracker.conformance.run import Verdict
 
+SIMULATED = "simulated"  # name of a simulated wearer's page in a folder
+
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add ``conformance``, whose exit status is 1 where a rule is not kept."""
@@ -20,13 +22,21 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     parser.add_argument(
         "file", type=Path, nargs="?", metavar="FILE", help="session or Isaac record"
     )
-    parser.add_argument("--simulate", action="store_true", help="a simulated wearer's script")
+    parser.add_argument(
+        "--simulate", "--simulated", action="store_true", help="a simulated wearer's script"
+    )
     parser.add_argument("--hands", choices=("left", "right", "both"), default="")
     parser.add_argument(
         "--glove", default="", help="of the simulated wearer; --hands says the side"
     )
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("-o", "--output", type=Path, metavar="PAGE.html", help="the page")
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="PAGE.html|DIR",
+        help="the page, or a folder for it, which is made if it does not exist",
+    )
     add_json(parser)
     parser.set_defaults(func=_run)
 
@@ -35,7 +45,7 @@ def _run(args: argparse.Namespace) -> int:
     from tracker.conformance.page import as_json, page
     from tracker.conformance.run import judge, read_take
     from tracker.errors import ConfigError
-    from tracker.files import check_target, write_whole
+    from tracker.files import check_target, write_kept
     from tracker.terminal import check_json, finish
 
     if args.simulate == (args.file is not None):
@@ -43,37 +53,55 @@ def _run(args: argparse.Namespace) -> int:
     sides = {"": (), "both": ("left", "right")}.get(args.hands, (args.hands,))
     inputs = [args.file] if args.file else []
     check_json(args, inputs)
-    if args.output:
-        check_target(args.output, args.force, inputs)
+    out = _page_path(args.output, args.file)
+    for path in _outputs(out, args.simulate):
+        check_target(path, args.force, inputs)
     if args.simulate:
-        verdict = _simulated(args, sides or ("left", "right"))
+        verdict = _simulated(args, sides or ("left", "right"), out)
     else:
         verdict = judge(args.file.name, *read_take(args.file, sides))
-    if args.output:
-        write_whole(args.output, page(verdict), args.force, inputs)
-    finish(args, as_json(verdict), _lines(verdict), inputs)
+    if out is not None:
+        write_kept(out, page(verdict), args.force)
+    finish(args, as_json(verdict), _lines(verdict), [*inputs, *_outputs(out, args.simulate)])
     return 0 if verdict.ok else 1
 
 
-def _simulated(args: argparse.Namespace, sides: tuple[str, ...]) -> Verdict:
-    """The verdict; the record and its labels stand beside the page, where one is asked for."""
+def _page_path(output: Path | None, file: Path | None) -> Path | None:
+    """``output`` itself, or in it, where it is a folder or has no suffix, a page named as the
+    session."""
+    if output is None or (output.suffix and not output.is_dir()):
+        return output
+    return output / f"{file.stem if file is not None else SIMULATED}.html"
+
+
+def _outputs(out: Path | None, simulated: bool) -> list[Path]:
+    """The page, and of a simulated wearer the record and its labels beside it."""
+    from tracker.conformance.take import labels_beside
+
+    if out is None:
+        return []
+    take = out.with_suffix(".mcap")
+    return [out, labels_beside(take), take] if simulated else [out]
+
+
+def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | None) -> Verdict:
+    """The verdict; the record and its labels are beside the page ``out``, if there is one."""
     from tracker.conformance.run import judge, simulated_takes
-    from tracker.conformance.take import labels_beside, take_of, write_labels
-    from tracker.files import whole_files
+    from tracker.conformance.take import take_of, write_labels
+    from tracker.files import make_folder, whole_files
     from tracker.isaac.writer import write_records
     from tracker.terminal import progress_line
 
     records, steps = simulated_takes(sides, args.seed, args.glove, progress_line("tracking"))
     takes = [take_of(side, found) for side, found in records.items()]
-    name = f"a simulated wearer, seed {args.seed}"
-    if args.output:
-        take = args.output.with_suffix(".mcap")
-        with whole_files(labels_beside(take), take, force=args.force) as (labels, record):
-            write_records(record, records)
-            first = min(int(t.sample[0]) for t in takes)
-            write_labels(labels, take.name, steps, first)
-        name = take.name
-    return judge(name, takes, steps)
+    if out is None:
+        return judge(f"a simulated wearer, seed {args.seed}", takes, steps)
+    _, *beside = _outputs(out, True)
+    make_folder(out.parent)
+    with whole_files(*beside, force=args.force) as (labels, record):
+        write_records(record, records)
+        write_labels(labels, record.name, steps, min(int(t.sample[0]) for t in takes))
+    return judge(record.name, takes, steps)
 
 
 def _lines(verdict: Verdict) -> list[str]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from tracker import __version__
 from tracker.clock import NS
-from tracker.conformance.finding import Finding, Plot
+from tracker.conformance.finding import PASS, Finding, Plot
 from tracker.conformance.run import Verdict
 from tracker.conformance.take import Step
 
@@ -53,11 +53,23 @@ def page(verdict: Verdict) -> str:
 
 
 def as_json(verdict: Verdict) -> dict[str, Any]:
-    """What the page says, without plots."""
+    """What the page says, without plots: ``checks`` in the form of the command's contract, and
+    ``findings`` with the status and whether a rule is advice alone."""
     return {
         "take": verdict.name,
         "ok": verdict.ok,
         "glovetrack": __version__,
+        "checks": [
+            {
+                "group": f.layer,
+                "name": f.rule,
+                "hand": f.side,
+                "value": f.figure,
+                "limit": f.limit,
+                "ok": f.status == PASS,
+            }
+            for f in verdict.findings
+        ],
         "findings": [
             {
                 "layer": f.layer,

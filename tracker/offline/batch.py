@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tracker.errors import ConfigError
-from tracker.files import disk_error
+from tracker.files import make_folder
 from tracker.offline.options import TrackOptions
 from tracker.offline.report import TrackReport
 from tracker.offline.track import track
@@ -68,7 +68,7 @@ def track_all(
     A file that exists already is an outcome's error unless ``force``.
     """
     for job in jobs:
-        _make_folder(job.out.parent)
+        make_folder(job.out.parent)
     tasks = [
         WorkItem(
             _track_one, (j.source.absolute(), j.out.absolute(), options, force), _size(j.source)
@@ -77,13 +77,6 @@ def track_all(
     ]
     with some_workers(min(asked.processes or usable_cores(), len(jobs)), asked.dask) as workers:
         return run_all(tasks, workers, progress)
-
-
-def _make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise disk_error(folder, error) from error
 
 
 def _size(path: Path) -> float:

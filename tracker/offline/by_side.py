@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from tracker import library
 from tracker.errors import ConfigError, FileError
@@ -13,6 +14,7 @@ from tracker.offline.options import TrackOptions
 from tracker.session.description import COLOURS, GLOVE, HAND, SIDES, SessionInfo, of_side
 from tracker.session.export.run import path_of_side
 from tracker.toml_reader import parse_toml, read_text
+from tracker.vision.colours import parse_profile
 
 
 def several(asked: str) -> list[str]:
@@ -22,24 +24,36 @@ def several(asked: str) -> list[str]:
     return [part.strip() for part in asked.split(",") if part.strip()]
 
 
-def replacements(options: TrackOptions, both: bool) -> dict[str, str]:
-    """Texts that count instead of the session's own, by the attachment's name; of a session of
-    ``both`` hands each in place of the one of its side.
+class Replacement(NamedTuple):
+    """A text, and the name or path by which it was asked for."""
+
+    text: str
+    origin: str
+
+
+def replacements(options: TrackOptions, both: bool) -> dict[str, Replacement]:
+    """What counts instead of the session's own, by the attachment's name; of a session of ``both``
+    hands each in place of the one of its side.
 
     Raises FileError and ConfigError in words.
     """
-    out = {COLOURS: library.text("colours", options.colours)} if options.colours else {}
+    out: dict[str, Replacement] = {}
+    if options.colours:
+        out[COLOURS] = Replacement(library.text("colours", options.colours), options.colours)
+        parse_profile(*out[COLOURS])
     for kind, name, asked in (("hands", HAND, options.hand), ("gloves", GLOVE, options.glove)):
-        texts = {each: library.text(kind, each) for each in several(asked)}
+        found = [Replacement(library.text(kind, each), each) for each in several(asked)]
         if both:
-            named = {of_side(name, _side_of(text, each)): text for each, text in texts.items()}
-            if len(named) < len(texts):
-                raise ConfigError(f"{' and '.join(texts)} are of the same side.")
+            named = {of_side(name, _side_of(each.text, each.origin)): each for each in found}
+            if len(named) < len(found):
+                raise ConfigError(f"{' and '.join(r.origin for r in found)} are of the same side.")
             out |= named
-        elif len(texts) > 1:
-            raise ConfigError(f"{' and '.join(texts)}: the session is of one hand.")
-        elif texts:
-            (out[name],) = texts.values()
+        elif len(found) > 1:
+            raise ConfigError(
+                f"{' and '.join(r.origin for r in found)}: the session is of one hand."
+            )
+        elif found:
+            (out[name],) = found
     return out
 
 

@@ -18,7 +18,7 @@ from tracker.offline.colours_fit import (
     fit_messages,
 )
 from tracker.offline.track import profile_of
-from tracker.session.description import COLOURS, SessionInfo
+from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import parse_profile, profile_to_toml
@@ -59,7 +59,7 @@ def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:
         info = replace(reader.info, rig=reader.rig())
         if colours:
             text = library.text("colours", colours)
-            parse_profile(text, COLOURS)
+            parse_profile(text, colours)
             info = replace(info, colours_text=text)
         messages: list[Sensed] = []
         last, images = float("-inf"), 0

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracker import library
+from tracker.calibration.colours_fit import clashes
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
 from tracker.errors import GlovetrackError
@@ -55,12 +56,18 @@ class Worn(NamedTuple):
 @dataclass(frozen=True)
 class HueCheck:
     """One hue over the images of a check: markers that should be seen, those found, and blobs that
-    are no marker's, per image near the hand and elsewhere."""
+    are no marker's, per image near the hand and elsewhere; and the hues that overlap with it."""
 
     name: str
     expected: float
     found: float
     clashing: float
+    overlapping: tuple[str, ...] = ()
+
+    @property
+    def ok(self) -> bool:
+        """Whether enough of its markers are found."""
+        return self.found >= LEAST_SHARE * self.expected
 
 
 @dataclass(frozen=True)
@@ -81,6 +88,24 @@ class ColourCheck:
     def clashing(self) -> float:
         """Blobs that are no marker's, per image."""
         return sum(h.clashing for h in self.hues)
+
+    @property
+    def ok(self) -> bool:
+        """Whether a hand was sure in enough images, with enough markers of each hue."""
+        return self.tracked >= LEAST_IMAGES and all(h.ok for h in self.hues)
+
+    def to_json(self) -> dict[str, Any]:
+        """By hue, markers and other blobs per image; ``clash``: the hues that overlap with it."""
+        hues = {
+            h.name: {
+                "found": h.found,
+                "expected": h.expected,
+                "false_per_picture": h.clashing,
+                "clash": list(h.overlapping),
+            }
+            for h in self.hues
+        }
+        return {"hues": hues, "ok": self.ok, "images": self.images, "tracked": self.tracked}
 
     def words(self) -> list[str]:
         """A line for each hue."""
@@ -303,17 +328,25 @@ def checked(
         sides = ((blobs.left, result.match_left), (blobs.right, result.match_right))
         there = [_unmatched(b, match, len(names)) for b, match in sides if b is not None]
         other += np.mean(there, axis=0)
+    overlaps = _overlaps(profile)
     n = max(len(looked.results), 1)
     return ColourCheck(
         looked.images,
         len(looked.results),
         tuple(
-            HueCheck(name, expected[k] / n, found[k] / n, other[k] / n)
+            HueCheck(name, expected[k] / n, found[k] / n, other[k] / n, overlaps[name])
             for k, name in enumerate(names)
         ),
         sum(_found_by_all(b, r, showing) for b, r in zip(looked.blobs, looked.results, strict=True))
         / max(looked.images, 1),
     )
+
+
+def _overlaps(profile: ColourProfile) -> dict[str, tuple[str, ...]]:
+    """By hue, the others that take pixels of it."""
+    pairs = [(c.hue, c.other) for c in clashes(profile)]
+    pairs += [(other, hue) for hue, other in pairs]
+    return {name: tuple(o for h, o in pairs if h == name) for name in profile.hue_names}
 
 
 def _found_by_all(blobs: BlobFrame, result: FrameResult, showing: NDArray[np.bool_]) -> int:

@@ -196,6 +196,7 @@ def _add_colours(parser: argparse.ArgumentParser) -> None:
         command.add_argument("source", type=Path, metavar="SESSION", help="with images")
         command.add_argument("--colours", default="", help="name or file; the session's own if not")
     add_force(fit)
+    add_json(check)
 
 
 def _fit_colours(args: argparse.Namespace) -> int:
@@ -213,7 +214,9 @@ def _fit_colours(args: argparse.Namespace) -> int:
 def _check_colours(args: argparse.Namespace) -> int:
     from tracker.offline.colours import check_session
 
-    print("\n".join(check_session(args.source, args.colours).words()))
+    check_json(args, [args.source])
+    found = check_session(args.source, args.colours)
+    finish(args, found.to_json(), found.words(), [args.source])
     return 0
 
 

@@ -14,6 +14,7 @@ from tracker import library
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.errors import FileError
 from tracker.messages import StereoFrame
+from tracker.session.description import COLOURS
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import parse_profile
 
@@ -60,7 +61,8 @@ def session_light(path: Path, colours: str = "") -> SessionLight:
     """Of a session with images. Raises FileError where there are none."""
     with SessionReader(path) as session:
         text = session.info.colours_text or library.text("colours", library.DEFAULT_COLOURS)
-        profile = parse_profile(library.text("colours", colours) if colours else text)
+        text = library.text("colours", colours) if colours else text
+        profile = parse_profile(text, colours or f"{path}, {COLOURS}")
         rig = session.info.rig
         meter = LightMeter(profile, rig.fx if rig is not None else 640.0)
         readings = tuple(meter.read(image) for image in _some_images(session))

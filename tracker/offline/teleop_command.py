@@ -33,7 +33,9 @@ def add_teleop(parser: argparse.ArgumentParser) -> None:
         "--simulate", type=int, metavar="SEED", help="a scripted wearer who takes a cube"
     )
     parser.add_argument("--send", default="", metavar="HOST:PORT", help="states by UDP, as JSON")
-    parser.add_argument("--model", default=SHADOW, help="name, or path of an MJCF hand")
+    parser.add_argument(
+        "--model", "--hand-model", default=SHADOW, help="name, or path of an MJCF hand"
+    )
     parser.add_argument("--side", choices=("right", "left"), default="", help="the session's")
     parser.add_argument("--objects", default="cube,cylinder,ball", help="on the table")
     parser.add_argument("--motion-scale", type=float, default=1.0, help="of the palm's way")

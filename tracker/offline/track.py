@@ -33,6 +33,7 @@ from tracker.offline import by_side
 from tracker.offline.detection import detected
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.own_colours import OwnColours
+from tracker.offline.repeats import Repeats
 from tracker.offline.report import TrackReport, TruthCheck
 from tracker.offline.runs import (
     Fed,
@@ -90,11 +91,17 @@ def track(
     kept = by_side.kept_paths(options.keep_wearer, both)
     for path in set(kept.values()):
         check_target(path, force, [source, out])
-    with SessionReader(source, by_side.replacements(options, both)) as reader:
+    instead = by_side.replacements(options, both)
+    texts = {name: replacement.text for name, replacement in instead.items()}
+    origins = {name: replacement.origin for name, replacement in instead.items()}
+    with SessionReader(source, texts, origins=origins) as reader:
         settings = _settings(reader, options)
         info = replace(reader.info, rig=_rig(reader, settings))
         colours = _own_colours(reader, info, options)
-        messages = _messages(reader, info, options, threads or usable_cores(), colours)
+        repeats = Repeats()
+        messages = repeats.without(
+            _messages(reader, info, options, threads or usable_cores(), colours), info.side
+        )
         described = _output_info(info, settings, source, options)
         note = _version_note(reader, options)
         start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
@@ -114,6 +121,7 @@ def track(
                 run.feed(message)
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
+            _tell_repeats(repeats, outputs, start + span)
             by_side.keep(run.engines, kept)
         for side, check in checks.items():
             if check is not None:
@@ -125,6 +133,14 @@ def track(
         report.left_out = reader.source.left_out.by_topic()
     report.wall_s = time.perf_counter() - started
     return report
+
+
+def _tell_repeats(repeats: Repeats, outputs: Mapping[str, Output], t: float) -> None:
+    """Report, at ``t`` s, how many packets of each glove were left out."""
+    for side, n in sorted(repeats.counts.items()):
+        outputs[side].report.losses["imu_repeated"] = n
+        text = f"{n} repeated packets of the {side} glove were ignored."
+        outputs[side].say(Event(t, "tracking", text))
 
 
 def state_at(
@@ -142,7 +158,8 @@ def state_at(
     run = _run(reader, info, settings, outputs, options, colours)
     assert isinstance(run, LiveRun | TwoHandsRun)
     begin, fed = reader.anchor.monotonic(reader.span_ns[0]), False
-    for message in _messages(reader, info, options, usable_cores(), colours):
+    messages = _messages(reader, info, options, usable_cores(), colours)
+    for message in Repeats().without(messages, info.side):
         if arrival(message) >= t:
             break
         run.feed(message)

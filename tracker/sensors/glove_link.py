@@ -342,6 +342,7 @@ class GloveLink:
             self._restarted()
         time_of = self._packet_clock.read(frame, now)
         if time_of is None:
+            self.figures.repeated += 1
             return []
         self.figures.packets += 1
         self.figures.lost += time_of.lost

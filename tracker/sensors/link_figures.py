@@ -16,6 +16,7 @@ class LinkFigures:
 
     packets: int = 0
     lost: int = 0
+    repeated: int = 0  # packets that had arrived before, which are ignored
     resets: int = 0
     clock_jumps: int = 0
     opened: int = 0
@@ -44,6 +45,7 @@ class LinkFigures:
             "link_reopened": self.reopened,
             "link_latency_ms": self.latency_ms,
             "glove_resets": self.resets,
+            "glove_repeated": self.repeated,
             "glove_clock_jumps": self.clock_jumps,
             "glove_dropped": self.dropped,
             "glove_skew_ppm": self.skew_ppm,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.session.align_command import add_align
-from tracker.terminal import add_force, add_json, check_json, finish, printable
+from tracker.terminal import add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
     from tracker.session.verify import Finding
@@ -148,17 +148,19 @@ def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command.add_argument("sessions", type=Path, nargs="+", metavar="SESSION")
     command.add_argument("-o", "--output", type=Path, required=True, metavar="REPORT.html")
     command.add_argument("--anonymous", action="store_true", help="name no take and no wearer")
-    add_force(command)
+    add_json(command)
     command.set_defaults(func=_report)
 
 
 def _report(args: argparse.Namespace) -> int:
     from tracker.session.glance import sessions_in
+    from tracker.session.report.numbers import as_json
     from tracker.session.report.write import write_report
 
     paths = [path for path, _ in sessions_in(args.sessions)]
+    check_json(args, paths)
     takes = write_report(paths, args.output, args.anonymous, args.force)
-    print(printable(f"{args.output}: {len(takes)} takes"))
+    finish(args, as_json(takes), [f"{args.output}: {len(takes)} takes"], [*paths, args.output])
     return 0
 
 
@@ -226,16 +228,19 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
 
 
 def _recover(args: argparse.Namespace) -> int:
+    from tracker.session.reader import SessionReader
     from tracker.session.recover import recover
 
     check_json(args, [args.file])
     saved = recover(args.file, args.output, args.force)
+    with SessionReader(saved.path) as reader:
+        duration = reader.duration
     lines = [f"byte {d.offset}: {d.what}" for d in saved.damage]
-    lines.append(f"{saved.messages} messages of {saved.duration:.2f} s are in {saved.path}.")
+    lines.append(f"{saved.messages} messages of {duration:.2f} s are in {saved.path}.")
     result = {
         "file": str(saved.path),
         "messages": saved.messages,
-        "duration_s": saved.duration,
+        "duration_s": duration,
         "damage": [{"offset": d.offset, "what": d.what} for d in saved.damage],
         "left_out": saved.left_out,
     }

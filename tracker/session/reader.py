@@ -40,7 +40,8 @@ class SessionReader:
     """A session opened for reading. Raises FileError in words if it cannot be.
 
     ``instead`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
-    the file lacks or that shall count instead of its own. ``watch`` hears now and then which share
+    the file lacks or that shall count instead of its own; ``origins``, by the same names, what an
+    error calls them. ``watch`` hears now and then which share
     (0..1) of the file `messages` has come through, and may raise to end it. ``side`` is the hand
     that is read of a session of both; the right one if not told.
     """
@@ -51,9 +52,10 @@ class SessionReader:
         instead: Mapping[str, str] | None = None,
         watch: Callable[[float], None] = lambda share: None,
         side: str = "",
+        origins: Mapping[str, str] | None = None,
     ) -> None:
         self.path, self._asked = Path(path), side
-        self._replace = dict(instead or {})
+        self._replace, self._origins = dict(instead or {}), dict(origins or {})
         self._watch = watch
         self.source = McapInput(self.path)
 
@@ -192,10 +194,11 @@ class SessionReader:
         if side:
             names = tuple(description.of_side(name, side) for name in names)  # type: ignore[assignment]
         hand_text, glove_text = self.attachment(names[0]), self.attachment(names[1])
-        hand = parse_hand(hand_text, f"{self.path}, {names[0]}")
-        glove = parse_glove(glove_text, hand, f"{self.path}, {names[1]}")
+        hand_from, glove_from = (self._origins.get(n, f"{self.path}, {n}") for n in names)
+        hand = parse_hand(hand_text, hand_from)
+        glove = parse_glove(glove_text, hand, glove_from)
         if side and glove.side != side:
-            raise FileError(f"{self.path}: {names[1]} is a {glove.side} glove's.")
+            raise FileError(f"{glove_from} is a {glove.side} glove's.")
         m = self.metadata
         rig, moving = first_rig(self.source)
         known = description.SessionInfo(hand, glove, "", "", self.anchor).metadata().keys()

@@ -22,7 +22,6 @@ class Recovery:
 
     path: Path
     messages: int
-    duration: float
     damage: tuple[Damage, ...]
     left_out: dict[str, int]
 
@@ -55,7 +54,7 @@ def recover(path: Path, out: Path | None = None, force: bool = False) -> Recover
     finally:
         source.close()
     damage = (*source.contents.damage, *copy.damage)
-    return Recovery(out, copy.messages, copy.duration, damage, source.left_out.by_topic())
+    return Recovery(out, copy.messages, damage, source.left_out.by_topic())
 
 
 class _Copy:
@@ -65,11 +64,6 @@ class _Copy:
         self.source, self.out = source, out
         self.messages = 0
         self.damage: list[Damage] = []
-        self._first = self._last = 0
-
-    @property
-    def duration(self) -> float:
-        return (self._last - self._first) / 1e9
 
     def run(self) -> None:
         self._extras()
@@ -82,8 +76,6 @@ class _Copy:
                 self.damage.append(Damage(span.offset, str(error)))
                 continue
             for m in sound(messages, self.source.left_out):
-                self._first = min(self._first, m.log_time) if self.messages else m.log_time
-                self._last = max(self._last, m.log_time)
                 self.messages += 1
                 copier.copy(m)
 

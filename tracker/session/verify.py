@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import statistics
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,13 +15,14 @@ from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
 from tracker.session.message_check import check_message
 from tracker.session.reader import MEASURED, SessionReader
-from tracker.session.ros import topics
+from tracker.session.ros import sensors, topics
 from tracker.session.ros.cdr import CdrReader
 from tracker.session.silence import silences
 
 _GAP_PERIODS = 3.5
 _CLOCK_JUMP_NS = 500_000_000
 MOST_NAMED = 5  # damaged messages of a topic
+_REMEMBERED = 64  # messages of an IMU that are compared with the next one
 
 
 @dataclass(frozen=True)
@@ -46,6 +48,8 @@ class _Track:
     jumps: int = 0
     log_times: list[int] = field(default_factory=list)
     damaged: list[int] = field(default_factory=list)  # log times
+    repeated: int = 0
+    recent: deque[bytes] = field(default_factory=lambda: deque(maxlen=_REMEMBERED))
     count: int = 0
 
 
@@ -153,6 +157,11 @@ def _follow(track: _Track, m: RawMessage) -> None:
     if m.type not in MEASURED:
         return
     stamp = CdrReader(m.data).time()
+    if m.type == sensors.IMU:
+        if m.data in track.recent:
+            track.repeated += 1
+            return
+        track.recent.append(m.data)
     delay = m.log_time - stamp
     if track.last_stamp is not None:
         step = stamp - track.last_stamp
@@ -166,6 +175,9 @@ def _judge(topic: str, track: _Track, start_ns: int) -> list[Finding]:
     out: list[Finding] = []
     if track.damaged:
         out.append(Finding("error", _damage_text(track.damaged, start_ns), topic))
+    if track.repeated:
+        text = f"{track.repeated} messages are there more than once; tracking uses them once"
+        out.append(Finding("warning", text, topic))
     if track.backward:
         out.append(Finding("warning", f"{track.backward} stamps run backward", topic))
     if track.jumps:

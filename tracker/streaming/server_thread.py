@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import re
 import threading
 from collections.abc import Awaitable, Callable
@@ -20,6 +21,9 @@ CLOSE_WAIT = 0.5  # s for a client's answer to our farewell
 TRY_AGAIN_LATER = 1013  # close code
 LOCAL_PAGE = re.compile(r"https?://(localhost|127\.0\.0\.1|\[::1\])(:\d+)?")
 """Origins of pages that this machine serves itself."""
+
+_log = logging.getLogger(f"{__name__}.connections")
+_log.setLevel(logging.WARNING)  # the library logs two lines for every connection
 
 Client = Callable[[ServerConnection], Awaitable[None]]
 
@@ -69,6 +73,7 @@ class ServerThread:
                 port,
                 compression=None,
                 close_timeout=CLOSE_WAIT,
+                logger=_log,
                 **self._options,
             )
         except (OSError, OverflowError) as error:

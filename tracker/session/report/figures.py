@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 import matplotlib as mpl
 import numpy as np
@@ -48,11 +49,21 @@ def flexion_names(told: Told) -> list[str]:
 
 def all_figures(takes: Sequence[Told]) -> Iterator[tuple[str, Figure]]:
     """Each figure of a report with a name for its file."""
-    yield "ranges", ranges(takes)
+    for name, draw in _drawn(takes):
+        yield name, draw()
+
+
+def figure_names(takes: Sequence[Told]) -> list[str]:
+    """Names of `all_figures`, without drawing them."""
+    return [name for name, _ in _drawn(takes)]
+
+
+def _drawn(takes: Sequence[Told]) -> Iterator[tuple[str, Callable[[], Figure]]]:
+    yield "ranges", partial(ranges, takes)
     for number, told in enumerate(takes, 1):
-        yield f"{number}_flexion", courses(told, flexion_names(told))
+        yield f"{number}_flexion", partial(courses, told, flexion_names(told))
         if aperture_names(told):
-            yield f"{number}_aperture", apertures(told)
+            yield f"{number}_aperture", partial(apertures, told)
 
 
 def aperture_names(told: Told) -> list[str]:

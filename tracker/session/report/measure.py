@@ -35,7 +35,8 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class Told:
-    """A take with its rows. ``wearer`` empty where it is not known or not told."""
+    """A take with its rows. ``wearer`` empty where it is not known or not told; ``session``: which
+    one of a report's sessions it is of, from 0."""
 
     name: str
     wearer: str
@@ -46,6 +47,7 @@ class Told:
     simulated: bool
     take: Take
     rows: tuple[Row, ...]
+    session: int = 0
 
     def row(self, name: str) -> Row | None:
         return next((r for r in self.rows if r.measure.name == name), None)

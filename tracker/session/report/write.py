@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tracker.errors import ConfigError
@@ -32,11 +33,14 @@ def write_report(
     takes = []
     for k, path in enumerate(sessions):
         watch(k / len(sessions))
-        takes += tell_hands(path, anonymous)
-    from tracker.session.report.figures import all_figures, png, svg
+        takes += [replace(told, session=k) for told in tell_hands(path, anonymous)]
+    from tracker.session.report.figures import all_figures, figure_names, png, svg
     from tracker.session.report.page import page
     from tracker.session.report.table import table
 
+    for name in figure_names(takes):
+        for ending in (".png", ".svg"):
+            check_target(out.with_name(f"{out.stem}_{name}{ending}"), force, sessions)
     made: dict[str, str | bytes] = {}
     drawn = {}
     for name, figure in all_figures(takes):
