@@ -10,16 +10,34 @@ import time
 from dataclasses import dataclass
 
 NS = 1_000_000_000
+EXACT_BELOW_NS = 4 * 10**15
+"""46 days: up to here neighbouring floats of seconds are less than a nanosecond apart."""
+COARSE_NS = 1000
+"""Beyond it, on computers that run for longer, instants are whole microseconds: `seconds` and
+`nanoseconds` stay each other's inverse for 34 years."""
+
+
+def on_grid(ns: int) -> int:
+    """The nearest instant that a float can hold."""
+    if -EXACT_BELOW_NS < ns < EXACT_BELOW_NS:
+        return ns
+    return (ns + COARSE_NS // 2) // COARSE_NS * COARSE_NS
+
+
+def next_instant(ns: int) -> int:
+    """The first instant after ``ns`` that a float can hold."""
+    at = on_grid(ns)
+    return at + (1 if -EXACT_BELOW_NS < at < EXACT_BELOW_NS else COARSE_NS)
 
 
 def seconds(ns: int) -> float:
-    """The float time ``t`` of an integer number of nanoseconds."""
-    return ns / NS
+    """The float time ``t`` of an integer number of nanoseconds; see `COARSE_NS`."""
+    return on_grid(ns) / NS
 
 
 def nanoseconds(t: float) -> int:
-    """The integer nearest to ``t``; the inverse of `seconds` for |t| below 4e6 s (46 days)."""
-    return round(t * NS)
+    """The integer of nanoseconds of ``t``; the inverse of `seconds`."""
+    return on_grid(round(t * NS))
 
 
 def monotonic() -> float:

@@ -65,6 +65,10 @@ class LiveEngine(Protocol):
     def take_events(self) -> list[Event]: ...
 
     @property
+    def failure(self) -> str:
+        """Why it has ended by itself, in a sentence; empty while it runs."""
+
+    @property
     def profile(self) -> ColourProfile:
         """The colours that are looked for now; they may follow the light by themselves."""
 

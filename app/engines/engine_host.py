@@ -17,6 +17,7 @@ from app.engines.notes import Notes
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
+from app.words import told
 from tracker.errors import GlovetrackError
 from tracker.fusion.engine import Engine
 from tracker.messages import Message
@@ -134,6 +135,11 @@ class EngineHost(QObject):
         self._spent = True
         self.running_changed.emit(False)
 
+    def _end_failed(self, why: str) -> None:
+        """One of its threads has failed: nothing that looks alive is left."""
+        self.stop()
+        self.error.emit(self.tr("Tracking has stopped. {} Start it again.").format(told(why)))
+
     def shut_down(self) -> None:
         """Stop, close the file, free the devices. Safe to call at any time."""
         self.stop()
@@ -247,6 +253,8 @@ class EngineHost(QObject):
         setup = self._follow_colours(setup)
         for event in setup.engine.take_events():
             self.happened.emit(event)
+        if self.running and setup.engine.failure:
+            self._end_failed(setup.engine.failure)
         if self._spent and setup.player is None:
             return Snapshot(setup=setup, running=False)  # what was live is no more
         return self._looks.look(setup, self.running)

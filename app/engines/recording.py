@@ -75,8 +75,8 @@ class PausableRecorder:
     def _watched(self) -> Iterator[None]:
         try:
             yield
-        except (GlovetrackError, OSError) as error:
-            self.broken, self.problem = True, str(error)
+        except Exception as error:  # of any kind: the panel must not say that it goes on
+            self.broken, self.problem = True, str(error) or type(error).__name__
             raise
 
 

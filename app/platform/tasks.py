@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -11,6 +12,8 @@ from PySide6.QtCore import QObject, Qt, Signal
 from app.words import tr
 from tracker.damage import gather, sentences
 from tracker.errors import GlovetrackError
+
+_log = logging.getLogger(__name__)
 
 
 class Cancelled(Exception):
@@ -78,7 +81,8 @@ class RunningJob(QObject):
             pass  # wanted by the user: `ended` alone says it
         except GlovetrackError as error:
             self.failed.emit(str(error))
-        except Exception as error:  # noqa: BLE001  a job's crash must reach the window, whatever it is
+        except Exception as error:  # noqa: BLE001 - a job's crash must reach the window, whatever it is
+            _log.exception("%s failed", self.title)
             self.failed.emit(
                 tr("{} failed: {}: {}").format(self.title, type(error).__name__, error)
             )

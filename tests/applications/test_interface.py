@@ -192,6 +192,18 @@ def test_a_stage_tells_that_one_ended_and_begins_anew_for_a_recording(installed:
     assert told == ["begins", "begins", "ends"]
 
 
+def test_each_application_that_began_ends_however_quickly_others_are_shown(installed: None) -> None:
+    told: list[str] = []
+    stage = ApplicationStage(HAND, GLOVE, lambda e: told.append(str(e.data["what"])))
+    frames = estimates(LINE)
+    stage.show("air-drawing")
+    list(stage.feed(frames[0]))
+    stage.show("air-drawing")  # never fed: it neither begins nor ends
+    stage.show("")
+    list(stage.feed(frames[1]))
+    assert told == ["begins", "ends"]
+
+
 def test_a_hand_between_two_samples_goes_on_as_it_went() -> None:
     reader = HandReader(HAND, GLOVE)
     before, now, after = (reader.read(e) for e in estimates(LINE)[140:143])

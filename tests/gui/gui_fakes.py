@@ -176,6 +176,8 @@ class ScriptedEngine:
         }
         return Status(1.0, self.tracking, values | self.values)
 
+    failure = ""
+
     def take_events(self) -> list[Event]:
         events, self.events = self.events, []
         return events

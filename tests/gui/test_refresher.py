@@ -80,3 +80,16 @@ def test_panels_and_shapes_give_way_before_they_are_painted(host, qtbot, monkeyp
     given.clear()
     view.grab()
     assert len(given) == 5
+
+
+def test_an_engine_that_fails_is_stopped_and_the_window_says_so(host, qtbot):
+    engine, said = ScriptedEngine(), []
+    host.adopt(scripted_setup(engine))
+    host.error.connect(said.append)
+    assert host.running
+    engine.failure = "The camera thread failed: ValueError: empty."
+    host.snapshot()
+    assert not host.running and engine.stopped
+    assert len(said) == 1 and "Tracking has stopped" in said[0] and "ValueError" in said[0]
+    host.snapshot()
+    assert len(said) == 1

@@ -61,6 +61,8 @@ class Nothing:
     def read(self, timeout):
         return None
 
+    failure = ""
+
     def take_events(self):
         return []
 

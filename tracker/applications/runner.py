@@ -112,6 +112,11 @@ class ApplicationRunner:
         data = {"application": self.name, "hand": self.side, "what": happening.what}
         return Event(hand.t, KIND, "", {**data, **happening.data})
 
+    @property
+    def has_begun(self) -> bool:
+        """Whether a sample has reached it."""
+        return self._begun
+
     def ended(self, t: float) -> Event:
         """That it is over."""
         data: dict[str, object] = {"application": self.name, "hand": self.side, "what": ENDS}

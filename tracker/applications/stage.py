@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+import threading
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
@@ -13,6 +15,8 @@ from tracker.applications.runner import FAILED, KIND, ApplicationRunner, Outcome
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Event
+
+_log = logging.getLogger(__name__)
 
 
 class Sink(Protocol):
@@ -42,8 +46,9 @@ class ApplicationStage:
     ) -> None:
         self._hand, self._glove = hand, glove
         self._runner: ApplicationRunner | None = None
-        self._ending: ApplicationRunner | None = None
+        self._ending: list[ApplicationRunner] = []  # shown before, and not yet told that they end
         self._anew = False
+        self._lock = threading.Lock()  # what is shown, what ends and where it begins anew
         self.tell = tell
         self.sinks: list[Sink] = []
         self.viewers: list[Viewer] = []
@@ -75,31 +80,39 @@ class ApplicationStage:
     def show(self, name: str, settings: Mapping[str, Any] | None = None) -> None:
         """Run another application, as new; an empty name: none. Raises ConfigError."""
         made = ApplicationRunner(name, self._hand, self._glove, settings) if name else None
-        self._ending, self._runner = self._runner, made
-        self._anew, self.outcome, self.last, self.problem = False, None, None, ""
-        self.counts.clear()
+        with self._lock:
+            if self._runner is not None:
+                self._ending.append(self._runner)
+            self._runner, self._anew = made, False
+            self.outcome, self.last, self.problem = None, None, ""
+            self.counts = Counter()
 
     def set(self, key: str, value: Any) -> None:
         """Change a setting. Raises ConfigError."""
-        if self._runner is not None:
-            self._runner.set(key, value)
+        runner = self._runner
+        if runner is not None:
+            runner.set(key, value)
 
     def begin_anew(self) -> None:
         """From the next sample on, as in the beginning: a recording holds all of it."""
-        self._anew = True
+        with self._lock:
+            self._anew = True
 
     # --- from the one that feeds
 
     def feed(self, estimate: Estimate) -> Iterator[Outcome]:
         """Give an estimate to the application, if there is one; to be gone through."""
-        ending, self._ending = self._ending, None
-        if ending is not None:
-            self._hear(ending.ended(estimate.t))
-        runner = self._runner
-        if runner is None or self.problem:
+        with self._lock:
+            ending, self._ending = self._ending, []
+            runner, anew = self._runner, self._anew
+            resting = runner is None or bool(self.problem)
+            self._anew = anew and resting
+        for before in ending:
+            if before.has_begun:
+                self._hear(before.ended(estimate.t))
+        if runner is None or resting:
             return
-        if self._anew:
-            self._anew = False
+        if anew:
             self.counts.clear()
             runner.begin_anew()
         try:
@@ -125,15 +138,17 @@ class ApplicationStage:
 
     def _fail(self, runner: ApplicationRunner, t: float, error: Exception) -> None:
         """It rests until it is chosen again."""
+        _log.error("The application %s failed", runner.name, exc_info=error)
         self.problem = f"{type(error).__name__}: {error}"
         data: dict[str, object] = {"application": runner.name, "hand": runner.side, "what": FAILED}
         self._hear(Event(t, KIND, self.problem, data))
 
     def close(self) -> None:
         """Let all devices rest."""
-        for sink in self.sinks:
+        with self._lock:
+            sinks, viewers = self.sinks, self.viewers
+            self.sinks, self.viewers = [], []
+        for sink in sinks:
             sink.close()
-        for viewer in self.viewers:
+        for viewer in viewers:
             viewer.close()
-        self.sinks.clear()
-        self.viewers.clear()

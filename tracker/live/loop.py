@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
-from tracker.clock import nanoseconds, seconds
+from tracker.clock import nanoseconds, next_instant, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
@@ -57,7 +57,7 @@ class ArrivalOrder:
 
     def imu(self, sample: ImuSample) -> ImuSample:
         """The packet, to be fed next, with a stamp later than all before."""
-        stamp = max(nanoseconds(sample.t_arrival), self._last_ns + 1)
+        stamp = max(nanoseconds(sample.t_arrival), next_instant(self._last_ns))
         self._last_ns = stamp
         arrival = seconds(stamp)
         return sample if arrival == sample.t_arrival else replace(sample, t_arrival=arrival)
@@ -69,7 +69,7 @@ class ArrivalOrder:
 
     def mark(self) -> float:
         """An instant (s) between what was fed and what will be."""
-        self._last_ns += 1
+        self._last_ns = next_instant(self._last_ns)
         return seconds(self._last_ns)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 from collections.abc import Callable
 from dataclasses import replace
@@ -10,6 +11,8 @@ from typing import Protocol
 from tracker.channels import Closed, Fifo
 from tracker.errors import GlovetrackError
 from tracker.messages import Message, StereoFrame
+
+_log = logging.getLogger(__name__)
 
 MAX_IMAGES_WAITING = 24  # 130 MB at 720p
 MAX_WAITING = 20_000  # messages: a minute
@@ -80,10 +83,12 @@ class RecordingThread:
         except Closed:
             if self._closed():
                 self._say("recording", "The recording is finished.")
-        except (GlovetrackError, OSError) as error:
+        except Exception as error:  # noqa: BLE001 - whatever it is, the file is closed and the user told
+            if not isinstance(error, GlovetrackError | OSError):
+                _log.exception("The recorder failed")
             self._queue.close()
             self._closed()
-            self._say("error", f"The recording has ended: {error}")
+            self._say("error", f"The recording has ended: {error or type(error).__name__}")
 
     def _write_waiting(self) -> None:
         """All that waits, together. Raises Closed at the end."""
@@ -102,7 +107,9 @@ class RecordingThread:
     def _closed(self) -> bool:
         try:
             self._recorder.close()
-        except (GlovetrackError, OSError) as error:
+        except Exception as error:  # noqa: BLE001 - as above
+            if not isinstance(error, GlovetrackError | OSError):
+                _log.exception("The recorder failed at its end")
             self._say("error", f"The recording could not be finished: {error}")
             return False
         return True

@@ -44,6 +44,7 @@ from tracker.two_hands import Hands
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
+STOPPING = 1.5  # s that threads and devices are waited for; a driver may hang for ever
 PATIENCE = 0.3  # s that the end of a recording is waited for
 WAIT = 0.05  # s that the engine thread waits before it looks whether it should end
 
@@ -100,8 +101,7 @@ class LiveTracker:
     def start(self) -> None:
         """Start all threads. Once only."""
         for side, reader in self._glove_readers.items():
-            name = "glove" if len(self._glove_readers) == 1 else f"glove-{side}"
-            self._threads.start(name, reader.step, soon=True)
+            self._threads.start(self._glove_thread(side), reader.step, soon=True)
         self._threads.start("camera", self._camera_reader.step)
         self._threads.start("colours", self._colours.step)
         self._threads.start("vision", self._vision.step)
@@ -117,14 +117,20 @@ class LiveTracker:
         self._inbox.close()
         self._vision.images.close()
         self._colours.used.close()
-        self._threads.join()
+        devices = {self._glove_thread(side): glove.close for side, glove in self._gloves.items()}
+        self._threads.join({**devices, "camera": self._camera.close}, STOPPING)
         self.set_reference(None)
         for hand in self._loop.seen.values():
             hand.applications.close()
-        for glove in self._gloves.values():
-            glove.close()
-        self._camera.close()
         self._loop.set_recorder(None, patience)
+
+    def _glove_thread(self, side: str) -> str:
+        return "glove" if len(self._gloves) == 1 else f"glove-{side}"
+
+    @property
+    def failure(self) -> str:
+        """Why tracking has ended by itself, in a sentence; empty while it runs."""
+        return self._threads.failure
 
     def _feed(self) -> None:
         item = self._inbox.get(WAIT)

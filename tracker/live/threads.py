@@ -1,13 +1,17 @@
-"""Threads that repeat a step until they are stopped; one that fails says so and ends alone."""
+"""Threads that repeat a step until they are stopped; one that fails is logged and reported."""
 
 from __future__ import annotations
 
+import logging
 import threading
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Mapping
 
 from tracker.channels import Closed
 from tracker.errors import GlovetrackError
 from tracker.urgency import run_soon
+
+_log = logging.getLogger(__name__)
 
 
 class ThreadGroup:
@@ -22,7 +26,9 @@ class ThreadGroup:
     ) -> None:
         self._say, self._turn = say, turn
         self._stopping = threading.Event()
-        self._threads: list[threading.Thread] = []
+        self._threads: dict[str, threading.Thread] = {}
+        self.failure = ""
+        """What ended the first thread that failed, in a sentence; empty while all run."""
 
     @property
     def stopping(self) -> bool:
@@ -35,18 +41,37 @@ class ThreadGroup:
         thread = threading.Thread(
             target=self._run, args=(name, step, soon), name=f"glovetrack-{name}", daemon=True
         )
-        self._threads.append(thread)
+        self._threads[name] = thread
         thread.start()
 
     def tell_to_stop(self) -> None:
         """No further step begins."""
         self._stopping.set()
 
-    def join(self) -> None:
-        """Wait for the last steps. May be called again."""
-        for thread in self._threads:
-            thread.join()
+    def join(self, release: Mapping[str, Callable[[], None]], patience: float) -> list[str]:
+        """Wait for the last steps and for ``release``, by a thread's name, to free its device.
+
+        Either may hang in a driver, so a device is freed in a thread of its own, after the thread
+        that used it has ended. Names of those that take longer than ``patience`` s; they go on by
+        themselves. May be called again.
+        """
+        ends = dict(self._threads)
         self._threads.clear()
+        for name, free in release.items():
+            ends[name] = threading.Thread(
+                target=_free_after,
+                args=(ends.get(name), free, name),
+                name=f"glovetrack-free-{name}",
+                daemon=True,
+            )
+            ends[name].start()
+        until = time.monotonic() + patience
+        for thread in ends.values():
+            thread.join(max(until - time.monotonic(), 0.0))
+        late = [name for name, thread in ends.items() if thread.is_alive()]
+        for name in late:
+            _log.warning("%s does not end within %.1f s and is left behind", name, patience)
+        return late
 
     def _run(self, name: str, step: Callable[[], None], soon: bool) -> None:
         if soon:
@@ -58,6 +83,21 @@ class ThreadGroup:
         except Closed:
             return
         except GlovetrackError as error:
-            self._say("error", str(error))
+            _log.error("The %s thread has ended: %s", name, error, exc_info=True)
+            self._fail(str(error))
         except Exception as error:  # noqa: BLE001 - the last line of defence of a thread
-            self._say("error", f"The {name} thread failed: {type(error).__name__}: {error}.")
+            _log.exception("The %s thread failed", name)
+            self._fail(f"The {name} thread failed: {type(error).__name__}: {error}.")
+
+    def _fail(self, text: str) -> None:
+        self.failure = self.failure or text
+        self._say("error", text)
+
+
+def _free_after(thread: threading.Thread | None, free: Callable[[], None], name: str) -> None:
+    if thread is not None:
+        thread.join()
+    try:
+        free()
+    except Exception:  # noqa: BLE001 - a driver may fail in any way
+        _log.exception("%s could not be closed", name)

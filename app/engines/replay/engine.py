@@ -96,6 +96,11 @@ class ReplayEngine:
         return self.hands.take_events()
 
     @property
+    def failure(self) -> str:
+        """A replay does not end by itself: what cannot be read is left out and counted."""
+        return ""
+
+    @property
     def profile(self) -> ColourProfile:
         """The colours that were looked for where it stands, or those that are tried."""
         return self._colours.at(self.player.position)
