@@ -25,7 +25,6 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -377,9 +376,7 @@ def screen() -> Iterator[str]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("ways", nargs="*", metavar="WAY", help=f"of {', '.join(WAYS)}; all")
-    parser.add_argument(
-        "--work", type=Path, default=Path(tempfile.gettempdir()) / "glovetrack-clocks"
-    )
+    parser.add_argument("--work", type=Path, default=ROOT / "build" / "clocks")
     parser.add_argument("--dist", type=Path, default=ROOT / "dist")
     args = parser.parse_args()
     work = args.work.resolve()

@@ -40,7 +40,7 @@ def log_folder() -> Path:
 
 def log_to_file(folder: Path) -> None:
     """Let Python's loggers write to ``glovetrack.log``, a megabyte thrice at most."""
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     handler = RotatingFileHandler(
         folder / "glovetrack.log", maxBytes=LOG_BYTES, backupCount=LOG_FILES - 1, encoding="utf-8"
     )
@@ -57,7 +57,7 @@ class CrashWatch(QObject):
 
     def __init__(self, folder: Path) -> None:
         super().__init__()
-        folder.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         self.folder = folder
         self.found = self._look_back()
         self._path = folder / f"running-{os.getpid()}.log"

@@ -37,6 +37,9 @@ def fetch(made_of: str, module: str) -> bool:
     source = folder / _key(made_of) / _file(module) if folder else None
     if source is None or not source.is_file():
         return False
+    if not all(_is_trusted(path) for path in (source, source.parent, source.parent.parent)):
+        _log.warning("%s is not used: other users can write to it", source)
+        return False
     target = HERE / source.name
     beside = target.with_suffix(".new")
     shutil.copy(source, beside)
@@ -51,13 +54,21 @@ def keep(made_of: str, module: str) -> None:
     if folder is None or (folder / _key(made_of)).exists():
         return
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         beside = Path(tempfile.mkdtemp(dir=folder, prefix="new-"))
         shutil.copy(HERE / _file(module), beside)
         beside.rename(folder / _key(made_of))
         _forget(folder)
     except OSError as error:
         _log.info("compiled kernels are not kept: %s", error)
+
+
+def _is_trusted(path: Path) -> bool:
+    """Whether only this user, or the system's administrator, can change it: it is code."""
+    if not hasattr(os, "getuid"):
+        return True  # Windows: the user's cache folder is the user's own
+    found = path.stat()
+    return found.st_uid in (0, os.getuid()) and not found.st_mode & 0o022
 
 
 def _folder() -> Path | None:

@@ -38,7 +38,7 @@ class ImagePipe:
             )
         self.path, self._pipe = path, -1
         try:
-            os.mkfifo(path)
+            os.mkfifo(path, 0o600)
         except OSError as error:
             raise FileError(f"{path} cannot be made: {error.strerror}.") from error
 
