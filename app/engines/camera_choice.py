@@ -164,7 +164,7 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
     if not cameras:
         raise DeviceError(
             tr(
-                "No camera was found. Plug in the stereo camera, then choose Look again. If this "
+                "No camera was found. Plug in the stereo camera, then choose Search again. If this "
                 "system lists no cameras, enter the number of yours under Set-up, Camera, "
                 "Or number, file (0 is the first one)."
             )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from app.engines.engine_host import EngineHost
@@ -15,6 +16,8 @@ from app.viewmodels.light import LightWatch
 from app.viewmodels.set_up_steps import SettledSteps, SetUpStep, images_arrive, is_lost, summary
 from app.widgets.measures import APART, NEAR
 
+TOP = Qt.AlignmentFlag.AlignTop
+REASON = 30  # letters that a line of a reason has at least beside a button
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
 
@@ -65,6 +68,20 @@ class ChecklistPanel(Panel):
         first = next((i for i, s in enumerate(shown) if not s.passes), len(shown))
         for i, (row, step) in enumerate(zip(self._rows, shown, strict=True)):
             row.show(step, reachable=i == first)
+        self._place()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place()
+
+    def _place(self) -> None:
+        """Buttons next to the reasons, or below them where these would be columns of words."""
+        least = self.fontMetrics().horizontalAdvance("x") * REASON
+        names = max((row.name_width for row in self._rows), default=0)
+        buttons = max((row.button_width for row in self._rows), default=0)
+        room = self.width() - 4 * APART - 2 * self._grid.horizontalSpacing()
+        for row in self._rows:
+            row.place(below=names + buttons + least > room)
 
     def shut_down(self) -> None:
         self._light_job.shut_down()
@@ -93,19 +110,29 @@ class ChecklistPanel(Panel):
 
 
 class _Row:
-    """One step's widgets in the grid."""
+    """One step's widgets in two rows of the grid, of which the second is for its button."""
 
     def __init__(self, grid: QGridLayout, index: int, action: SignalInstance) -> None:
+        self._grid, self._at = grid, 2 * index
         self._sign, self._name, self._reason = QLabel(), QLabel(), QLabel()
         self._reason.setWordWrap(True)
         self._reason.setProperty("role", "faint")
         self._reason.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._button = QPushButton()
         self._command = ""
+        self._placed: tuple[bool, bool] | None = None
         self._button.clicked.connect(lambda: action.emit(self._command))
-        top = Qt.AlignmentFlag.AlignTop
-        for column, widget in enumerate((self._sign, self._name, self._reason, self._button)):
-            grid.addWidget(widget, index, column, top)
+        for column, widget in enumerate((self._sign, self._name)):
+            grid.addWidget(widget, self._at, column, TOP)
+
+    @property
+    def name_width(self) -> int:
+        return self._name.sizeHint().width()
+
+    @property
+    def button_width(self) -> int:
+        """0 without a button."""
+        return 0 if self._button.isHidden() else self._button.sizeHint().width()
 
     def show(self, step: SetUpStep, reachable: bool) -> None:
         look = step.look(reachable)
@@ -116,3 +143,17 @@ class _Row:
         self._command = step.command
         self._button.setText(step.button)
         self._button.setVisible(bool(step.command) and not step.done)
+
+    def place(self, below: bool) -> None:
+        """Put the button ``below`` the reason, or next to it; without a button the reason takes
+        its column too."""
+        alone = below or self._button.isHidden()
+        if self._placed == (below, alone):
+            return
+        self._placed = below, alone
+        self._grid.addWidget(self._reason, self._at, 2, 1, 2 if alone else 1, TOP)
+        if below:
+            start = Qt.AlignmentFlag.AlignLeft
+            self._grid.addWidget(self._button, self._at + 1, 2, 1, 2, TOP | start)
+        else:
+            self._grid.addWidget(self._button, self._at, 3, TOP)

@@ -94,11 +94,11 @@ def _glove(view: Snapshot | None) -> SetUpStep:
         return SetUpStep(name, True, glove)
     if view is not None and len(view.imu) > 0:
         reason = tr("The glove does not respond. Is it plugged in?")
-        return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+        return SetUpStep(name, False, reason, "hardware", tr("Search again"))
     if view is None:
         return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
     reason = tr("No glove answers. Plug it in, or try the demo.")
-    return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+    return SetUpStep(name, False, reason, "hardware", tr("Search again"))
 
 
 def _samples(view: Snapshot | None) -> SetUpStep:
@@ -141,7 +141,7 @@ def _camera(view: Snapshot | None) -> SetUpStep:
     name = tr("Camera found")
     if view is not None and view.frame is not None and not images_arrive(view):
         reason = tr("The camera does not respond. Is it plugged in?")
-        return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+        return SetUpStep(name, False, reason, "hardware", tr("Search again"))
     if view is not None and view.frame is not None:
         if view.frame.left is not None and one_camera(view.setup, view.frame):
             return SetUpStep(name, True, tr("images of one camera arrive"))
@@ -151,12 +151,12 @@ def _camera(view: Snapshot | None) -> SetUpStep:
             reason = tr("The left image is missing.")
         else:
             reason = tr("The right image is missing.")
-        return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+        return SetUpStep(name, False, reason, "hardware", tr("Search again"))
     if view is None:
         return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
     if view.unfit is not None:
         return SetUpStep(name, False, told(view.unfit.why), "stereo", tr("Calibrate"))
-    return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Look again"))
+    return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Search again"))
 
 
 def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:

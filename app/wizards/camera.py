@@ -95,9 +95,7 @@ class CameraSetup(FormDialog):
 
     def _form(self) -> QFormLayout:
         self.again.clicked.connect(self.search)
-        self.other.setPlaceholderText(
-            self.tr("a number (0 is the first camera), a video file, rtsp:// or http://")
-        )
+        self.other.setPlaceholderText(self.tr("0 (the first camera), a video file or an address"))
         self.browse = QPushButton(self.tr("&Browse…"))
         self.browse.clicked.connect(self._choose_file)
         form = QFormLayout()

@@ -26,7 +26,7 @@ class FormDialog(QDialog):
         super().__init__(parent)
         self.setObjectName(name)
         fit_to_screen(self, *size)
-        self.again = QPushButton(self.tr("&Look again"))
+        self.again = QPushButton(self.tr("&Search again"))
 
     def lay_out(self, parts: Sequence[QWidget | QLayout], main: QPushButton) -> None:
         """The parts below one another; ``main`` is what the dialog is for."""

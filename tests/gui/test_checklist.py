@@ -192,3 +192,30 @@ def test_the_light_of_a_camera_that_is_gone_is_forgotten(listed, rig, qtbot):
     assert shown(listed, "Light").reason == "Waits for images."
     pass_time(listed, rig, qtbot, 0.0)
     assert shown(listed, "Light").reason == "Reading the light…"
+
+
+def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):
+    """On a small screen it was as narrow as beside the widest button of all."""
+    row = next(r for r in listed.checklist._rows if r._name.text() == "Calibration settled")
+    assert row._button.isHidden()
+    rig.sd = 5.0
+    alone = row._reason.geometry()
+    refreshed(listed)
+    qtbot.waitUntil(lambda: row._button.isVisible() and row._reason.width() < alone.width())
+    assert row._reason.geometry().right() < row._button.geometry().left()
+    rig.sd = 1.0
+    refreshed(listed)
+    qtbot.waitUntil(lambda: row._reason.width() == alone.width())
+
+
+def test_on_a_narrow_panel_buttons_are_below_their_reasons(listed, rig, qtbot):
+    """At 150 % in German a sentence stood in six lines of a word each."""
+    rig.sd = 5.0
+    refreshed(listed)
+    panel = listed.checklist
+    row = next(r for r in panel._rows if r._name.text() == "Calibration settled")
+    below = lambda: row._button.geometry().top() >= row._reason.geometry().bottom()  # noqa: E731
+    for width, expected in ((900, False), (330, True), (900, False)):
+        panel.resize(width, 600)
+        qtbot.waitUntil(lambda want=expected: below() == want, timeout=10_000)
+        assert row._reason.width() > 150

@@ -46,7 +46,7 @@ class ChoicePage(QWidget):
         self.wearers.addItem(self.tr("Somebody new"), "")
         for name in wearers:
             self.wearers.addItem(name, name)
-        self.again = QPushButton(self.tr("&Look again"))
+        self.again = QPushButton(self.tr("&Search again"))
         self.again.clicked.connect(self.search)
         self.other = QPushButton(self.tr("&Other port…"))
         self.other.clicked.connect(self._ask_port)
@@ -226,7 +226,7 @@ def _remarks(reports: list[PortReport], chosen: str) -> list[str]:
     if not reports and chosen == SIMULATED:
         return [
             tr(
-                "No glove was found on any USB port. Plug the glove in, then choose Look again. "
+                "No glove was found on any USB port. Plug the glove in, then choose Search again. "
                 "Without one, the simulated glove lets you try these pages."
             )
         ]
