@@ -5,8 +5,9 @@ this user can write to: `XDG_RUNTIME_DIR`, else a folder in the user's cache. Bo
 the user id of the other process with their own.
 
 Windows: pipes have no folders. The pipe's name contains a random text from a file in the user's own
-folder, which other users cannot read, and Qt limits access to the pipe to its user. This branch and
-that for macOS follow the systems' documentation; they have not been run there.
+folder, which other users cannot read; Qt limits access to the pipe to its user; and both ends ask
+the system which user runs the process at the other end (`windows_peer`). This branch and that for
+macOS follow the systems' documentation; they have not been run there.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from pathlib import Path
 
 import platformdirs
 
+from app.platform.windows_peer import is_own_pipe
 from tracker.errors import GlovetrackError
 from tracker.files import disk_error
 
@@ -53,6 +55,11 @@ def addresses(name: str) -> list[str]:
 def check_peer(descriptor: int, address: str) -> None:
     """Raises ForeignSocket unless the process at the other end of a socket is this user's."""
     if WINDOWS:
+        if not is_own_pipe(descriptor):
+            raise ForeignSocket(
+                f"The program at the other end of {address} does not belong to you. End it, or ask "
+                f"your administrator to, then start again."
+            )
         return
     uid = _peer_uid(descriptor)
     if uid != os.getuid():
