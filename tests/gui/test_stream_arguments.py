@@ -1,5 +1,6 @@
 """Streams that the command line turns on."""
 
+import contextlib
 import json
 import socket
 import subprocess
@@ -11,7 +12,10 @@ from environments import without_screen
 from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.__main__ import main
+from tracker.errors import GlovetrackError
 from tracker.streaming.params import StreamParams, with_streams
+from tracker.streaming.remote.client import ask
+from tracker.streaming.remote.request import is_reply
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -53,6 +57,40 @@ def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
     assert {"session.mcap", "session.csv"} <= {p.name for p in tmp_path.iterdir()}
     assert "tracking " in done.stdout
     assert " s  The hand is tracked." in done.stderr
+
+
+@pytest.mark.timeout(240)
+def test_a_report_without_a_screen_answers_by_remote_control(tmp_path):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    words = ["--headless-report", "20", "--out", str(tmp_path), "--lenses", "none"]
+    running = subprocess.Popen(
+        [sys.executable, "-m", "app", "--demo", *words, "--remote", f"udp:{port}"],
+        cwd=ROOT,
+        env=without_screen(),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        answer = ""
+        while not is_reply(answer) and running.poll() is None:  # a free port may answer itself
+            with contextlib.suppress(GlovetrackError):
+                answer = ask({"do": "status"}, "127.0.0.1", port, 2.0)
+        assert is_reply(answer) and json.loads(answer)["ok"] is True
+    finally:
+        running.terminate()
+        running.wait(60)
+
+
+@pytest.mark.parametrize(
+    "words", [["x.mcap", "--headless-report", "5"], ["--demo", "--headless-report", "0"]]
+)
+def test_a_report_of_a_session_or_of_no_time_is_wrong_usage(words, capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(words)
+    assert ended.value.code == 2
+    assert "--headless-report" in capsys.readouterr().err
 
 
 def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
