@@ -13,6 +13,7 @@ from app.window.main_window import MainWindow
 from app.window.start import _parser
 from tracker.errors import GlovetrackError
 from tracker.files import kept_name
+from tracker.fusion.chain.calibration.profile_file import WearerFile, write_wearer
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
 from tracker.messages import Array, Event
@@ -249,3 +250,21 @@ def test_without_an_engine_that_listens_nothing_can_be_changed(window):
 )
 def test_every_name_is_a_file_name(name, kept):
     assert kept_name(name) == kept
+
+
+def test_a_profile_that_is_taken_in_replaces_no_other_one(tmp_path):
+    engine = chain()
+    layout = engine.layout
+    store, elsewhere = WearerStore(tmp_path / "wearers"), tmp_path / f"{'Anna ' * 12}.toml"
+    wearer = WearerFile(layout, engine.profile(), engine.calibration())
+    write_wearer(elsewhere, wearer)
+    first = store.take_in(elsewhere, layout)
+    assert store.take_in(elsewhere, layout) == first, "the same profile is stored once"
+    kept = store.path(first).read_bytes()
+    scale = wearer.profile.scale * 1.01
+    profile = dataclasses.replace(wearer.profile, scale=scale)
+    write_wearer(elsewhere, dataclasses.replace(wearer, profile=profile))
+    second = store.take_in(elsewhere, layout)
+    assert second != first and store.take_in(elsewhere, layout) == second
+    assert store.path(first).read_bytes() == kept
+    assert store.names() == sorted([first, second])
