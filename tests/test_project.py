@@ -218,6 +218,7 @@ CLOCKS = {
     "app/viewmodels/recording.py": "names of new files",
     "app/window/bug_reports.py": "names of new files",
     "app/window/headless_report.py": "measures",
+    "tracker/offline/fill.py": "the date of an edit",
     "tracker/offline/rig_command.py": "ends in time",
     "tracker/simulation/rig_device.py": "begins now",
     "app/window/main_window.py": "the time beside a line of the log",

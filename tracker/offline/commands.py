@@ -1,4 +1,4 @@
-"""The commands ``simulate``, ``track``, ``crop``, ``light`` and ``teleop``."""
+"""The commands ``simulate``, ``track``, ``crop``, ``gaps``, ``fill``, ``light`` and ``teleop``."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.errors import GlovetrackError
+from tracker.offline.gap_commands import add_gap_commands
 from tracker.offline.imports.command import add_import
 from tracker.offline.rig_command import add_rig
 from tracker.offline.teleop_command import add_teleop
@@ -28,6 +29,7 @@ def add_commands(commands: Any) -> None:
     _add_track(commands.add_parser("track", help="track a recording again"))
     _add_light(commands.add_parser("light", help="what the light of a recording costs markers"))
     _add_crop(commands.add_parser("crop", help="a part of a session as a session of its own"))
+    add_gap_commands(commands)
     add_teleop(commands.add_parser("teleop", help="a robot hand that follows the wearer's"))
     add_rig(commands.add_parser("rig", help="a simulated glove and camera, as a system's devices"))
     add_import(commands.add_parser("import", help="raw IMUs of another program as a session"))

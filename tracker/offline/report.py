@@ -31,7 +31,7 @@ class TrackReport:
     hands: dict[str, TrackReport] = field(default_factory=dict)
     words: list[str] = field(default_factory=list)  # what was said of the session on the way
     left_out: dict[str, int] = field(default_factory=dict)  # damaged messages by topic
-    note: str = ""  # the one of them that says which recorded settings were ignored
+    note: str = ""  # the one of them that says what of the session was not used
 
     def to_json(self) -> dict[str, object]:
         out = dict(vars(self))

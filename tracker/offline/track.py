@@ -103,7 +103,7 @@ def track(
             _messages(reader, info, options, threads or usable_cores(), colours), info.side
         )
         described = _output_info(info, settings, source, options)
-        note = _version_note(reader, options)
+        note = " ".join(filter(None, (_edits_note(reader), _version_note(reader, options))))
         start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
         if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
             described = replace(described, moving_camera=True)  # by what its IMU tells
@@ -313,6 +313,17 @@ def _unusable_settings(reader: SessionReader) -> list[str]:
     """Keys of the recorded settings that this version cannot use."""
     text = reader.info.settings_text
     return _usable_settings(text)[1] if text else []
+
+
+def _edits_note(reader: SessionReader) -> str:
+    """That interpolated gaps are not taken over: estimates come from the sensors alone."""
+    count = sum(len(edit.filled) for edit in reader.edits)
+    if not count:
+        return ""
+    return (
+        f"{count} interpolated gap{'s' * (count != 1)} of {reader.path.name} "
+        "were dropped: tracking starts from the sensors."
+    )
 
 
 def _version_note(reader: SessionReader, options: TrackOptions) -> str:

@@ -165,6 +165,8 @@ def _report(args: argparse.Namespace) -> int:
 
 
 def _info(args: argparse.Namespace) -> int:
+    from tracker.session.edits import edit_of
+    from tracker.session.edits import lines as edit_lines
     from tracker.session.glance import session_summary
 
     check_json(args, [args.file])
@@ -172,6 +174,7 @@ def _info(args: argparse.Namespace) -> int:
     lines = [f"{args.file}: {found['duration_s']:.2f} s, {found['integrity']}"]
     if found["version"]:
         lines.append(f"engine {found['engine']}, version {found['version']}")
+    lines += edit_lines(map(edit_of, found["edits"]))
     lines += [
         f"  {name}  {t['count']}  {t['rate_hz']:g} Hz  {t['type']}"
         for name, t in found["topics"].items()

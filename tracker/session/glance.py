@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -69,6 +69,7 @@ def session_summary(path: Path) -> dict[str, Any]:
             "version": metadata.get("version", ""),
             "simulated": metadata.get("simulated") == "true",
             "integrity": _integrity(reader),
+            "edits": [asdict(edit) for edit in reader.edits],
         }
 
 

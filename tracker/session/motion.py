@@ -7,12 +7,13 @@ and its share is given. Time without estimates (`holes`) counts as lost.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
+from tracker.session.edits import Mask, masks
 from tracker.session.holes import LONGEST_FILLED, time_shares, with_breaks
 from tracker.session.reader import SessionReader
 
@@ -26,7 +27,7 @@ Pair = tuple[str, str]
 class Take:
     """N estimates: t (N,) s from the session's start; angles (N, J) rad, angle_state (N, J);
     points (N, K, 3) m in G, point_sd (N, K) m, point_state (N, K); NaN where lost. limits (J, 2)
-    rad."""
+    rad. angle_filled (N, J) and point_filled (N, K): interpolated by an edit; None without one."""
 
     t: Array
     angle_names: tuple[str, ...]
@@ -37,13 +38,16 @@ class Take:
     points: Array
     point_sd: Array
     point_state: IntArray
+    angle_filled: Mask | None = None
+    point_filled: Mask | None = None
 
 
 @dataclass(frozen=True)
 class Measure:
     """Of one angle (rad) or distance (m) over a take: least, greatest, mean and sd of its values;
-    fastest change per s; shares of the time that it was measured, inferred, lost; and the mean
-    standard deviation that the tracker claims, NaN where it claims none."""
+    fastest change per s; shares of the time that it was measured, inferred, lost; the mean
+    standard deviation that the tracker claims, NaN where it claims none; and which share of the
+    time an edit interpolated, which is part of what was inferred."""
 
     name: str
     is_angle: bool
@@ -56,6 +60,7 @@ class Measure:
     inferred: float
     lost: float
     claimed_sd: float
+    interpolated: float = 0.0
 
     @property
     def range(self) -> float:
@@ -72,7 +77,17 @@ def read_take(reader: SessionReader) -> Take:
     info = reader.info
     start = reader.anchor.monotonic(reader.span_ns[0])
     hand = info.hand
-    return take_of(found, hand.joint_names, hand.angle_limits, info.keypoint_names, start)
+    take = take_of(found, hand.joint_names, hand.angle_limits, info.keypoint_names, start)
+    if not reader.edits:
+        return take
+    stamps = np.array([reader.anchor.wall(m.t) for m in found], np.int64)
+    names = info.keypoint_names, hand.joint_names
+    points, angles = masks(reader.edits, info.side, stamps, *names)
+    return replace(
+        take,
+        point_filled=points & (take.point_state == Validity.INFERRED),
+        angle_filled=angles & (take.angle_state == Validity.INFERRED),
+    )
 
 
 def take_of(
@@ -138,14 +153,29 @@ def curve(take: Take, values: Array, state: IntArray) -> tuple[Array, Array]:
 def measures(take: Take, pairs: Sequence[Pair]) -> list[Measure]:
     """Of all angles, then of the distances between the points of each pair."""
     none = np.full(len(take.t), np.nan)
-    out = [
-        _measure(name, True, take.t, take.angles[:, j], take.angle_state[:, j], none)
-        for j, name in enumerate(take.angle_names)
-    ]
+    out = []
+    for j, name in enumerate(take.angle_names):
+        found = _measure(name, True, take.t, take.angles[:, j], take.angle_state[:, j], none)
+        filled = None if take.angle_filled is None else take.angle_filled[:, j]
+        out.append(_with_filled(found, take, filled))
     for pair in pairs:
         away, sd, state = distance(take, pair)
-        out.append(_measure(pair_name(pair), False, take.t, away, state, sd))
+        found = _measure(pair_name(pair), False, take.t, away, state, sd)
+        out.append(_with_filled(found, take, distance_filled(take, pair)))
     return out
+
+
+def distance_filled(take: Take, pair: Pair) -> Mask | None:
+    """(N,) where one of both points was interpolated; None without an edit."""
+    if take.point_filled is None:
+        return None
+    return np.asarray(take.point_filled[:, [take.point_names.index(n) for n in pair]].any(axis=1))
+
+
+def _with_filled(measure: Measure, take: Take, filled: Mask | None) -> Measure:
+    if filled is None:
+        return measure
+    return replace(measure, interpolated=float(time_shares(take.t)[filled].sum()))
 
 
 def pair_name(pair: Pair) -> str:
@@ -198,7 +228,7 @@ class Units:
 
 COLUMNS = (
     "name", "unit", "min", "max", "range", "mean", "sd", "fastest_per_s", "measured_percent",
-    "inferred_percent", "lost_percent", "claimed_sd",
+    "inferred_percent", "lost_percent", "claimed_sd", "interpolated_percent",
 )  # fmt: skip
 
 
@@ -210,7 +240,9 @@ def table(rows: Sequence[Measure], units: Units, separator: str = ",") -> str:
         numbers = [_text(units.of(v, m.is_angle)) for v in values]
         shares = [_text(100 * share) for share in (m.measured, m.inferred, m.lost)]
         claimed = _text(units.of(m.claimed_sd, m.is_angle))
-        lines.append(separator.join([m.name, units.name(m.is_angle), *numbers, *shares, claimed]))
+        filled = _text(100 * m.interpolated)
+        cells = [m.name, units.name(m.is_angle), *numbers, *shares, claimed, filled]
+        lines.append(separator.join(cells))
     return "\n".join(lines) + "\n"
 
 

@@ -13,11 +13,12 @@ from tracker.errors import FileError
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.messages import EngineState, Estimate, Message, StereoFrame
-from tracker.session import description, engine_state
+from tracker.session import description, edits, engine_state
 from tracker.session.decode import MESSAGE_KINDS, Decoded, MessageDecoder
 from tracker.session.decode_estimate import EstimateDecoder
 from tracker.session.decode_sensors import Timing, foreign_timing
 from tracker.session.description import SessionInfo
+from tracker.session.edits import Edit
 from tracker.session.engine_parts import register_all
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import FOREVER, McapInput
@@ -100,6 +101,15 @@ class SessionReader:
             except UnicodeDecodeError:
                 continue  # not one of ours: ours are TOML
         return {**out, **self._replace}
+
+    @cached_property
+    def edits(self) -> tuple[Edit, ...]:
+        """What was changed in this session after it was recorded or tracked; see `edits`.
+
+        Raises FileError where the record of it cannot be read.
+        """
+        text = self.attachments.get(edits.NAME)
+        return () if text is None else edits.parse_edits(text, f"{self.path}, {edits.NAME}")
 
     @property
     def has_start_state(self) -> bool:

@@ -10,7 +10,10 @@ from pathlib import Path
 
 from tracker.damage import DAMAGE, gather
 from tracker.errors import GlovetrackError
+from tracker.messages import Validity
 from tracker.session import description
+from tracker.session.edits import NAME, lines, masks
+from tracker.session.hand_columns import read_hand
 from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
 from tracker.session.message_check import check_message
@@ -66,6 +69,7 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
         for topic, track in sorted(tracks.items()):
             out += _judge(topic, track, reader.span_ns[0])
         out += _missing(reader, tracks)
+        out += _edits(reader)
         heard = {topic: track.log_times for topic, track in tracks.items()}
         for device, seconds in silences(heard, reader.span_ns).items():
             text = f"nothing came for {seconds:.1f} s"
@@ -205,6 +209,28 @@ def _gaps(topic: str, track: _Track) -> list[Finding]:
     after = (at - track.steps[0][1]) / 1e9
     text = f"{len(gaps)} gaps, the longest {longest / 1e9:.3f} s after {after:.1f} s"
     return [Finding("warning", text, topic)]
+
+
+def _edits(reader: SessionReader) -> list[Finding]:
+    """What was interpolated, and whether the file calls any of it measured."""
+    try:
+        found = [Finding("note", line, NAME) for line in lines(reader.edits)]
+        sides = {f.side for edit in reader.edits for f in edit.filled}
+        wrong = sum(_called_measured(reader.path, side) for side in sorted(sides))
+    except GlovetrackError as error:
+        return [Finding("error", str(error), NAME)]
+    if wrong:
+        text = f"{wrong} interpolated positions are marked as measured"
+        found.append(Finding("error", text, NAME))
+    return found
+
+
+def _called_measured(path: Path, side: str) -> int:
+    with SessionReader(path, side=side) as reader:
+        hand, info = read_hand(reader), reader.info
+        names = info.keypoint_names, info.hand.joint_names
+        points, _ = masks(reader.edits, side, hand.stamp_ns, *names)
+        return int((points & (hand.state == Validity.MEASURED)).sum())
 
 
 def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:

@@ -1,6 +1,6 @@
 """C3D: keypoints and the glove's markers as points, angles and IMUs as analogue channels, notes as
 events. A point's residual is its standard deviation where it was measured, 0 where it was inferred
-and -1 where it was lost, as the format means them."""
+or interpolated and -1 where it was lost, as the format means them."""
 
 from __future__ import annotations
 
@@ -55,6 +55,7 @@ def export_c3d(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     _tell(file, m)
     if "notes" not in options.anonymous:
         _put_events(file, reader, m)
+    _put_gaps(file, m)
     file.write(str(path))
     _check(path, file)
     return m
@@ -116,7 +117,7 @@ def _tell(file: ezc3d.c3d, m: EstimateSeries) -> None:
     said = {
         "AXES": str(m.notes["axes_are"]),
         "BONE_AXES": m.bone_axes,
-        "RESIDUAL": "standard deviation of a measured point; 0 inferred; -1 lost",
+        "RESIDUAL": "standard deviation of a measured point; 0 inferred or interpolated; -1 lost",
         "ANGLES": "deg, flexion positive, as rotations about z (abduction), y (flexion), x (twist)",
         "IMU": "in each IMU's own axes, on lines between packets; acc is specific force",
     }
@@ -131,6 +132,18 @@ def _put_events(file: ezc3d.c3d, reader: SessionReader, m: EstimateSeries) -> No
         if 0.0 <= t <= m.elapsed[-1]:
             minutes, seconds = divmod(t, 60.0)
             file.add_event([minutes, seconds], label="note", context="General", description=text)
+
+
+def _put_gaps(file: ezc3d.c3d, m: EstimateSeries) -> None:
+    """An event where each stretch of interpolated points begins and ends."""
+    filled = np.r_[False, m.interpolated.any(axis=1), False]
+    for label, rows in (
+        ("interp. begin", np.flatnonzero(filled[1:-1] & ~filled[:-2])),
+        ("interp. end", np.flatnonzero(filled[1:-1] & ~filled[2:])),
+    ):
+        for t in m.elapsed[rows]:
+            minutes, seconds = divmod(float(t), 60.0)
+            file.add_event([minutes, seconds], label=label, context="General")
 
 
 def _check(path: Path, written: ezc3d.c3d) -> None:

@@ -13,9 +13,12 @@ from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
+INTERPOLATED = "whether an edit filled a gap here"
+
 
 def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``/stamp_ns``, ``/keypoints/{position,orientation,sd,state}``, ``/joints/{angle,state}``."""
+    """``/stamp_ns``, ``/keypoints/{position,orientation,sd,state,interpolated}`` and
+    ``/joints/{angle,state,interpolated}``."""
     m = load_series(reader, options)
     unit = options.units or "m"
     # Made in memory: where a disk fills up under it the library ends the program at its exit.
@@ -29,10 +32,12 @@ def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Esti
         _put(points, "orientation", m.q, "quaternion x, y, z, w")
         _put(points, "sd", m.sd * UNITS[unit], unit)
         _put(points, "state", m.state.astype(np.int8), _states())
+        _put(points, "interpolated", m.interpolated, INTERPOLATED)
         joints = file.create_group("joints")
         joints.attrs["names"] = list(m.joint_names)
         _put(joints, "angle", m.angles, "rad")
         _put(joints, "state", m.angle_state.astype(np.int8), _states())
+        _put(joints, "interpolated", m.angles_interpolated, INTERPOLATED)
         file.flush()
         path.write_bytes(file.id.get_file_image())
     return m

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
-from tracker.session import description, engine_state
+from tracker.session import description, edits, engine_state
 from tracker.session.export.options import ExportOptions
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import FOREVER, RawMessage
@@ -59,9 +60,9 @@ def copy_part(
         out.finish()
 
 
-def copy_extras(reader: SessionReader, out: McapOutput) -> None:
-    """What a session says of itself, and all its attachments."""
-    _write_extras(reader, out, ExportOptions(), 0)
+def copy_extras(reader: SessionReader, out: McapOutput, without: Sequence[str] = ()) -> None:
+    """What a session says of itself, and all its attachments but those named ``without``."""
+    _write_extras(reader, out, ExportOptions(), 0, without)
 
 
 def _check(options: ExportOptions) -> None:
@@ -94,7 +95,11 @@ def _span(reader: SessionReader, options: ExportOptions) -> tuple[int, int]:
 
 
 def _write_extras(
-    reader: SessionReader, out: McapOutput, options: ExportOptions, start: int
+    reader: SessionReader,
+    out: McapOutput,
+    options: ExportOptions,
+    start: int,
+    without: Sequence[str] = (),
 ) -> None:
     for record in reader.source.metadata():
         values = dict(record.metadata)
@@ -105,8 +110,12 @@ def _write_extras(
                 values = {k: v for k, v in values.items() if k not in _TELLS_OF_THE_PERSON}
         out.metadata(record.name, values)
     for a in reader.source.attachments():
-        if a.name != engine_state.NAME or a.log_time >= start:
-            out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
+        if a.name in without or (a.name == engine_state.NAME and a.log_time < start):
+            continue
+        data = a.data
+        if a.name == edits.NAME and "participant" in options.anonymous:
+            data = edits.without_person(data.decode()).encode()
+        out.attach_bytes(a.name, a.media_type, data, a.log_time)
 
 
 def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:

@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from tracker.hand.openxr import JOINTS, joint_radii, keypoint_rows, openxr_joints
+from tracker.messages import IntArray
+from tracker.session.edits import Mask
 from tracker.session.export.axes import turned
 from tracker.session.export.series import EstimateSeries
 
@@ -29,5 +31,14 @@ def openxr_series(m: EstimateSeries) -> EstimateSeries:
         q=hand.orientation,
         state=hand.state,
         sd=np.where(rows >= 0, m.sd[:, rows], np.nan),
+        point_filled=_filled(m, rows),
         radius=radii,
     )
+
+
+def _filled(m: EstimateSeries, rows: IntArray) -> Mask | None:
+    """(N, 26) joints in gaps that were filled; one placed between others where any was."""
+    if m.point_filled is None:
+        return None
+    any_filled = m.point_filled.any(axis=1, keepdims=True)
+    return np.asarray(np.where(rows >= 0, m.point_filled[:, rows], any_filled))

@@ -15,6 +15,7 @@ from tracker import __version__
 from tracker.errors import ConfigError
 from tracker.files import check_target, sha256, whole_files
 from tracker.messages import Validity
+from tracker.session.edits import WORD, edits_text
 from tracker.session.export.options import (
     BOTH_HANDS,
     DATASETS,
@@ -179,17 +180,23 @@ def _report(
             "certainty": _certainty(series),
             **series.notes,
         }
+    if reader.edits:
+        report["edits"] = json.loads(edits_text(reader.edits))["edits"]
     return _without(report, options.anonymous)
 
 
 def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
     """Of each keypoint the shares of rows that it was measured, inferred, lost, and the mean sd (m)
-    where it was not lost: what a BVH, a TRC or a URDF has no place for."""
+    where it was not lost: what a BVH, a TRC or a URDF has no place for. In an edited session also
+    the share that was interpolated, which is part of what was inferred."""
     out: dict[str, dict[str, float | None]] = {}
+    filled = None if series.point_filled is None else series.interpolated
     for k, name in enumerate(series.keypoint_names if len(series) else ()):
         state, sd = series.state[:, k], series.sd[:, k]
         known = (state != Validity.LOST) & np.isfinite(sd)
         out[name] = {s.name.lower(): round(float((state == s).mean()), 6) for s in Validity}
+        if filled is not None:
+            out[name][WORD] = round(float(filled[:, k].mean()), 6)
         out[name]["sd_m"] = round(float(sd[known].mean()), 6) if known.any() else None
     return out
 
@@ -200,6 +207,8 @@ def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, An
     if "participant" in anonymous:  # automatic names of files hold it
         top.add("source")
         inside.add("source")
+        for edit in report.get("edits", ()):
+            edit |= {"who": "", "source": ""}
     if "hand" in anonymous:
         top.add("hand")
     if "time" in anonymous:

@@ -12,6 +12,7 @@ from tracker.clock import NS
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.session.description import SessionInfo
+from tracker.session.edits import WORD, Mask, masks
 from tracker.session.export.options import BONE_AXES, OPENXR_AXES
 from tracker.session.reader import SessionReader
 
@@ -22,6 +23,7 @@ class EstimateSeries:
     angles (N, J) rad, angle_state (N, J); NaN where lost. segment_p (N, S, 3) m and segment_q
     (N, S, 4) of all the hand's segments, whatever `only` keeps. ``zero_ns`` was taken from stamps.
     ``radius`` (K,) m of the fingers at the keypoints, where these are OpenXR's joints.
+    ``point_filled`` (N, K) and ``angle_filled`` (N, J): in gaps that an edit filled.
     """
 
     info: SessionInfo
@@ -39,6 +41,24 @@ class EstimateSeries:
     zero_ns: int = 0
     notes: dict[str, object] = field(default_factory=dict)
     radius: Array | None = None
+    point_filled: Mask | None = None
+    angle_filled: Mask | None = None
+
+    @property
+    def interpolated(self) -> Mask:
+        """(N, K) keypoints that an edit filled."""
+        return self._filled(self.point_filled, self.state)
+
+    @property
+    def angles_interpolated(self) -> Mask:
+        """(N, J) likewise."""
+        return self._filled(self.angle_filled, self.angle_state)
+
+    @staticmethod
+    def _filled(mask: Mask | None, state: IntArray) -> Mask:
+        if mask is None:
+            return np.zeros(state.shape, bool)
+        return np.asarray(mask & (state == Validity.INFERRED))
 
     @property
     def bone_axes(self) -> str:
@@ -61,6 +81,8 @@ class EstimateSeries:
             angle_state=self.angle_state[rows],
             segment_p=self.segment_p[rows],
             segment_q=self.segment_q[rows],
+            point_filled=None if self.point_filled is None else self.point_filled[rows],
+            angle_filled=None if self.angle_filled is None else self.angle_filled[rows],
         )
 
     def between(self, start: float | None, stop: float | None) -> EstimateSeries:
@@ -89,6 +111,8 @@ class EstimateSeries:
             sd=self.sd[:, points],
             angles=self.angles[:, joints],
             angle_state=self.angle_state[:, joints],
+            point_filled=None if self.point_filled is None else self.point_filled[:, points],
+            angle_filled=None if self.angle_filled is None else self.angle_filled[:, joints],
         )
 
     @property
@@ -114,7 +138,13 @@ def recorded_series(reader: SessionReader) -> EstimateSeries:
     if not found:
         raise FileError(f"{reader.path} holds no estimates; track it first.")
     found.sort(key=lambda m: m.t)
-    return series_of(reader.info, found)
+    series = series_of(reader.info, found)
+    if not reader.edits:
+        return series
+    points, angles = masks(
+        reader.edits, reader.info.side, series.stamp_ns, series.keypoint_names, series.joint_names
+    )
+    return replace(series, point_filled=points, angle_filled=angles)
 
 
 def series_of(info: SessionInfo, found: Sequence[Estimate]) -> EstimateSeries:
@@ -145,9 +175,10 @@ def _quaternions(R: Array) -> Array:
     return q
 
 
-def state_words(state: IntArray) -> list[str]:
-    """measured, inferred, lost for each number."""
-    return [Validity(int(s)).name.lower() for s in state]
+def state_words(state: IntArray, filled: Mask) -> list[str]:
+    """measured, inferred, interpolated or lost for each number."""
+    words = [Validity(int(s)).name.lower() for s in state]
+    return [WORD if f else w for w, f in zip(words, filled, strict=True)]
 
 
 def seconds_text(ns: int) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.messages import Array, Validity
+from tracker.session.edits import Mask
 from tracker.session.export.load import load_series
 from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text, state_words
@@ -46,19 +47,22 @@ def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     """``t`` is in seconds since 1970 to the microsecond; positions in m unless asked otherwise."""
     m = load_series(reader, options)
     numbers = _numbers(m, UNITS[options.units or "m"])
+    points, angles = m.interpolated, m.angles_interpolated
     with path.open("w", encoding="utf-8", newline="") as out:
         csv.writer(out, lineterminator="\n").writerow(columns(m))
         for i in range(len(m)):
-            out.write(",".join(_row(m, i, numbers[i])) + "\n")
+            filled = points[i], angles[i]
+            out.write(",".join(_row(m, i, numbers[i], filled)) + "\n")
     return m
 
 
-def _row(m: EstimateSeries, i: int, numbers: Array) -> list[str]:
+def _row(m: EstimateSeries, i: int, numbers: Array, filled: tuple[Mask, Mask]) -> list[str]:
+    """``filled``: (K,) keypoints and (J,) angles that are interpolated."""
     cells = [seconds_text(int(m.stamp_ns[i]))]
-    for point, state in zip(numbers, state_words(m.state[i]), strict=True):
+    for point, state in zip(numbers, state_words(m.state[i], filled[0]), strict=True):
         cells += [_cell(float(v)) for v in point]
         cells.append(state)
-    for angle, state in zip(m.angles[i], state_words(m.angle_state[i]), strict=True):
+    for angle, state in zip(m.angles[i], state_words(m.angle_state[i], filled[1]), strict=True):
         cells += [_cell(float(angle)), state]
     return cells
 
@@ -75,14 +79,17 @@ def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) ->
     m = load_series(reader, options)
     unit = options.units or "m"
     numbers = _numbers(m, UNITS[unit])
+    points, angles = m.interpolated, m.angles_interpolated
     table: dict[str, Any] = {"t": pa.array(m.stamp_ns, pa.timestamp("ns", "UTC"))}
     for k, name in enumerate(m.keypoint_names):
         for c, what in enumerate(numbered(m)):
             table[f"{name}_{what}"] = pa.array(numbers[:, k, c], from_pandas=True)
-        table[f"{name}_state"] = pa.array(state_words(m.state[:, k])).dictionary_encode()
+        words = state_words(m.state[:, k], points[:, k])
+        table[f"{name}_state"] = pa.array(words).dictionary_encode()
     for j, name in enumerate(m.joint_names):
         table[name] = pa.array(m.angles[:, j], from_pandas=True)
-        table[f"{name}_state"] = pa.array(state_words(m.angle_state[:, j])).dictionary_encode()
+        words = state_words(m.angle_state[:, j], angles[:, j])
+        table[f"{name}_state"] = pa.array(words).dictionary_encode()
     pq.write_table(pa.table(table).replace_schema_metadata(_told(m, unit)), path)
     return m
 

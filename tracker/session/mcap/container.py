@@ -183,6 +183,13 @@ class Copier:
             for c in contents.channels.values()
         }
 
+    def write(self, m: RawMessage) -> None:
+        """A new message, on the source's channel where it has one of that topic and type."""
+        channel = self._channels.get((m.topic, m.type))
+        if channel is None:
+            channel = self._channels[m.topic, m.type] = self._out.channel(m.topic, m.type)
+        self._out.write(channel, m.log_time, m.publish_time, m.data, m.sequence)
+
     def copy(self, m: RawMessage) -> None:
         channel = self._channels[m.topic, m.type]
         self._out.write(channel, m.log_time, m.publish_time, m.data, m.sequence)

@@ -15,11 +15,18 @@ from matplotlib.figure import Figure
 
 from tracker.hand.names import CHAINS
 from tracker.messages import Array, IntArray, Validity
+from tracker.session.edits import Mask
 from tracker.session.motion import Take, distance, pair_of
 from tracker.session.report.measure import Told
 
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-_SHADES = {Validity.INFERRED: "#f4e3b2", Validity.LOST: "#e3c5c5"}
+_INTERPOLATED = 3
+_SHADES = {
+    int(Validity.INFERRED): "#f4e3b2",
+    int(Validity.LOST): "#e3c5c5",
+    _INTERPOLATED: "#c9d7ef",
+}
+"""Behind a curve; the last one where an edit filled a gap."""
 DOTS = 150
 """An inch, of a figure as PNG."""
 _MOST = 3000  # points of a curve; more are not to be seen
@@ -106,7 +113,7 @@ def courses(told: Told, names: Sequence[str]) -> Figure:
     for k, name in enumerate(names):
         axes = figure.add_subplot(len(names), 1, k + 1)
         j = take.angle_names.index(name)
-        _shade(axes, take, take.angle_state[:, j])
+        _shade(axes, take, take.angle_state[:, j], take.angle_filled, j)
         _curve(axes, take.t, np.rad2deg(take.angles[:, j]), _COLOURS[k % len(_COLOURS)])
         axes.set_ylabel(f"{name.replace('_', chr(10), 1)}", rotation=0, ha="right", va="center")
         axes.set_xlim(take.t[0], take.t[-1])
@@ -144,10 +151,12 @@ def _curve(axes: Axes, t: Array, values: Array, colour: str, label: str = "") ->
     axes.plot(t[::every], values[::every], "-", color=colour, lw=1, label=label)
 
 
-def _shade(axes: Axes, take: Take, state: IntArray) -> None:
-    """Behind the curve, where a number was not measured."""
+def _shade(axes: Axes, take: Take, state: IntArray, filled: Mask | None, j: int) -> None:
+    """Behind the curve, where a number was not measured; ``filled`` (N, J): interpolated ones."""
+    if filled is not None:
+        state = np.where(filled[:, j], _INTERPOLATED, state)
     edges = np.flatnonzero(np.diff(state)) + 1
     for a, b in zip(np.r_[0, edges], np.r_[edges, len(state)], strict=True):
-        colour = _SHADES.get(Validity(int(state[a])))
+        colour = _SHADES.get(int(state[a]))
         if colour is not None:
             axes.axvspan(take.t[a], take.t[min(b, len(state) - 1)], color=colour, lw=0)

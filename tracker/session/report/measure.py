@@ -10,6 +10,7 @@ import numpy as np
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.messages import Array, Validity
+from tracker.session.edits import Edit
 from tracker.session.motion import Measure, Take, distance, measures, pair_name, read_take
 from tracker.session.reader import SessionReader
 from tracker.session.report.angles import angle_sd, isb_angles
@@ -48,6 +49,7 @@ class Told:
     take: Take
     rows: tuple[Row, ...]
     session: int = 0
+    edits: tuple[Edit, ...] = ()
 
     def row(self, name: str) -> Row | None:
         return next((r for r in self.rows if r.measure.name == name), None)
@@ -64,7 +66,7 @@ def tell(path: Path, anonymous: bool = False, side: str = "") -> Told:
     """Of the hand of that side, in a session of both. Raises FileError where the session holds no
     estimates."""
     with SessionReader(path, side=side) as reader:
-        take, info = read_take(reader), reader.info
+        take, info, edits = read_take(reader), reader.info, reader.edits
     return Told(
         name="" if anonymous else f"{path.stem} {side}".strip(),
         wearer="" if anonymous else info.participant,
@@ -75,6 +77,7 @@ def tell(path: Path, anonymous: bool = False, side: str = "") -> Told:
         simulated=info.simulated,
         take=take,
         rows=tuple(rows(take, info.hand)),
+        edits=tuple(replace(e, who="", source="") if anonymous else e for e in edits),
     )
 
 
@@ -84,7 +87,11 @@ def rows(take: Take, hand: HandModel) -> list[Row]:
     out = [_angle_row(take, m, j, take.angles[:, j], sd) for j, m in _angles(take)]
     names, values, of = isb_angles(take, hand)
     isb = replace(
-        take, angle_names=tuple(names), angles=values, angle_state=take.angle_state[:, of]
+        take,
+        angle_names=tuple(names),
+        angles=values,
+        angle_state=take.angle_state[:, of],
+        angle_filled=None if take.angle_filled is None else take.angle_filled[:, of],
     )
     for k, m in _angles(isb):
         out.append(replace(_angle_row(isb, m, k, values[:, k], sd[:, of]), isb=True))

@@ -10,6 +10,7 @@ from html import escape
 import numpy as np
 
 from tracker import __version__
+from tracker.session.edits import lines as edit_lines
 from tracker.session.report.angles import RECORDED, SEQUENCE
 from tracker.session.report.course import CUTOFF
 from tracker.session.report.measure import Row, Told
@@ -31,6 +32,7 @@ _HEAD = (
     "", "unit", "least", "greatest", "range", "± of range", "mean", "sd", "± of a value",
     "peak speed /s", "at s", "greatest at s", "arc length", "log jerk", "repetitions",
     "range of one", "sd of one", "measured %", "inferred %", "lost %",
+    "interpolated %",
 )  # fmt: skip
 
 
@@ -76,10 +78,13 @@ def _one(told: Told, number: int, drawn: Mapping[str, str]) -> list[str]:
     apart = [r for r in told.rows if not r.measure.is_angle]
     legend = (
         '<p class="note">Behind the curves: <span class="key" style="background:#f4e3b2"></span> '
-        'inferred, <span class="key" style="background:#e3c5c5"></span> lost.</p>'
+        'inferred, <span class="key" style="background:#c9d7ef"></span> interpolated, '
+        '<span class="key" style="background:#e3c5c5"></span> lost.</p>'
     )
+    edited = "".join(f'<p class="note">{escape(line)}.</p>' for line in edit_lines(told.edits))
     return [
         f"<h2>{escape(name_of(told, number))}</h2>",
+        edited,
         "<h3>Flexion over time (deg)</h3>",
         legend,
         drawn[f"{number}_flexion"],
@@ -108,7 +113,7 @@ def _cells(row: Row) -> list[str]:
         *(text(v, 2) for v in (c.at, row.peak_at, c.arc, c.jerk)),
         str(c.repetitions),
         *(text(scaled(row, v), 1) for v in (c.each, c.each_sd)),
-        *(text(100 * v, 1) for v in (m.measured, m.inferred, m.lost)),
+        *(text(100 * v, 1) for v in (m.measured, m.inferred, m.lost, m.interpolated)),
     ]
 
 
@@ -174,7 +179,8 @@ def _words() -> str:
         "it how the cloth slipped and the calibration went on between its ends; the range of one "
         "hardly has.",
         "Measured: an IMU or a marker saw the part within the last half second. Inferred: by "
-        "synergy or from what was known before. What is lost counts for nothing.",
+        "synergy or from what was known before. What is lost counts for nothing. Interpolated: an "
+        "edit filled a gap; part of what is inferred, and never measured.",
     )
     items = "".join(f"<li>{escape(s)}</li>" for s in said)
     return f"<h2>What the words mean</h2><ul>{items}</ul><p>Glovetrack {escape(__version__)}</p>"

@@ -17,6 +17,7 @@ COLUMNS = (
     "mean", "sd", "claimed_sd", "peak_speed_per_s", "peak_speed_at_s", "greatest_at_s",
     "spectral_arc_length", "log_dimensionless_jerk", "repetitions",
     "range_of_one", "sd_of_one", "measured_percent", "inferred_percent", "lost_percent",
+    "interpolated_percent",
 )  # fmt: skip
 _UNITS = Units()
 
@@ -38,7 +39,7 @@ def _cells(row: Row) -> list[str]:
     spread = (m.least, m.greatest, m.range, row.range_sd, m.mean, m.sd, m.claimed_sd, c.fastest)
     numbers = [text(scaled(row, v)) for v in spread]
     plain = [text(v) for v in (c.at, row.peak_at, c.arc, c.jerk)]
-    shares = [text(100 * v, 2) for v in (m.measured, m.inferred, m.lost)]
+    shares = [text(100 * v, 2) for v in (m.measured, m.inferred, m.lost, m.interpolated)]
     each = [text(scaled(row, v)) for v in (c.each, c.each_sd)]
     unit = _UNITS.name(m.is_angle)
     return [m.name, unit, sequence, *numbers, *plain, str(c.repetitions), *each, *shares]

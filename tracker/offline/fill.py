@@ -1,0 +1,192 @@
+"""``glovetrack fill``: gaps of a session filled by interpolation, in a new file that says so."""
+
+from __future__ import annotations
+
+import getpass
+import math
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from tracker import __version__
+from tracker.errors import ConfigError, FileError
+from tracker.files import check_target, sha256, whole_file
+from tracker.offline.options import TrackOptions
+from tracker.session.edits import Edit, Filled
+from tracker.session.gaps.fill import FillOptions, HandFill, Left, choose, fill_hand
+from tracker.session.gaps.find import INFERRED_LIMIT, KINDS, Gap, session_gaps
+from tracker.session.gaps.interpolate import METHODS, SMOOTH
+from tracker.session.gaps.write import write_filled
+from tracker.session.hand_columns import HandColumns, read_hand
+from tracker.session.reader import SessionReader
+
+Watch = Callable[[float], None]
+_READING, _TRACKING = 0.3, 0.6  # shares of the work: finding gaps, smoothing the sensors
+
+
+@dataclass(frozen=True)
+class Signature:
+    """Who edits, and when (ISO 8601, UTC)."""
+
+    who: str
+    when: str
+
+    @staticmethod
+    def now(who: str = "") -> Signature:
+        """The user of this computer unless another one is named."""
+        if not who:
+            try:
+                who = getpass.getuser()
+            except (KeyError, OSError):  # a user without a name
+                who = ""
+        return Signature(who, datetime.now(UTC).isoformat(timespec="seconds"))
+
+
+@dataclass(frozen=True)
+class FillReport:
+    """What was written to ``file``."""
+
+    file: Path
+    method: str
+    filled: tuple[Filled, ...]
+    left: tuple[Left, ...] = field(default=())
+
+    def to_json(self) -> dict[str, Any]:
+        return {
+            "file": str(self.file),
+            "method": self.method,
+            "filled": [asdict(f) | {"length_s": f.length} for f in self.filled],
+            "left": [gap_json(left.gap) | {"why": left.why} for left in self.left],
+        }
+
+    @property
+    def summary(self) -> str:
+        total = sum(f.length for f in self.filled)
+        text = f"{len(self.filled)} gap{'s' * (len(self.filled) != 1)} interpolated "
+        text += f"({self.method}, {total:.2f} s in all)"
+        return text + (f", {len(self.left)} left as they were" if self.left else "")
+
+
+def gap_json(gap: Gap) -> dict[str, Any]:
+    """As `glovetrack gaps --json` lists it."""
+    return asdict(gap) | {"length": gap.length}
+
+
+def fill(
+    source: Path,
+    out: Path,
+    options: FillOptions | None = None,
+    signature: Signature | None = None,
+    wanted: Sequence[Gap] | None = None,
+    limit: float = INFERRED_LIMIT,
+    watch: Watch = lambda share: None,
+    force: bool = False,
+) -> FillReport:
+    """Fill gaps of ``source`` in the new file ``out``, which is there whole or not at all.
+
+    ``wanted``: these gaps of `session_gaps` (with its ``limit``) alone. ``force`` replaces a file
+    that is there, but never ``source``. Raises ConfigError for options that do not exist, FileError
+    where no gap can be filled.
+    """
+    options = options or FillOptions()
+    _check(options)
+    check_target(out, force, [source])
+    gaps = session_gaps(source, limit, lambda share: watch(_READING * share))
+    if wanted is not None:
+        gaps = _matched(gaps, wanted, source)
+    chosen, left = choose(gaps, options)
+    if not chosen:
+        raise FileError(_nothing(source, gaps, options))
+    shapes = _smoothed(source, out, watch) if options.method == SMOOTH else {}
+    fills: dict[str, HandFill] = {}
+    for side in sorted({gap.side for gap in chosen}):
+        with SessionReader(source, side=side) as reader:
+            mine = [gap for gap in chosen if gap.side == side]
+            hand = read_hand(reader)
+            fills[side] = fill_hand(reader, hand, mine, options.method, shapes.get(side))
+    watch(0.9)
+    filled = tuple(f for fill in fills.values() for f in fill.filled)
+    left = [*left, *(each for fill in fills.values() for each in fill.left)]
+    if not filled:
+        raise FileError(f"No gap of {source.name} could be filled: {left[0].why}.")
+    edit = _edit(source, options, signature or Signature.now(), filled)
+    with whole_file(out, force, [source]) as part, SessionReader(source) as reader:
+        write_filled(reader, part, fills, edit)
+    watch(1.0)
+    return FillReport(out, options.method, filled, tuple(left))
+
+
+def _check(options: FillOptions) -> None:
+    if options.method not in METHODS:
+        raise ConfigError(f"Gaps are filled by {', '.join(METHODS)}, not by {options.method!r}.")
+    if not (math.isfinite(options.max_gap) and options.max_gap > 0):
+        raise ConfigError(f"The longest gap to fill is {options.max_gap:g} s; it must be above 0.")
+    unknown = [kind for kind in options.kinds if kind not in KINDS]
+    if unknown or not options.kinds:
+        raise ConfigError(f"Kinds of gaps are {', '.join(KINDS)}, not {', '.join(unknown)!r}.")
+
+
+def _matched(gaps: Sequence[Gap], wanted: Sequence[Gap], source: Path) -> list[Gap]:
+    """Those gaps that are wanted. Raises FileError for one that the session does not have."""
+    known = {_key(gap): gap for gap in gaps}
+    for gap in wanted:
+        if _key(gap) not in known:
+            raise FileError(
+                f"{source.name} has no gap of the {gap.side} {gap.part} from {gap.start:.3f} s to "
+                f"{gap.stop:.3f} s. List its gaps again."
+            )
+    return [known[key] for key in dict.fromkeys(map(_key, wanted))]
+
+
+def _key(gap: Gap) -> tuple[object, ...]:
+    return gap.side, gap.part, gap.keypoints, gap.kind, gap.start_ns, gap.stop_ns
+
+
+def _nothing(source: Path, gaps: Sequence[Gap], options: FillOptions) -> str:
+    kinds = [gap for gap in gaps if gap.kind in options.kinds]
+    short = sum(gap.fillable for gap in kinds)
+    if not kinds:
+        return f"{source.name} has no gap to fill ({', '.join(options.kinds)})."
+    if short:
+        return (
+            f"All {short} gaps of {source.name} that could be filled are longer than "
+            f"{options.max_gap:g} s. Choose a longer --max-gap."
+        )
+    return f"No gap of {source.name} has estimates on both sides."
+
+
+def _smoothed(source: Path, out: Path, watch: Watch) -> Mapping[str, HandColumns]:
+    """The sensors of a session tracked again and smoothed, by side."""
+    from tracker.offline.track import track
+
+    def forward(share: float) -> None:
+        watch(_READING + _TRACKING * share)
+
+    with tempfile.TemporaryDirectory(prefix=".fill-", dir=out.absolute().parent) as folder:
+        made = Path(folder) / "smooth.mcap"
+        track(source, made, TrackOptions(smooth=True), forward)
+        with SessionReader(made) as reader:
+            sides = [hand.side for hand in reader.info.hands]
+        shapes = {}
+        for side in sides:
+            with SessionReader(made, side=side if len(sides) > 1 else "") as reader:
+                shapes[side] = read_hand(reader)
+    return shapes
+
+
+def _edit(
+    source: Path, options: FillOptions, signature: Signature, filled: tuple[Filled, ...]
+) -> Edit:
+    return Edit(
+        method=options.method,
+        who=signature.who,
+        when=signature.when,
+        program=f"glovetrack {__version__}",
+        source=source.name,
+        source_sha256=sha256(source),
+        parameters={"max_gap_s": options.max_gap, "kinds": list(options.kinds)},
+        filled=filled,
+    )

@@ -1,0 +1,118 @@
+"""The commands ``gaps`` and ``fill``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tracker.errors import FileError
+from tracker.terminal import add_json, check_json, finish, progress_line
+
+if TYPE_CHECKING:
+    from tracker.session.gaps.find import Gap
+
+
+def add_gap_commands(commands: Any) -> None:
+    """Add both."""
+    gaps = commands.add_parser("gaps", help="where the hand of a session is not measured, and why")
+    gaps.add_argument("source", type=Path, metavar="SESSION")
+    _add_limit(gaps)
+    add_json(gaps)
+    gaps.set_defaults(func=_gaps)
+    fill = commands.add_parser("fill", help="interpolate gaps of a session in a new, marked file")
+    fill.add_argument("source", type=Path, metavar="SESSION")
+    fill.add_argument("-o", "--out", type=Path, required=True, help="the new session")
+    fill.add_argument(
+        "--max-gap", type=float, default=0.2, metavar="S", help="longest gap that is filled (0.2)"
+    )
+    fill.add_argument(
+        "--method",
+        default="linear",
+        choices=("linear", "cubic", "smooth"),
+        help="straight lines and great arcs; with the speeds at both ends; or the sensors of the "
+        "session tracked again and smoothed",
+    )
+    fill.add_argument(
+        "--kinds",
+        default="hole,lost",
+        metavar="A,B",
+        help="of hole (no estimates), lost and inferred; default: hole,lost",
+    )
+    fill.add_argument(
+        "--gaps", type=Path, metavar="FILE", help="only these, as `gaps --json` lists them"
+    )
+    fill.add_argument("--by", default="", metavar="NAME", help="who edits; default: the user")
+    _add_limit(fill)
+    add_json(fill)
+    fill.set_defaults(func=_fill)
+
+
+def _add_limit(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--inferred",
+        type=float,
+        default=0.5,
+        metavar="S",
+        help="list what is inferred, and not measured, for longer than this (0.5)",
+    )
+
+
+def _gaps(args: argparse.Namespace) -> int:
+    from tracker.offline.fill import gap_json
+    from tracker.session.gaps.find import session_gaps
+
+    check_json(args, [args.source])
+    found = session_gaps(args.source, args.inferred, progress_line("reading"))
+    lines = [_line(gap) for gap in found]
+    lines.append(f"{len(found)} gaps, of which {sum(g.fillable for g in found)} can be filled")
+    finish(args, {"gaps": [gap_json(gap) for gap in found]}, lines, [args.source])
+    return 0
+
+
+def _line(gap: Gap) -> str:
+    where = f"{gap.side} {gap.part} ({len(gap.keypoints)} keypoints)"
+    end = "" if gap.fillable else ", cannot be filled"
+    return (
+        f"{gap.number:4d}  {gap.start:9.3f} s  {gap.length:8.3f} s  {gap.kind:8s}  "
+        f"{where}: {gap.cause}{end}"
+    )
+
+
+def _fill(args: argparse.Namespace) -> int:
+    from tracker.offline.fill import Signature, fill
+    from tracker.session.gaps.fill import FillOptions
+    from tracker.session.gaps.find import KINDS
+
+    check_json(args, [args.source, args.out])
+    wanted = None if args.gaps is None else read_gaps(args.gaps)
+    kinds = KINDS if wanted is not None else tuple(k for k in args.kinds.split(",") if k)
+    options = FillOptions(args.method, args.max_gap, kinds)
+    watch = progress_line("filling")
+    signature = Signature.now(args.by)
+    report = fill(
+        args.source, args.out, options, signature, wanted, args.inferred, watch, args.force
+    )
+    lines = [f"{args.out}: {report.summary}."]
+    lines += [f"  not filled, {left.why}: {_line(left.gap).strip()}" for left in report.left]
+    finish(args, report.to_json(), lines, [args.source, args.out])
+    return 0
+
+
+def read_gaps(path: Path) -> Sequence[Gap]:
+    """A list that `gaps --json` wrote. Raises FileError for another file."""
+    from tracker.session.gaps.find import Gap
+    from tracker.toml_reader import read_text
+
+    names = Gap.__dataclass_fields__
+    try:
+        said = json.loads(read_text(path))
+        rows = said["gaps"] if isinstance(said, dict) else said
+        return [
+            Gap(**{n: row[n] for n in names} | {"keypoints": tuple(row["keypoints"])})
+            for row in rows
+        ]
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise FileError(f"{path} is not a list that `glovetrack gaps --json` wrote.") from error

@@ -1,0 +1,151 @@
+"""The record of edits in a session: which estimates were interpolated, how, and from which file.
+
+It is the attachment ``edits.json``. Edited estimates have the state *inferred* in their messages;
+what reads them calls them *interpolated* by this record. They are never called measured.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.clock import NS
+from tracker.errors import FileError
+from tracker.messages import IntArray
+
+NAME, MEDIA_TYPE, SCHEMA = "edits.json", "application/json", 1
+WORD = "interpolated"
+"""What exports call the state of an edited estimate."""
+MOST_FILLS = 100_000
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Filled:
+    """One filled gap of a hand. ``start_ns`` and ``stop_ns`` (since 1970) are the stamps of the
+    estimates before and after it, which are unchanged; what is between them was interpolated."""
+
+    side: str
+    keypoints: tuple[str, ...]
+    joints: tuple[str, ...]
+    start_ns: int
+    stop_ns: int
+    kind: str  # hole, lost or inferred: what was there before
+    cause: str
+
+    @property
+    def length(self) -> float:
+        """s"""
+        return (self.stop_ns - self.start_ns) / NS
+
+
+@dataclass(frozen=True)
+class Edit:
+    """What one command did: ``method`` and ``parameters``, by whom (``who``), ``when`` (ISO 8601)
+    and with which ``program``; the name and the SHA-256 of the file that was read."""
+
+    method: str
+    who: str
+    when: str
+    program: str
+    source: str
+    source_sha256: str
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    filled: tuple[Filled, ...] = ()
+
+
+def edits_text(edits: Sequence[Edit]) -> str:
+    """The attachment."""
+    value = {"schema": SCHEMA, "edits": [asdict(edit) for edit in edits]}
+    return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
+
+
+def parse_edits(text: str, where: str) -> tuple[Edit, ...]:
+    """The inverse of `edits_text`. Raises FileError that names ``where``."""
+    try:
+        said = json.loads(text)
+        if said["schema"] != SCHEMA:
+            raise FileError(f"{where} has schema {said['schema']!r}, not {SCHEMA}.")
+        edits = tuple(map(edit_of, said["edits"]))
+        count = sum(len(edit.filled) for edit in edits)
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise FileError(f"{where} is not a record of edits: {error}.") from error
+    if count > MOST_FILLS:
+        raise FileError(f"{where} lists {count} filled gaps; at most {MOST_FILLS} are read.")
+    return edits
+
+
+def edit_of(said: Mapping[str, Any]) -> Edit:
+    """From its form in JSON. Raises KeyError, TypeError or ValueError for another one."""
+    words = {
+        n: str(said.get(n, ""))
+        for n in ("method", "who", "when", "program", "source", "source_sha256")
+    }
+    return Edit(
+        **words,
+        parameters=dict(said.get("parameters", {})),
+        filled=tuple(_filled(each) for each in said["filled"]),
+    )
+
+
+def _filled(said: Mapping[str, Any]) -> Filled:
+    return Filled(
+        side=str(said["side"]),
+        keypoints=tuple(map(str, said["keypoints"])),
+        joints=tuple(map(str, said["joints"])),
+        start_ns=int(said["start_ns"]),
+        stop_ns=int(said["stop_ns"]),
+        kind=str(said.get("kind", "")),
+        cause=str(said.get("cause", "")),
+    )
+
+
+def without_person(text: str) -> str:
+    """The record without who edited and without the source's name, which may name the wearer."""
+    said = json.loads(text)
+    for edit in said.get("edits", ()):
+        edit |= {"who": "", "source": ""}
+    return json.dumps(said, indent=1, ensure_ascii=False) + "\n"
+
+
+def masks(
+    edits: Sequence[Edit],
+    side: str,
+    stamp_ns: IntArray,
+    keypoint_names: Sequence[str],
+    joint_names: Sequence[str],
+) -> tuple[Mask, Mask]:
+    """(N, K) and (N, J): which keypoints and angles of the estimates stamped ``stamp_ns`` (N,),
+    rising, were interpolated."""
+    points = np.zeros((len(stamp_ns), len(keypoint_names)), bool)
+    angles = np.zeros((len(stamp_ns), len(joint_names)), bool)
+    for each in (f for edit in edits for f in edit.filled if f.side == side):
+        first = np.searchsorted(stamp_ns, each.start_ns, side="right")
+        last = np.searchsorted(stamp_ns, each.stop_ns, side="left")
+        points[first:last, _columns(keypoint_names, each.keypoints)] = True
+        angles[first:last, _columns(joint_names, each.joints)] = True
+    return points, angles
+
+
+def _columns(names: Sequence[str], wanted: Sequence[str]) -> list[int]:
+    return [i for i, name in enumerate(names) if name in wanted]
+
+
+def lines(edits: Iterable[Edit]) -> list[str]:
+    """A sentence for each edit."""
+    out = []
+    for edit in edits:
+        total = sum(f.length for f in edit.filled)
+        who = f" by {edit.who}" if edit.who else ""
+        count = f"{len(edit.filled)} gap{'s' * (len(edit.filled) != 1)}"
+        source = f", read from {edit.source}" if edit.source else ""
+        out.append(
+            f"edited: {count} interpolated ({edit.method}, {total:.2f} s in all){who}, "
+            f"{edit.when}{source}"
+        )
+    return out
