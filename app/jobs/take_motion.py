@@ -12,11 +12,11 @@ from tracker.session.motion import Take, read_take
 from tracker.session.reader import SessionReader
 
 
-def read_motion(path: Path) -> Callable[[JobProgress], Take | None]:
-    """A job; None where the session holds no estimates."""
+def read_motion(path: Path, side: str = "") -> Callable[[JobProgress], Take | None]:
+    """A job; None where the session has no estimates. ``side``: of the hand, of two."""
 
     def job(progress: JobProgress) -> Take | None:
-        with SessionReader(path, watch=progress) as reader:
+        with SessionReader(path, watch=progress, side=side) as reader:
             try:
                 return read_take(reader)
             except FileError:

@@ -19,6 +19,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.graphs.looks import COLOURS, curve_looks
+from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
 from app.viewmodels.graphs import value_at
@@ -94,7 +95,11 @@ class SensorsPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(TIGHT)
-        column.addWidget(self._head)
+        head = QHBoxLayout()
+        self.hand_choice = HandChoice(self.host)
+        head.addWidget(self.hand_choice)
+        head.addWidget(self._head, 1)
+        column.addLayout(head)
         row = QHBoxLayout()
         for plot in self.plots.values():
             row.addWidget(plot)

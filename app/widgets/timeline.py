@@ -26,6 +26,16 @@ class Mark:
     sign: str
 
 
+@dataclass(frozen=True)
+class Span:
+    """A stretch from ``start`` to ``stop`` s that is drawn under the line; ``text`` is its tip."""
+
+    start: float
+    stop: float
+    colour: str
+    text: str
+
+
 class TimelineBar(QWidget):
     """Mouse: press and drag. Keys: arrows step images, Page goes by seconds, Home and End."""
 
@@ -38,6 +48,7 @@ class TimelineBar(QWidget):
         self._duration, self._position = 0.0, 0.0
         self._range = (0.0, 0.0)
         self._marks: tuple[Mark, ...] = ()
+        self.spans: tuple[Span, ...] = ()
         self._held = ""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -48,7 +59,12 @@ class TimelineBar(QWidget):
 
     def show_session(self, duration: float, marks: Sequence[Mark]) -> None:
         self._duration, self._marks = duration, tuple(marks)
-        self._position, self._range = 0.0, (0.0, duration)
+        self._position, self._range, self.spans = 0.0, (0.0, duration), ()
+        self.update()
+
+    def show_spans(self, spans: Sequence[Span]) -> None:
+        """Later ones are drawn over earlier ones."""
+        self.spans = tuple(spans)
         self.update()
 
     def show_place(self, position: float, in_out: tuple[float, float]) -> None:
@@ -87,6 +103,11 @@ class TimelineBar(QWidget):
     def mark_at(self, x: float) -> Mark | None:
         near = [m for m in self._marks if abs(self.x_of(m.position) - x) <= REACH]
         return min(near, key=lambda m: abs(self.x_of(m.position) - x), default=None)
+
+    def span_at(self, x: float) -> Span | None:
+        """The shortest one there."""
+        there = [s for s in self.spans if self.x_of(s.start) - 2 <= x <= self.x_of(s.stop) + 2]
+        return min(there, key=lambda s: s.stop - s.start, default=None)
 
     # --- events
 
@@ -127,8 +148,10 @@ class TimelineBar(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            mark = self.mark_at(event.pos().x())
-            QToolTip.showText(event.globalPos(), f"{mark.sign} {mark.text}" if mark else "", self)
+            mark, span = self.mark_at(event.pos().x()), self.span_at(event.pos().x())
+            said = [f"{mark.sign} {mark.text}"] if mark else []
+            said += [span.text] if span else []
+            QToolTip.showText(event.globalPos(), "\n".join(said), self)
             return True
         return super().event(event)
 
@@ -145,6 +168,7 @@ class TimelineBar(QWidget):
         painter.drawRoundedRect(line, 2, 2)
         if self.isEnabled() and self._duration > 0:
             self._paint_range(painter, middle, accent)
+            self._paint_spans(painter, middle)
             self._paint_marks(painter)
             self._paint_head(painter, middle, accent)
         if self.hasFocus():
@@ -161,6 +185,12 @@ class TimelineBar(QWidget):
         for x, side in ((a, 1), (b, -1)):  # brackets that open towards each other
             painter.drawRect(QRectF(x - 1, middle, 2, 12))
             painter.drawRect(QRectF(min(x, x + 6 * side), middle + 10, 6, 2))
+
+    def _paint_spans(self, painter: QPainter, middle: float) -> None:
+        for span in self.spans:
+            a, b = self.x_of(span.start), self.x_of(span.stop)
+            painter.setBrush(QColor(span.colour))
+            painter.drawRect(QRectF(a, middle + 3, max(b - a, 2.0), 5))
 
     def _paint_marks(self, painter: QPainter) -> None:
         for mark in self._marks:

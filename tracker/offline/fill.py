@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,8 @@ from tracker.session.hand_columns import HandColumns, read_hand
 from tracker.session.reader import SessionReader
 
 Watch = Callable[[float], None]
-_READING, _TRACKING = 0.3, 0.6  # shares of the work: finding gaps, smoothing the sensors
+_READING, _TRACKING = 0.2, 0.6  # shares of the work: finding gaps, smoothing the sensors
+_WRITING = 0.9  # of it, when the new file is begun
 
 
 @dataclass(frozen=True)
@@ -102,12 +104,18 @@ def fill(
         raise FileError(_nothing(source, gaps, options))
     shapes = _smoothed(source, out, watch) if options.method == SMOOTH else {}
     fills: dict[str, HandFill] = {}
-    for side in sorted({gap.side for gap in chosen}):
+    begun = _READING + _TRACKING * (options.method == SMOOTH)
+
+    def filling(n: int, share: float) -> None:
+        watch(begun + (_WRITING - begun) * (n + share) / len(sides))
+
+    sides = sorted({gap.side for gap in chosen})
+    for n, side in enumerate(sides):
         with SessionReader(source, side=side) as reader:
             mine = [gap for gap in chosen if gap.side == side]
             hand = read_hand(reader)
-            fills[side] = fill_hand(reader, hand, mine, options.method, shapes.get(side))
-    watch(0.9)
+            shape = shapes.get(side)
+            fills[side] = fill_hand(reader, hand, mine, options.method, shape, partial(filling, n))
     filled = tuple(f for fill in fills.values() for f in fill.filled)
     left = [*left, *(each for fill in fills.values() for each in fill.left)]
     if not filled:

@@ -19,6 +19,7 @@ from app.panels.applications.bodies import ApplicationBodies
 from app.panels.applications.controls import ApplicationControls
 from app.panels.applications.settings_form import SettingsForm
 from app.panels.hand.bodies import HandBodies
+from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
@@ -80,7 +81,11 @@ class ApplicationsPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
-        column.addWidget(self.controls)
+        self.hand_choice = HandChoice(self.host)
+        head = QHBoxLayout()
+        head.addWidget(self.hand_choice)
+        head.addWidget(self.controls, 1)
+        column.addLayout(head)
         column.addLayout(middle, 1)
         column.addWidget(self.said)
 

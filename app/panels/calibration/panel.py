@@ -18,6 +18,7 @@ from app.engines.snapshot import Snapshot
 from app.panels.calibration.profiles import WearerProfiles
 from app.panels.calibration.table import CalibrationTable
 from app.panels.calibration.wearer_row import WearerRow
+from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
 from app.viewmodels.calibration import by_one_camera, camera_time
@@ -67,6 +68,8 @@ class CalibrationPanel(Panel):
         head = QHBoxLayout()
         head.setSpacing(APART)
         self.camera_time.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.hand_choice = HandChoice(self.host)
+        head.addWidget(self.hand_choice)
         name = ElidedLabel(self.tr("Hand length"))
         name.firm = True
         head.addWidget(name)

@@ -17,6 +17,8 @@ from app.jobs.library_scan import LibraryScan
 from app.panels.library.comparing import Comparing
 from app.panels.library.export_list import ExportList
 from app.panels.library.exporting import Exporting
+from app.panels.library.gap_page import GapPage
+from app.panels.library.gaps import Gaps
 from app.panels.library.pages import Pages
 from app.panels.library.session_files import SessionFiles, open_folder
 from app.panels.library.session_page import SessionPage
@@ -58,9 +60,11 @@ class LibraryPanel(Panel):
         self._scan = LibraryScan(tasks, self)
         self._comparing = Comparing(host, tasks, self)
         listed = ExportList(self.exports)
+        self.gaps = Gaps(tasks, GapPage(), self)
         self.pages = Pages()
         self.pages.add(self.page, self.page.head, self.tr("Sessions"))
         self.pages.add(listed, listed.head, self.tr("Exports"))
+        self.pages.add(self.gaps.page, self.gaps.page.head, self.tr("Gaps"))
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
         column.setSpacing(NEAR)
@@ -85,6 +89,10 @@ class LibraryPanel(Panel):
         self._comparing.replay.connect(self.replay)
         self._comparing.beside.connect(self.beside)
         self._comparing.ended.connect(self.rescan)
+        self.gaps.counted.connect(self._name_gaps)
+        self.gaps.made.connect(self.files.made)
+        self.gaps.ended.connect(self.rescan)
+        self.gaps.page.shown_changed.connect(self.transport.timeline.show_spans)
 
     def _do(self, asked: str) -> None:
         paths = [row.path for row in self.table.selected()]
@@ -116,6 +124,11 @@ class LibraryPanel(Panel):
         waiting = sum(i.open for i in self.exports.items)
         self.pages.bar.setTabText(
             1, self.tr("Exports ({})").format(waiting) if waiting else self.tr("Exports")
+        )
+
+    def _name_gaps(self, count: int) -> None:
+        self.pages.bar.setTabText(
+            2, self.tr("Gaps ({})").format(count) if count else self.tr("Gaps")
         )
 
     # --- sessions
@@ -213,16 +226,19 @@ class LibraryPanel(Panel):
         self._player = player
         self.transport.set_player(player)
         self._comparing.set_player(player)
+        self.gaps.set_player(player)
 
     def refresh(self, view: Snapshot | None) -> None:
         self.transport.put_in_one_line(self.height() < LOW)
         self.transport.refresh()
+        self.transport.interpolated.setVisible(self.gaps.is_interpolated)
         self._comparing.follow()
 
     def shut_down(self) -> None:
         """Remember how wide the columns are; the folder is not watched any more."""
         self._scan.shut_down()
         self._comparing.shut_down()
+        self.gaps.shut_down()
         widths = self.table.widths()
         if widths != self._store.value.library_columns:
             self._store.update(library_columns=widths)

@@ -13,12 +13,13 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import Player
+from app.viewmodels.gaps import INTERPOLATED
 from app.viewmodels.log import KINDS, kind_of, words_of
 from app.viewmodels.recording import position_text
 from app.widgets.measures import TIGHT
 from app.widgets.one_line import OneLine
 from app.widgets.timeline import Mark, TimelineBar
-from app.words import local
+from app.words import local, tr
 from tracker.messages import Event
 
 SAME_PLACE = 0.6  # s; while it plays one is soon past the note that one jumped to
@@ -62,6 +63,10 @@ class TransportBar(QWidget):
         row.setSpacing(TIGHT)
         row.addWidget(self.live_button)
         row.addWidget(self._buttons(), 1)
+        self.interpolated = QLabel(f"{INTERPOLATED.sign} {tr(INTERPOLATED.word)}")
+        self.interpolated.setToolTip(self.tr("A gap that was filled: not measured"))
+        self.interpolated.hide()
+        row.addWidget(self.interpolated)
         row.addWidget(self.position)
         return row
 

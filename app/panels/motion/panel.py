@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
+    QHBoxLayout,
     QLabel,
     QSplitter,
     QVBoxLayout,
@@ -17,6 +18,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.take_motion import csv_of, read_motion
+from app.panels.hand_choice import HandChoice
 from app.panels.motion.controls import MotionControls
 from app.panels.motion.plot import MotionPlot
 from app.panels.motion.table import MotionTable
@@ -56,7 +58,11 @@ class MotionPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
-        column.addWidget(self.controls)
+        self.hand_choice = HandChoice(host)
+        head = QHBoxLayout()
+        head.addWidget(self.hand_choice)
+        head.addWidget(self.controls, 1)
+        column.addLayout(head)
         column.addWidget(both, 1)
         column.addWidget(self.said)
         self._connect()
@@ -98,7 +104,8 @@ class MotionPanel(Panel):
         self.controls.enable(True)
         if setup.player is not None:
             self._say(self.tr("Reading the whole take…"))
-            self._reading.run(read_motion(setup.player.path), self._use_take)
+            side = setup.side if setup.other is not None else ""
+            self._reading.run(read_motion(setup.player.path, side), self._use_take)
 
     def _use_take(self, take: object) -> None:
         if self.model is not None and self.model.use_take(take):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.robot import RobotLink
+from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.panels.robot.controls import RobotControls
 from app.viewmodels.robot import RobotView, table_lines
@@ -47,7 +48,11 @@ class RobotPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
-        column.addWidget(self.controls)
+        self.hand_choice = HandChoice(host)
+        head = QHBoxLayout()
+        head.addWidget(self.hand_choice)
+        head.addWidget(self.controls, 1)
+        column.addLayout(head)
         column.addWidget(self.view, 1)
         column.addWidget(self.chip)
 

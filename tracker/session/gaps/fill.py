@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -77,16 +77,20 @@ def fill_hand(
     gaps: Sequence[Gap],
     method: str = LINEAR,
     shape: HandColumns | None = None,
+    watch: Callable[[float], None] = lambda share: None,
 ) -> HandFill:
     """Fill ``gaps`` of the reader's hand, whose estimates are ``hand``.
 
-    ``shape``: another tracking of the same session, whose course is followed in them.
+    ``shape``: another tracking of the same session, whose course is followed in them. ``watch``
+    receives the share that is done, and may raise to stop it.
     """
     hand = hand.rows(np.flatnonzero(np.diff(hand.stamp_ns, prepend=hand.stamp_ns[0] - 1) > 0))
     work = _HandWork(reader, hand, method, shape)
     out = HandFill()
     at = [(gap, work.rows_of(gap)) for gap in gaps]
-    for span in merged(rows for _, rows in at):
+    spans = merged(rows for _, rows in at)
+    for n, span in enumerate(spans):
+        watch(n / len(spans))
         inside = [(g, r) for g, r in at if span[0] <= r[0] and r[1] <= span[1]]
         work.fill_span(span, inside, out)
     return out

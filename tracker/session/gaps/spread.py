@@ -10,7 +10,7 @@ from tracker.messages import Array
 from tracker.session.gaps.interpolate import SPEED_OVER, Mask, Motion, Skeleton, fill_motion
 from tracker.session.holes import LONGEST_FILLED
 
-TRIALS = 48  # gaps that are tried for each length
+TRIALS = 24  # gaps that are tried for each length
 _HALVINGS = 6  # of a length that the session has no whole stretch of
 _GROWTH = 2**1.5  # error of twice the length, where it was not tried: between 2 and 2²
 _PER_OCTAVE = 2  # lengths that are tried apart

@@ -1,0 +1,63 @@
+"""Gaps of a session: listed for the review, and filled in a new file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+from app.platform.aside import aside
+from app.platform.tasks import Job, JobProgress
+from app.viewmodels.gaps import FilledSession, Gap, SessionGaps
+from tracker.errors import FileError
+
+
+def list_gaps_job(path: Path, limit: float) -> Job:
+    """A job whose result is `SessionGaps`, empty of a session that was never tracked. ``limit``: s
+    of *inferred* that are not listed."""
+
+    def run(progress: JobProgress) -> SessionGaps:
+        from tracker.session.gaps.find import session_gaps
+        from tracker.session.reader import SessionReader
+
+        with SessionReader(path) as reader:
+            edits, start = reader.edits, reader.span_ns[0]
+            tracked = any(n.startswith("/hand/") for n in reader.topic_names)
+        try:
+            gaps = session_gaps(path, limit, progress) if tracked else []
+        except FileError:  # damaged, or without estimates: `verify` and the replay say so
+            gaps = []
+        filled = tuple(f for edit in edits for f in edit.filled)
+        return SessionGaps(path, tuple(gaps), filled, start)
+
+    return run
+
+
+def fill_job(source: Path, gaps: Sequence[Gap], method: str, max_gap: float, limit: float) -> Job:
+    """A job that fills these gaps in ``…_filled.mcap``; its result is a `FilledSession`."""
+
+    def run(progress: JobProgress) -> FilledSession:
+        work = partial(_fill, source, tuple(gaps), method, max_gap, limit)
+        made: FilledSession = aside("fill", work, progress)
+        return made
+
+    return run
+
+
+def _fill(
+    source: Path,
+    gaps: Sequence[Gap],
+    method: str,
+    max_gap: float,
+    limit: float,
+    progress: Callable[..., None],
+) -> FilledSession:
+    from tracker.files import free_path
+    from tracker.offline.fill import fill
+    from tracker.session.gaps.fill import FillOptions
+    from tracker.session.gaps.find import KINDS
+
+    out = free_path(source.with_name(f"{source.stem}_filled{source.suffix}"))
+    options = FillOptions(method, max_gap, KINDS)
+    report = fill(source, out, options, wanted=gaps, limit=limit, watch=progress)
+    return FilledSession(out, len(report.filled), len(report.left))

@@ -1,0 +1,43 @@
+"""Which of two hands a panel of one hand shows: never one of them in silence."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.widgets.segments import Segments
+
+
+class HandChoice(QWidget):
+    """*Left hand* and *Right hand* side by side; there while two hands are open.
+
+    All panels of one hand show the same one, so that they fit together.
+    """
+
+    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        titles = {"left": self.tr("Left hand"), "right": self.tr("Right hand")}
+        self.actions_of = {side: QAction(title, self) for side, title in titles.items()}
+        self._segments = Segments(list(self.actions_of.values()))
+        for side, action in self.actions_of.items():
+            action.triggered.connect(partial(self._choose, host, side))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._segments)
+        self.setAccessibleName(self.tr("Which hand"))
+        self.hide()
+        host.opened.connect(self._show)
+        host.hand_changed.connect(self._show)
+        host.closed.connect(self.hide)
+
+    def _choose(self, host: EngineHost, side: str, _checked: bool = False) -> None:
+        self.actions_of[side].setChecked(True)  # a click on the one that is on leaves it on
+        host.show_hand(side)
+
+    def _show(self, setup: EngineSetup) -> None:
+        self.setVisible(setup.other is not None)
+        self.actions_of[setup.side].setChecked(True)

@@ -1,0 +1,225 @@
+"""The gaps of the replayed session: where a hand is not measured, why, and filling them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QDoubleSpinBox,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.viewmodels.gaps import (
+    KINDS,
+    METHODS,
+    Gap,
+    GapFilter,
+    SessionGaps,
+    cause_text,
+    part_text,
+    side_text,
+    stretches,
+    tip_of,
+)
+from app.viewmodels.recording import position_text
+from app.widgets.measures import TIGHT
+from app.widgets.one_line import OneLine
+from app.widgets.timeline import Span
+from app.words import tr
+
+START, LENGTH, SIDE, PART, KIND, CAUSE = range(6)
+SORTED = int(Qt.ItemDataRole.UserRole)  # what a cell is sorted by
+NUMBER = SORTED + 1  # of the gap
+USUAL_LIMIT, USUAL_LONGEST = 0.5, 0.2  # s
+MOST_S = 60.0
+
+
+class _Cell(QTableWidgetItem):
+    """Sorted by a number or a word, not by what is shown."""
+
+    def __init__(self, text: str, sorted_by: float | str) -> None:
+        super().__init__(text)
+        self.setData(SORTED, sorted_by)
+
+    def __lt__(self, other: QTableWidgetItem) -> bool:
+        return bool(self.data(SORTED) < other.data(SORTED))
+
+
+class GapPage(QWidget):
+    """``sought``: a position (s) that was clicked. ``fill_asked``: the selected gaps are to be
+    filled. ``limit_changed``: list again. ``shown_changed``: the stretches for the timeline."""
+
+    sought = Signal(float)
+    fill_asked = Signal()
+    limit_changed = Signal()
+    shown_changed = Signal(object)  # list[Span]
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.found: SessionGaps | None = None
+        self._make_table()
+        self._make_controls()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, TIGHT, 0, 0)
+        column.addWidget(self.table)
+        self.show_gaps(None)
+
+    def _make_table(self) -> None:
+        self.table = QTableWidget(0, 6)
+        self.table.setHorizontalHeaderLabels(
+            [
+                self.tr("Start"), self.tr("Length"), self.tr("Hand"), self.tr("Part"),
+                self.tr("Kind"), self.tr("Cause"),
+            ]
+        )  # fmt: skip
+        self.table.verticalHeader().hide()
+        self.table.setShowGrid(False)
+        self.table.setAccessibleName(self.tr("Gaps of the recording"))
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(CAUSE, QHeaderView.ResizeMode.Stretch)
+        header.setSortIndicator(START, Qt.SortOrder.AscendingOrder)
+        self.table.setSortingEnabled(True)
+        self.table.itemSelectionChanged.connect(self._enable)
+        self.table.cellClicked.connect(lambda row, _column: self._seek(row))
+        self.table.itemActivated.connect(lambda item: self._seek(item.row()))
+
+    def _make_controls(self) -> None:
+        self.kind = self._box(self.tr("Kind of gap"))
+        self.kind.addItem(self.tr("All kinds"), "")
+        for kind, look in KINDS.items():
+            self.kind.addItem(f"{look.sign} {tr(look.word)}", kind)
+        self.part = self._box(self.tr("Part of the hand"))
+        self.unsensed = self._box(self.tr("Parts without a sensor"))
+        self.unsensed.addItem(self.tr("With sensor"), False)
+        self.unsensed.addItem(self.tr("All parts"), True)
+        self.limit = self._seconds(self.tr("Inferred longer than"), USUAL_LIMIT)
+        self.limit.valueChanged.connect(lambda _value: self.limit_changed.emit())
+        self.method = QComboBox()
+        self.method.setAccessibleName(self.tr("Method"))
+        for method, word in METHODS.items():
+            self.method.addItem(tr(word), method)
+        self.longest = self._seconds(self.tr("Longest gap to fill"), USUAL_LONGEST)
+        self.longest.valueChanged.connect(lambda _value: self._enable())
+        self.fill_button = QPushButton(self.tr("Fill…"))
+        self.fill_button.setToolTip(
+            self.tr(
+                "Interpolate the selected gaps in a new file, which marks them; the recording "
+                "itself is not changed"
+            )
+        )
+        self.fill_button.clicked.connect(self.fill_asked)
+        self.head = OneLine()
+        for box in (self.kind, self.part, self.unsensed):
+            box.currentIndexChanged.connect(lambda _index: self._list())
+        for widget in (
+            self.fill_button, self.method, QLabel(self.tr("up to")), self.longest, self.kind,
+            self.part, self.unsensed, QLabel(self.tr("inferred over")), self.limit,
+        ):  # fmt: skip
+            self.head.add(widget)
+
+    @staticmethod
+    def _box(name: str) -> QComboBox:
+        box = QComboBox()
+        box.setAccessibleName(name)
+        box.setToolTip(name)
+        return box
+
+    @staticmethod
+    def _seconds(name: str, value: float) -> QDoubleSpinBox:
+        box = QDoubleSpinBox()
+        box.setAccessibleName(name)
+        box.setToolTip(name)
+        box.setSuffix(" s")
+        box.setRange(0.02, MOST_S)
+        box.setSingleStep(0.1)
+        box.setDecimals(2)
+        box.setKeyboardTracking(False)
+        box.setValue(value)
+        return box
+
+    # --- what it shows
+
+    def show_gaps(self, found: SessionGaps | None) -> None:
+        """Of a session; None while there is none."""
+        self.found = found
+        chosen = self.part.currentData() or ""
+        self.part.blockSignals(True)
+        self.part.clear()
+        self.part.addItem(self.tr("All parts of the hand"), "")
+        for part in found.parts if found is not None else ():
+            self.part.addItem(part_text(part), part)
+        self.part.setCurrentIndex(max(0, self.part.findData(chosen)))
+        self.part.blockSignals(False)
+        self.table.setColumnHidden(SIDE, found is None or len(found.sides) < 2)
+        self._list()
+
+    def _list(self) -> None:
+        found = self.found
+        chosen = GapFilter(
+            self.kind.currentData() or "",
+            self.part.currentData() or "",
+            bool(self.unsensed.currentData()),
+        )
+        shown = chosen.shown(found.gaps) if found is not None else []
+        self.table.setSortingEnabled(False)  # rows would move while they are filled
+        self.table.setRowCount(len(shown))
+        for row, gap in enumerate(shown):
+            look = KINDS[gap.kind]
+            cells = (
+                _Cell(position_text(gap.start), gap.start),
+                _Cell(f"{gap.length:.2f} s", gap.length),
+                _Cell(side_text(gap.side), gap.side),
+                _Cell(part_text(gap.part), gap.part),
+                _Cell(f"{look.sign} {tr(look.word)}", gap.kind),
+                _Cell(cause_text(gap), cause_text(gap)),
+            )
+            for column, cell in enumerate(cells):
+                cell.setToolTip(tip_of(gap))
+                cell.setData(NUMBER, gap.number)
+                self.table.setItem(row, column, cell)
+        self.table.setSortingEnabled(True)
+        spans = stretches(found, shown) if found is not None else []
+        self.shown_changed.emit([Span(s.start, s.stop, s.colour, s.text) for s in spans])
+        self._enable()
+
+    def _number_of(self, row: int) -> int:
+        item = self.table.item(row, START)
+        return -1 if item is None else int(item.data(NUMBER))
+
+    def _seek(self, row: int) -> None:
+        item = self.table.item(row, START)
+        if item is not None:
+            self.sought.emit(float(item.data(SORTED)))
+
+    @property
+    def selected(self) -> list[int]:
+        """Numbers of the selected gaps."""
+        rows = {index.row() for index in self.table.selectedIndexes()}
+        return sorted(self._number_of(row) for row in rows)
+
+    def fillable(self) -> list[Gap]:
+        """The selected gaps that can be filled and are not too long."""
+        if self.found is None:
+            return []
+        wanted, longest = set(self.selected), self.longest.value() + 1e-9
+        return [
+            gap
+            for gap in self.found.gaps
+            if gap.number in wanted and gap.fillable and gap.length <= longest
+        ]
+
+    def _enable(self) -> None:
+        count = len(self.fillable())
+        self.fill_button.setEnabled(count > 0)
+        text = self.tr("Fill {} gaps").format(count) if count else self.tr("Fill")
+        self.fill_button.setText(text)
