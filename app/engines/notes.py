@@ -43,6 +43,7 @@ class Notes(QObject):
         self._tell, self._clock = tell, clock
         self._next = 0
         self._keep = False
+        self._recording = 0  # how many have begun
         self.standing: dict[int, Note] = {}
 
     def now(self) -> float:
@@ -52,6 +53,7 @@ class Notes(QObject):
     def begin(self) -> None:
         """A recording has begun."""
         self._keep, self._next, self.standing = True, 0, {}
+        self._recording += 1
         self.changed.emit()
 
     def end(self) -> None:
@@ -83,5 +85,20 @@ class Notes(QObject):
             del self.standing[number]
         self.changed.emit()
 
-    def delete(self, number: int) -> None:
+    def delete(self, number: int) -> Callable[[], bool] | None:
+        """What undoes it; None where the note is gone already."""
+        note, recording = self.standing.get(number), self._recording
+        if note is None:
+            return None
         self.change(number, "")
+        return lambda: self._put_back(number, note, recording)
+
+    def _put_back(self, number: int, note: Note, recording: int) -> bool:
+        """With a later wording, so that it counts in the file; False once its recording ended."""
+        if not self._keep or recording != self._recording:
+            return False
+        again = replace(note, wording=note.wording + 2)  # its deletion was the one between
+        self._tell(again.text, again.t, {**again.data, **numbered(number, again.wording)})
+        self.standing = dict(sorted({**self.standing, number: again}.items()))
+        self.changed.emit()
+        return True

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVB
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
+from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
@@ -44,6 +45,8 @@ class ChecklistPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(APART, APART, APART, APART)
         column.setSpacing(APART)
+        self.hand_choice = HandChoice(host)
+        column.addWidget(self.hand_choice, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.summary)
         column.addLayout(self._grid)
         column.addStretch(1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -21,6 +21,8 @@ LEAST_HEIGHT = 110  # px: a heading and two notes
 
 class NoteList(QTableWidget):
     """Double-click changes the text, Delete takes the note back."""
+
+    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(self, notes: Notes, recording: Recording, parent: QWidget | None = None) -> None:
         super().__init__(0, 2, parent)
@@ -57,6 +59,14 @@ class NoteList(QTableWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         row = self.currentRow()
         if event.key() == Qt.Key.Key_Delete and 0 <= row < len(self._numbers):
-            self._notes.delete(self._numbers[row])
+            self.delete(row)
         else:
             super().keyPressEvent(event)
+
+    def delete(self, row: int) -> None:
+        """Take back the note in a row."""
+        number = self._numbers[row]
+        text = self._notes.standing[number].text
+        undo = self._notes.delete(number)
+        if undo is not None:
+            self.removed.emit(self.tr("The note “{}” was deleted.").format(text), undo)

@@ -78,9 +78,9 @@ class MotionModel:
         self.pairs.append(pair)
         return True
 
-    def remove_pair(self, row: int) -> None:
-        """Of the table's row."""
-        del self.pairs[row - len(self.angle_names)]
+    def remove_pair(self, row: int) -> Pair:
+        """Of the table's row; returns it."""
+        return self.pairs.pop(row - len(self.angle_names))
 
     @property
     def names(self) -> list[str]:

@@ -38,6 +38,7 @@ class LayoutKeeper(QObject):
     """Switches layouts, and keeps their shares while the window changes its size."""
 
     chosen_early = Signal(str)  # a job, before docks stand
+    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(self, window: QMainWindow, docks: Docks, store: SettingsStore) -> None:
         super().__init__(window)
@@ -205,8 +206,19 @@ class LayoutKeeper(QObject):
             self._list_named()
 
     def delete(self, name: str) -> None:
+        """Delete a kept layout; ``removed`` offers to undo it."""
         kept = self._store.value.layouts
+        if name not in kept:
+            return
+        layout = kept[name]
         self._store.update(layouts={n: v for n, v in kept.items() if n != name})
+        self._list_named()
+        text = self.tr("The layout {} was deleted.").format(name)
+        self.removed.emit(text, lambda: self._put_back(name, layout))
+
+    def _put_back(self, name: str, layout: dict[str, Any]) -> None:
+        """Unless another one was kept under its name meanwhile."""
+        self._store.update(layouts={name: layout, **self._store.value.layouts})
         self._list_named()
 
     def _list_named(self) -> None:

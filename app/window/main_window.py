@@ -228,7 +228,15 @@ class MainWindow(QMainWindow):
         self.checklist.action.connect(self.run_command)
         self.calibration.guided_asked.connect(self.set_up.open_guided)
         self.set_up.learned.connect(self._keep_learned)
-        for part in (self.calibration.profiles, self.colours.image.source):
+        for part in (
+            self.calibration.profiles,
+            self.colours.image.source,
+            self.recording.notes,
+            self.layouts,
+            self.library.files,
+            self.library.transport,
+            self.motion,
+        ):
             part.removed.connect(self._removed)
         self.set_up.pose_reset_changed.connect(self._pose_reset_set_up)
         self._enable()

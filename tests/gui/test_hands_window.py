@@ -6,7 +6,9 @@ import time
 from dataclasses import replace
 from functools import partial
 
+import numpy as np
 import pytest
+from PySide6.QtCore import Qt
 
 from app.engines.engine import RecordingRequest
 from app.storage.bound_gloves import BoundGlove, with_bound
@@ -19,6 +21,8 @@ from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.serial_line import UsbPort
+from tracker.session.motion import read_take
+from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
@@ -92,6 +96,40 @@ def test_panels_of_one_hand_show_the_one_that_is_asked_for(replay, qtbot):
     assert view.setup.side == "left" and view.estimate.t == view.hands[0].estimate.t
     replay.run_command("hand_right")
     assert replay.host.setup.side == "right"
+
+
+ONE_HAND_PANELS = ("sensors", "motion", "calibration", "checklist", "applications", "robot")
+
+
+@pytest.mark.parametrize("name", ONE_HAND_PANELS)
+def test_a_panel_of_one_hand_says_which_and_can_change_it(replay, qtbot, name):
+    replay.show_panel(name)
+    choice = getattr(replay, name).hand_choice
+    qtbot.waitUntil(choice.isVisible, timeout=10_000)
+    left, right = choice._segments.buttons
+    assert (left.text(), right.text()) == ("Left hand", "Right hand")
+    assert right.isChecked() and not left.isChecked()
+    qtbot.mouseClick(left, Qt.MouseButton.LeftButton)
+    assert replay.host.setup.side == "left"
+    for other in ONE_HAND_PANELS:  # all show the same hand
+        buttons = getattr(replay, other).hand_choice._segments.buttons
+        assert [b.isChecked() for b in buttons] == [True, False], other
+    qtbot.mouseClick(left, Qt.MouseButton.LeftButton)
+    assert left.isChecked(), "one of both is always shown"
+
+
+def test_motion_measures_the_take_of_the_hand_that_is_shown(replay, session, qtbot):
+    for side in ("left", "right"):
+        replay.host.show_hand(side)
+        qtbot.waitUntil(lambda: replay.motion.model.take is not None, timeout=30_000)
+        with SessionReader(session, side=side) as reader:
+            own = read_take(reader)
+        shown = replay.motion.model.take
+        assert np.array_equal(shown.angles, own.angles, equal_nan=True), side
+
+
+def test_one_hand_needs_no_choice(live):
+    assert all(getattr(live, name).hand_choice.isHidden() for name in ONE_HAND_PANELS)
 
 
 @pytest.fixture

@@ -147,6 +147,11 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     assert in_sight(again) == job_of("look").shown
     again.layouts.delete("Lab A")
     assert not again.layouts._named.isEnabled() and store.value.layouts == {}
+    assert again.banner.text() == "The layout Lab A was deleted."
+    again.banner.buttons[0].click()
+    assert [a.text() for a in again.layouts._named.actions()] == ["Lab A"]
+    again.layouts._named.actions()[0].trigger()
+    assert in_sight(again) == job_of("look").shown
     again.close()
 
 

@@ -116,6 +116,9 @@ def test_tags_are_kept_beside_the_session_and_found(library, window, folder, qtb
     library.page.search.clear()
     library.files.tag([path], "")
     assert not tags_path(path).exists()
+    assert window.banner.text() == "Tags removed: good, left hand."
+    window.banner.buttons[0].click()
+    assert read_tags(path) == ("good", "left hand")
 
 
 def test_a_session_gets_another_name_with_its_tags(library, window, folder, qtbot):
@@ -316,6 +319,10 @@ def test_a_preset_brings_formats_and_options_back(library, window, store, qtbot)
     again.presets.box.setCurrentText("OpenSim at 60")
     qtbot.mouseClick(again.presets.remove_button, Qt.MouseButton.LeftButton)
     assert SettingsStore(store.path).value.export_presets == {}
+    qtbot.mouseClick(again.presets.undo_button, Qt.MouseButton.LeftButton)
+    assert list(SettingsStore(store.path).value.export_presets) == ["OpenSim at 60"]
+    assert again.presets.box.currentText() == "OpenSim at 60"
+    assert again.presets.undo_button.isHidden()
     again.close()
 
 

@@ -45,6 +45,16 @@ def test_each_angle_is_a_number_and_a_bar_in_its_range(motion, engine: ScriptedE
         assert share == pytest.approx((estimate.angles[row] - low) / (high - low))
 
 
+def test_removed_distances_come_back_with_undo(motion, live):
+    names = list(motion.model.names)
+    motion.table.selectRow(row_of(motion, "thumb_tip - index_tip"))
+    motion.controls.remove.click()
+    assert "thumb_tip - index_tip" not in motion.model.names
+    assert live.banner.text() == "Distances removed: 1."
+    live.banner.buttons[0].click()
+    assert motion.model.names == names
+
+
 def test_the_aperture_is_there_and_any_distance_can_be_added(motion, engine: ScriptedEngine):
     names = list(motion.model.point_names)
     estimate = engine.latest_estimate()

@@ -291,6 +291,27 @@ def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, re
     assert listed.rowCount() == 0
 
 
+def test_a_deleted_note_comes_back_with_undo(recording, recorders):
+    listed = recording.recording.notes
+    for text in ("gripped", "sneezed"):
+        recording.host.notes.add(text)
+    listed.setCurrentCell(0, 1)
+    QTest.keyClick(listed, Qt.Key.Key_Delete)
+    assert recording.banner.text() == "The note “gripped” was deleted."
+    undo = recording.banner.buttons[0]
+    assert undo.text() == "Undo"
+    undo.click()
+    assert [listed.item(i, 1).text() for i in range(listed.rowCount())] == ["gripped", "sneezed"]
+    events = notes_in(recorders[0])
+    held = standing(events)
+    assert [(e.text, e.t) for e in held] == [(e.text, e.t) for e in events[:2]]
+    listed.setCurrentCell(0, 1)
+    QTest.keyClick(listed, Qt.Key.Key_Delete)
+    recording.run_command("record")
+    recording.banner._work[0]()  # its recording has ended
+    assert [e.text for e in standing(notes_in(recorders[0]))] == ["sneezed"]
+
+
 NOW = datetime(2026, 3, 1, 12, 0, 5)
 
 

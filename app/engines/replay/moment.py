@@ -147,8 +147,12 @@ class ReplayMoment:
         return self._calibration
 
     def status(self) -> Status:
-        status = self._status
-        return replace(status, tracking=Tracking.LOST) if self.is_in_hole else status
+        """The latest one, with the state of tracking of the estimate: a status is written once a
+        second, and says nothing of a gap that was interpolated later."""
+        hand = self.latest_estimate()
+        if hand is None or not (self._is_fresh or self.is_in_hole):
+            return self._status
+        return replace(self._status, tracking=hand.tracking)
 
     def recent_imu(self) -> Sequence[ImuSample]:
         """The samples of the last seconds."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -68,8 +68,6 @@ class CalibrationPanel(Panel):
         head = QHBoxLayout()
         head.setSpacing(APART)
         self.camera_time.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.hand_choice = HandChoice(self.host)
-        head.addWidget(self.hand_choice)
         name = ElidedLabel(self.tr("Hand length"))
         name.firm = True
         head.addWidget(name)
@@ -80,6 +78,8 @@ class CalibrationPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
+        self.hand_choice = HandChoice(self.host)
+        column.addWidget(self.hand_choice, 0, Qt.AlignmentFlag.AlignLeft)
         column.addLayout(head)
         column.addWidget(self.wearer)
         column.addWidget(self.advice)

@@ -34,12 +34,17 @@ class Presets(QWidget):
         self.save_button.clicked.connect(self._ask_name)
         self.remove_button = QPushButton(self.tr("Remove"))
         self.remove_button.clicked.connect(self._remove)
+        self._gone: tuple[str, dict[str, object]] | None = None
+        self.undo_button = QPushButton(self.tr("Undo"))
+        self.undo_button.clicked.connect(self._put_back)
+        self.undo_button.hide()
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(QLabel(self.tr("Preset")))
         row.addWidget(self.box, 1)
         row.addWidget(self.save_button)
         row.addWidget(self.remove_button)
+        row.addWidget(self.undo_button)
         self._fill("")
 
     def _fill(self, chosen: str) -> None:
@@ -73,6 +78,17 @@ class Presets(QWidget):
 
     def _remove(self) -> None:
         name = self.box.currentData()
-        kept = {k: v for k, v in self._store.value.export_presets.items() if k != name}
-        self._store.update(export_presets=kept)
+        before = self._store.value.export_presets
+        self._gone = name, before[name]
+        self._store.update(export_presets={k: v for k, v in before.items() if k != name})
+        self.undo_button.setToolTip(self.tr("Put back the preset {}").format(name))
+        self.undo_button.show()
         self._fill("")
+
+    def _put_back(self) -> None:
+        """The preset that was removed last, unless another one was kept under its name."""
+        if self._gone is not None:
+            (name, preset), self._gone = self._gone, None
+            self._store.update(export_presets={name: preset, **self._store.value.export_presets})
+            self._fill(name)
+        self.undo_button.hide()

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
@@ -34,6 +35,7 @@ class SessionFiles(QObject):
     binned = Signal(object)  # the `Binned` sessions
     restored = Signal(object)  # the Paths that are back from the bin
     made = Signal(object, str)  # the Path of a new session, and a sentence about it
+    removed = Signal(str, object)  # a sentence about tags, and what undoes it
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
         super().__init__(parent)
@@ -69,9 +71,21 @@ class SessionFiles(QObject):
     def tag(self, paths: Sequence[Path], text: str) -> None:
         """Put these words on all of them, instead of those they had."""
 
+        before = {path: read_tags(path) for path in paths}
+        wanted = tags_of_text(text)
+        self._put_tags(dict.fromkeys(paths, wanted))
+        gone = sorted({tag for tags in before.values() for tag in tags} - set(wanted))
+        if gone:
+            said = self.tr("Tags removed: {}.").format(", ".join(gone))
+            self.removed.emit(said, partial(self._put_tags, before))
+
+    def _put_tags(self, tags: Mapping[Path, Sequence[str]]) -> None:
+        """Of each session; one that was renamed or deleted meanwhile is passed over."""
+
         def write() -> None:
-            for path in paths:
-                write_tags(path, tags_of_text(text))
+            for path, words in tags.items():
+                if path.exists():
+                    write_tags(path, words)
 
         self._try(write)
 

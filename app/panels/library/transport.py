@@ -30,6 +30,7 @@ class TransportBar(QWidget):
     """Shown while there is a player. ``live_asked``: back to what was open before it."""
 
     live_asked = Signal()
+    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -163,8 +164,19 @@ class TransportBar(QWidget):
             self.set_range(start if start < here else 0.0, here)
 
     def clear_range(self) -> None:
-        if self._player is not None:
-            self.set_range(0.0, self._player.duration)
+        """Remove the in and the out point."""
+        player, part = self._player, self.range()
+        if player is None or part is None:
+            return
+        self.set_range(0.0, player.duration)
+        words = self.tr("The range {} – {} was removed.")
+        text = words.format(*(position_text(t) for t in part))
+        self.removed.emit(text, lambda: self._put_back(player, part))
+
+    def _put_back(self, player: Player, part: tuple[float, float]) -> None:
+        """Of the session that it was chosen in, if that is still open."""
+        if self._player is player:
+            self.set_range(*part)
 
     def toggle_loop(self) -> None:
         self.loop_button.toggle()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -36,6 +37,7 @@ FIRST_ROWS = ("index_mcp_flexion", "index_pip_flexion")
 class MotionPanel(Panel):
     name = "motion"
     period = 1 / 10
+    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
@@ -174,10 +176,23 @@ class MotionPanel(Panel):
             self.table.selectRow(self.table.rowCount() - 1)
 
     def _remove_distances(self) -> None:
-        if self.model is not None:
-            for row in reversed(self.table.chosen):
-                if not self.model.is_angle(row):
-                    self.model.remove_pair(row)
+        model = self.model
+        if model is None:
+            return
+        before = list(model.pairs)
+        gone = [
+            model.remove_pair(row) for row in reversed(self.table.chosen) if not model.is_angle(row)
+        ]
+        self._name_rows()
+        if gone:
+            text = self.tr("Distances removed: {}.").format(len(gone))
+            self.removed.emit(text, lambda: self._put_back(model, before))
+
+    def _put_back(self, model: MotionModel, pairs: list[tuple[str, str]]) -> None:
+        """The distances of before and those added since, of the hand that is still shown."""
+        if model is self.model:
+            added = [pair for pair in model.pairs if pair not in pairs]
+            model.pairs = [*pairs, *added]
             self._name_rows()
 
     # --- taking it out

@@ -109,6 +109,8 @@ def hand_gaps(reader: SessionReader, hand: HandColumns, limit: float) -> list[Ga
         stop_ns = int(hand.stamp_ns[after]) if after < len(t) else last
         unsensed = not (hand.state[:, _rows(names, part.keypoints)] == Validity.MEASURED).any()
         cause = causes.of(part.keypoints, interval.kind, (start_ns, stop_ns), unsensed)
+        if interval.kind == INFERRED and _is_filled(reader, part.keypoints, start_ns, stop_ns):
+            continue
         out.append(
             Gap(
                 0, reader.info.side, part.part, part.keypoints, interval.kind, cause,
@@ -117,6 +119,20 @@ def hand_gaps(reader: SessionReader, hand: HandColumns, limit: float) -> list[Ga
             )
         )  # fmt: skip
     return out
+
+
+def _is_filled(
+    reader: SessionReader, keypoints: tuple[str, ...], start_ns: int, stop_ns: int
+) -> bool:
+    """Whether an edit interpolated all of what is inferred there."""
+    return any(
+        f.side == reader.info.side
+        and f.start_ns <= start_ns
+        and stop_ns <= f.stop_ns
+        and set(keypoints) <= set(f.keypoints)
+        for edit in reader.edits
+        for f in edit.filled
+    )
 
 
 def _rows(names: Sequence[str], wanted: Sequence[str]) -> list[int]:
