@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import select
+import socket
 import time
 
 import numpy as np
@@ -189,6 +190,30 @@ def test_a_fleet_goes_where_it_is_told_no_faster_than_it_can() -> None:
     assert fleet.p[1] == pytest.approx([10.0, -5.0, 3.0], abs=0.05)
     assert fleet.p[0] == pytest.approx([0.0, 0.0, 0.0])
     assert fastest <= 15.0
+
+
+def test_vehicles_get_20_targets_a_second_whatever_the_samples_jitter() -> None:
+    """Over UDP, from samples every 10 ms that are up to 2 ms early or late."""
+    receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    receiver.bind(("127.0.0.1", 0))
+    receiver.settimeout(10)
+    command = VehicleCommand(
+        np.ones((1, 3)), np.zeros((1, 3)), f"127.0.0.1:{receiver.getsockname()[1]}"
+    )
+    sink, rng = VehicleSink(), np.random.default_rng(7)
+    times = 5.0 + 0.01 * np.arange(1000) + rng.uniform(-0.002, 0.002, 1000)
+    after_pause = times + 60.0
+    try:
+        received = 0
+        for t in (*times, *after_pause):
+            sink.take([command], float(t))
+            if sink._sequence > received:
+                receiver.recv(1000)
+                received += 1
+    finally:
+        sink.close()
+        receiver.close()
+    assert received == sink._sequence == pytest.approx(2 * 10 * 20, abs=2)
 
 
 def test_vehicles_over_udp_take_targets_and_answer() -> None:

@@ -32,7 +32,7 @@ def address_of(text: str) -> tuple[str, int]:
 
 
 class VehicleSink:
-    """Sends targets, at most `RATE_HZ` a vehicle, and hears where the vehicles are.
+    """Sends targets, `RATE_HZ` a vehicle on average, and hears where the vehicles are.
 
     ``answered`` (n,) is whether a vehicle ever did, ``p`` (n, 3) m in G where it was last.
     """
@@ -49,9 +49,22 @@ class VehicleSink:
         for command in commands:
             if isinstance(command, VehicleCommand):
                 self._hear()
-                if t >= self._due or t < self._due - 1:
-                    self._due = t + 1 / RATE_HZ
+                if self._is_due(t):
                     self._send(command, t)
+
+    def _is_due(self, t: float) -> bool:
+        """Whether targets are due at ``t`` (s).
+
+        Due times lie `RATE_HZ` apart, so that samples just before one do not lower the rate: a
+        command every 50 ms after the last would be one every 60 ms where samples are 10 ms apart
+        and some are early. The series starts again after a pause and where the time jumps back.
+        """
+        if self._due - 1 <= t < self._due:
+            return False
+        period = 1 / RATE_HZ
+        late = t - self._due
+        self._due = self._due + period if 0 <= late < period else t + period
+        return True
 
     def _send(self, command: VehicleCommand, t: float) -> None:
         host, port = address_of(command.to)
