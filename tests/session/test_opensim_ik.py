@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tracker.geometry import so3
+from tracker.hand.model import HandModel
 from tracker.messages import Array, Estimate
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.run import export
@@ -15,19 +16,30 @@ from tracker.session.export.run import export
 opensim = pytest.importorskip("opensim")
 
 RATE, COUNT = 50.0, 25
+FINGERS = ("index", "middle", "ring", "little")
 ACCURACY = 1e-7  # the hand is small: with OpenSim's 1e-5 its solver stops some degrees away
 
 
-def moving(maker, scale: Array) -> list[Estimate]:
-    """A hand of a calibrated size that turns, and all of whose angles swing within their limits."""
+def moving(maker, scale: Array, is_fist: bool = False) -> list[Estimate]:
+    """A hand of a calibrated size that turns, and all of whose angles swing within their limits; or
+    whose fingers flex by 80 to 95° in their first joints, and are twisted by 6° there."""
     hand, glove = maker.info.hand, maker.info.glove
     low, high = hand.angle_limits.T
+    flexions = [hand.joint_names.index(f"{f}_mcp_flexion") for f in FINGERS]
     out = []
     for k in range(COUNT):
         phase = np.sin(2 * np.pi * k / COUNT + np.arange(len(low)))
         angles = 0.5 * (low + high) + 0.3 * (high - low) * phase
+        if is_fist:
+            angles[flexions] = np.deg2rad(87.5 + 7.5 * np.sin(2 * np.pi * k / COUNT))
         R_GB, p = so3.exp(np.array([0.3, -0.4, 0.02 * k])), np.array([0.3, 0.1 + 0.002 * k, 1.0])
         R, p = hand.forward(angles, R_GB, p, scale)
+        for finger in FINGERS if is_fist else ():
+            i = hand.index[f"{finger}_proximal"]
+            twist(hand, R, p, i, np.deg2rad(6.0))
+            turn = hand.segments[i].R_rest.T @ R[hand.parent[i]].T @ R[i]
+            nearest = so3.joint_angles(turn, twists=False)  # as the engines give them
+            angles[list(hand.axis_columns[i][:2])] = nearest[:2]
         e = maker.estimate(1000.0 * k / RATE)
         out.append(
             replace(
@@ -42,8 +54,21 @@ def moving(maker, scale: Array) -> list[Estimate]:
     return out
 
 
-@pytest.fixture
-def files(tmp_path: Path, record: Callable[..., Path], maker) -> tuple[Path, Array]:
+def twist(hand: HandModel, R: Array, p: Array, i: int, angle: float) -> None:
+    """Turn segment ``i`` and all behind it about its own line, in place."""
+    turn = R[i] @ so3.exp(np.array([angle, 0.0, 0.0])) @ R[i].T
+    behind = [i]
+    for s, parent in enumerate(hand.parent):
+        if parent in behind:
+            behind.append(s)
+    p[behind] = p[i] + (p[behind] - p[i]) @ turn.T
+    R[behind] = turn @ R[behind]
+
+
+@pytest.fixture(params=[False, True], ids=["swinging", "fist"])
+def files(
+    tmp_path: Path, record: Callable[..., Path], maker, request: pytest.FixtureRequest
+) -> tuple[Path, Array]:
     """A folder with o.osim, o.trc, o.mot and o.sto; (COUNT, J) true angles in degrees."""
     hand, glove = maker.info.hand, maker.info.glove
     scale = np.ones((len(hand.segments), 3))
@@ -61,7 +86,7 @@ def files(tmp_path: Path, record: Callable[..., Path], maker) -> tuple[Path, Arr
     calibration = replace(
         calibration, segments=tuple(sensed), scale=values, mounting=mounting, **rows
     )
-    estimates = moving(maker, scale)
+    estimates = moving(maker, scale, request.param)
     session = record(tmp_path / "in.mcap", [calibration, *estimates])
     for form in ("osim", "trc", "mot", "sto"):
         export(session, form, tmp_path / f"o.{form}", ExportOptions())

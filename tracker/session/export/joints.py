@@ -29,6 +29,21 @@ class JointMotion(NamedTuple):
         ]
         return np.array(rows)
 
+    def flexed_last(self) -> Array:
+        """(N, S, 3) abduction, twist, flexion of all joints, turned in this order: Rz Rx Ry.
+
+        Abduction and flexion are those of the Rz Ry nearest to a turn, which joints without twist
+        are given (`tracker.geometry.so3.joint_angles`): what is left turns about the axis that is
+        orthogonal to both. Unlike in Rz Ry Rx no two axes meet where a finger is flexed by 90°.
+        """
+        out = np.full(self.turn.shape[:3], np.nan)
+        R = self.turn
+        known = np.isfinite(R).all(axis=(2, 3))
+        out[..., 0] = np.where(known, np.arctan2(-R[..., 0, 1], R[..., 1, 1]), np.nan)
+        out[..., 1] = np.where(known, np.arcsin(np.clip(R[..., 2, 1], -1, 1)), np.nan)
+        out[..., 2] = np.where(known, np.arctan2(-R[..., 2, 0], R[..., 2, 2]), np.nan)
+        return out
+
     def angles(self) -> Array:
         """(N, S, 3) abduction, flexion, twist of all joints, as if each had all three axes."""
         out = np.full(self.turn.shape[:3], np.nan)

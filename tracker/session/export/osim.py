@@ -2,7 +2,9 @@
 
 The model has the coordinates of the MOT, the markers of the TRC and one frame ``<segment>_imu``
 per IMU, as the STO has. A joint has all three rotations: those that the hand file leaves out hardly
-turn but let the model follow what was tracked; they are named as the others and are in no MOT.
+turn but let the model follow what was tracked; they are named as the others and are in no MOT. In a
+joint without twist flexion comes last: abduction and twist would turn about the same line where a
+finger is flexed by 90°, and inverse kinematics could not tell one from the other.
 """
 
 from __future__ import annotations
@@ -28,6 +30,9 @@ _DENSITY = 1100.0  # kg/m³ of a hand
 _LOOSE = 0.35  # rad that an axis may turn which the hand file leaves out
 _STILL = 1e-3  # rad within which such an axis stands still, and is locked
 _TURNS = ("abduction", "flexion", "twist")
+_FLEXED_LAST = ("abduction", "twist", "flexion")
+"""Turns of a joint that the hand file gives no twist, in order; see `JointMotion.flexed_last`."""
+_AXIS_OF = {"abduction": "0 0 1", "flexion": "0 1 0", "twist": "1 0 0"}
 _AXES = ("0 0 1", "0 1 0", "1 0 0")
 _ROOT = ("turn_z", "turn_y", "turn_x", "x", "y", "z")
 
@@ -85,7 +90,7 @@ def _joints(model: ET.Element, m: EstimateSeries, motion: JointMotion, scale: Ar
         for s, a in zip(hand.segments, hand.parent, strict=True)
     ]
     offset = motion.median_offset(np.array(origins))
-    angles = motion.angles()
+    plain, flexed_last = motion.angles(), motion.flexed_last()
     for i, segment in enumerate(hand.segments):
         joint = ET.SubElement(joints, "CustomJoint", name=f"{segment.name}_joint")
         if segment.parent is None:
@@ -93,15 +98,17 @@ def _joints(model: ET.Element, m: EstimateSeries, motion: JointMotion, scale: Ar
             continue
         _text(joint, "socket_parent_frame", "parent")
         _text(joint, "socket_child_frame", f"/bodyset/{segment.name}")
+        turns = _turns(hand, i)
+        angles = (plain if turns == _TURNS else flexed_last)[:, i]
         names = coordinate_names(hand, i)
-        limits = [_limits(hand, i, turn) for turn in _TURNS]
-        used = np.nanmax(np.abs(np.nan_to_num(angles[:, i])), axis=0) > _STILL
+        limits = [_limits(hand, i, turn) for turn in turns]
+        used = np.nanmax(np.abs(np.nan_to_num(angles)), axis=0) > _STILL
         locked = [not u and high == _LOOSE for u, (_, high) in zip(used, limits, strict=True)]
-        _coordinates(joint, names, _first(angles[:, i]), limits, locked)
+        _coordinates(joint, names, _first(angles), limits, locked)
         parent = f"/bodyset/{segment.parent}"
         frames = ET.SubElement(joint, "frames")
         _frame(frames, "parent", parent, offset[i], segment.R_rest)
-        _transform(joint, names, ("",) * 3)
+        _transform(joint, names, ("",) * 3, tuple(_AXIS_OF[turn] for turn in turns))
 
 
 def _free(joint: ET.Element, m: EstimateSeries, i: int) -> None:
@@ -121,11 +128,17 @@ def _free(joint: ET.Element, m: EstimateSeries, i: int) -> None:
     _transform(joint, names[:3], tuple(names[3:]))
 
 
+def _turns(hand: HandModel, i: int) -> tuple[str, ...]:
+    """Of segment ``i``'s joint, in their order."""
+    joint = hand.joint_of.get(hand.segments[i].name)
+    return _TURNS if joint is not None and "twist" in joint.axes else _FLEXED_LAST
+
+
 def coordinate_names(hand: HandModel, i: int) -> list[str]:
-    """Of segment ``i``'s joint: about z, then y, then x."""
+    """Of segment ``i``'s joint, in the order of its turns."""
     joint = hand.joint_of.get(hand.segments[i].name)
     name = hand.segments[i].name if joint is None else joint.name
-    return [f"{name}_{turn}" for turn in _TURNS]
+    return [f"{name}_{turn}" for turn in _turns(hand, i)]
 
 
 def _limits(hand: HandModel, i: int, turn: str) -> tuple[float, float]:
@@ -158,11 +171,13 @@ def _coordinates(
         _text(coordinate, "locked", "true" if still else "false")
 
 
-def _transform(joint: ET.Element, turns: list[str], moves: tuple[str, ...]) -> None:
-    """Rotations about z, y, x, then translations along x, y, z; none where a name is empty."""
+def _transform(
+    joint: ET.Element, turns: list[str], moves: tuple[str, ...], about: tuple[str, ...] = _AXES
+) -> None:
+    """Rotations about the axes ``about``, then translations along x, y, z where they have names."""
     transform = ET.SubElement(joint, "SpatialTransform")
     along = ("1 0 0", "0 1 0", "0 0 1")
-    axes = [("rotation", k, n, a) for k, (n, a) in enumerate(zip(turns, _AXES, strict=True), 1)]
+    axes = [("rotation", k, n, a) for k, (n, a) in enumerate(zip(turns, about, strict=True), 1)]
     axes += [("translation", k, n, a) for k, (n, a) in enumerate(zip(moves, along, strict=True), 1)]
     for kind, k, name, axis in axes:
         element = ET.SubElement(transform, "TransformAxis", name=f"{kind}{k}")
