@@ -38,6 +38,7 @@ from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.records import record
 from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
+from tracker.vision.crowding import MOST_BLOBS, thinned
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -46,6 +47,9 @@ SILENCE = 0.2
 of the computer or the USB line is mostly shorter; its packets still arrive."""
 NO_PACKETS = "No packets from the {} glove: the hand follows the images alone."
 PACKETS_AGAIN = "Packets from the {} glove arrive again."
+CROWDED = "More than {} coloured patches in an image: {} were ignored so far."
+CROWDED_EVERY = 10.0
+"""s between two sentences about ignored blobs."""
 
 ANOTHER = (
     "The hand was given up: patches on it are not where the glove's markers of their hues would "
@@ -127,6 +131,8 @@ class Pipeline:
         self._words: list[str] = []
         self._source_words: list[str] = []
         self._told = False
+        self.ignored_blobs = 0  # so far, of images with more than `MOST_BLOBS`
+        self._crowded_due = -np.inf  # t of images, s
         self._packet = -np.inf  # arrival of the last packet, s
         self._by_images = False
         self.ahead = Ahead(Worn(hand, glove), self.engine, self.timing, self.pair_offset)
@@ -160,7 +166,7 @@ class Pipeline:
             self.engine.feed_frame(frame)
             self._results += self.engine.take_results()
             return
-        frame = through(frame, self.settings.lenses)
+        frame = self._bounded(through(frame, self.settings.lenses))
         self.pair_offset.remember(frame)
         frame = self._in_step(frame)
         if self._watch.usable(frame):
@@ -169,6 +175,15 @@ class Pipeline:
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
             self._results.append(nothing)
+
+    def _bounded(self, frame: BlobFrame) -> BlobFrame:
+        """With at most `MOST_BLOBS` in each image; what is ignored is counted and reported."""
+        frame, ignored = thinned(frame)
+        self.ignored_blobs += ignored
+        if ignored and frame.t >= self._crowded_due:
+            self._crowded_due = frame.t + CROWDED_EVERY
+            self._source_words.append(CROWDED.format(MOST_BLOBS, self.ignored_blobs))
+        return frame
 
     def without_packets(self, frame: BlobFrame) -> Estimate | None:
         """The hand at the instant of an image that was just fed, where packets have been missing
