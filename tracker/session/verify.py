@@ -46,9 +46,11 @@ class _Track:
 
     last_stamp: int | None = None
     last_delay: int = 0
+    usual_delay: int = 0  # before messages began to arrive late
     steps: list[tuple[int, int]] = field(default_factory=list)  # ns, from this stamp
     backward: int = 0
     jumps: int = 0
+    late: list[int] = field(default_factory=list)  # ns by which the delay rose at once
     log_times: list[int] = field(default_factory=list)
     damaged: list[int] = field(default_factory=list)  # log times
     repeated: int = 0
@@ -170,9 +172,28 @@ def _follow(track: _Track, m: RawMessage) -> None:
     if track.last_stamp is not None:
         step = stamp - track.last_stamp
         track.backward += step < 0
-        track.jumps += abs(delay - track.last_delay) > _CLOCK_JUMP_NS
+        _judge_delay(track, step, delay)
         track.steps.append((step, track.last_stamp))
+    else:
+        track.usual_delay = delay
     track.last_stamp, track.last_delay = stamp, delay
+
+
+def _judge_delay(track: _Track, step: int, delay: int) -> None:
+    """Tell late arrivals from a clock that jumps.
+
+    Where the host has no time for a message it arrives late while the stamps go on; its delay is
+    back at the usual one afterwards, perhaps at once where messages were lost. A clock that jumps
+    moves the stamps: back, or so far ahead that the delay falls below the usual one.
+    """
+    change = delay - track.last_delay
+    if abs(change) <= _CLOCK_JUMP_NS:
+        track.usual_delay = min(track.usual_delay, delay)
+    elif change > 0 and step >= 0:
+        track.late.append(change)
+    elif step < 0 or delay < track.usual_delay - _CLOCK_JUMP_NS:
+        track.jumps += 1
+        track.usual_delay = delay
 
 
 def _judge(topic: str, track: _Track, start_ns: int) -> list[Finding]:
@@ -185,10 +206,18 @@ def _judge(topic: str, track: _Track, start_ns: int) -> list[Finding]:
     if track.backward:
         out.append(Finding("warning", f"{track.backward} stamps run backward", topic))
     if track.jumps:
-        out.append(Finding("warning", f"the clock jumps {track.jumps} times", topic))
+        out.append(Finding("warning", f"the clock jumps {_times(track.jumps)}", topic))
+    if track.late:
+        late = f"{max(track.late) / 1e9:.1f} s late, {_times(len(track.late))}"
+        text = f"messages arrived up to {late}: the computer was overloaded"
+        out.append(Finding("warning", text, topic))
     if topic.startswith(("/glove/", "/camera/")) and len(track.steps) > 10:
         out += _gaps(topic, track)
     return out
+
+
+def _times(n: int) -> str:
+    return "once" if n == 1 else f"{n} times"
 
 
 def _damage_text(log_times: list[int], start_ns: int) -> str:

@@ -1,0 +1,108 @@
+"""`verify` tells a computer that had no time for its messages from a clock that jumps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tracker.clock import NS
+from tracker.session.mcap.container import Copier, McapOutput
+from tracker.session.mcap.input import McapInput, RawMessage
+from tracker.session.mcap.ordering import ordered
+from tracker.session.ros import sensors
+from tracker.session.verify import is_ok, verify
+
+PACKETS, MS = 600, 1_000_000
+Change = Callable[[int, RawMessage], RawMessage | None]
+
+
+def changed(session: Path, out: Path, change: Change) -> Path:
+    """A copy in which ``change`` of (ns since the start, message) replaces each Imu message; None
+    leaves it out."""
+    source, output = McapInput(session), McapOutput(out, sync=False)
+    try:
+        for record in source.metadata():
+            output.metadata(record.name, dict(record.metadata))
+        for a in source.attachments():
+            output.attach_bytes(a.name, a.media_type, a.data, a.log_time)
+        copier, start = Copier(source, output), source.contents.spans.bounds()[0]
+        found = [
+            change(m.log_time - start, m) if m.type == sensors.IMU else m for m in ordered(source)
+        ]
+        for m in sorted((m for m in found if m is not None), key=lambda m: m.log_time):
+            copier.copy(m)
+    finally:
+        output.finish()
+        source.close()
+    return out
+
+
+def held_back(begin: float, end: float) -> Change:
+    """Messages from ``begin`` to ``end`` (s) arrive at ``end``."""
+
+    def change(t: int, m: RawMessage) -> RawMessage:
+        is_held = begin * NS <= t < end * NS
+        return m._replace(log_time=m.log_time - t + round(end * NS)) if is_held else m
+
+    return change
+
+
+def stamps_moved(begin: float, seconds: float, end: float = 1e9) -> Change:
+    """The clock of the stamps jumps by ``seconds`` at ``begin`` and back at ``end``."""
+
+    def change(t: int, m: RawMessage) -> RawMessage:
+        if not begin * NS <= t < end * NS:
+            return m
+        imu = sensors.unpack_imu(m.data)
+        moved = imu._replace(stamp=imu.stamp + round(seconds * NS))
+        return m._replace(data=sensors.pack_imu(moved))
+
+    return change
+
+
+@pytest.fixture
+def session(tmp_path: Path, record: Callable[..., Path], maker) -> Path:
+    return record(tmp_path / "a.mcap", list(maker.stream(10 * PACKETS, images=False)))
+
+
+def of_one_imu(path: Path) -> list[str]:
+    findings = verify(path)
+    assert is_ok(findings)
+    topic = min(f.where for f in findings if "/imu/" in f.where)
+    return [f.what for f in findings if f.where == topic and "gap" not in f.what]
+
+
+def test_a_starved_host_is_not_called_a_clock_that_jumps(session: Path, tmp_path: Path) -> None:
+    (said,) = of_one_imu(changed(session, tmp_path / "b.mcap", held_back(2.0, 3.2)))
+    assert said == "messages arrived up to 1.2 s late, once: the computer was overloaded"
+
+
+def test_a_delay_that_ends_at_once_is_no_jump_of_the_clock(session: Path, tmp_path: Path) -> None:
+    """Messages were lost behind the late ones."""
+
+    def change(t: int, m: RawMessage) -> RawMessage | None:
+        if 2.0 <= t / NS < 2.05:
+            return m._replace(log_time=m.log_time + NS)
+        return None if 2.05 <= t / NS < 3.08 else m
+
+    (said,) = of_one_imu(changed(session, tmp_path / "b.mcap", change))
+    assert said.startswith("messages arrived up to 1.0 s late")
+
+
+@pytest.mark.parametrize(
+    ("change", "jumps"),
+    [
+        (stamps_moved(2.0, 5.0), "once"),
+        (stamps_moved(2.0, -5.0), "once"),
+        (stamps_moved(2.0, 5.0, end=4.0), "2 times"),
+        (stamps_moved(2.0, -5.0, end=4.0), "2 times"),
+    ],
+)
+def test_a_clock_that_jumps_is_reported(
+    session: Path, tmp_path: Path, change: Change, jumps: str
+) -> None:
+    said = of_one_imu(changed(session, tmp_path / "b.mcap", change))
+    assert f"the clock jumps {jumps}" in said
+    assert not any("late" in what for what in said)
