@@ -13,7 +13,7 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtCore import QBuffer, QByteArray, QEventLoop, QIODevice, QTimer
 
 from app.engines.engine import RecordingRequest
 from app.engines.engine_host import SetupFactory
@@ -25,7 +25,8 @@ from app.viewmodels.log import words_of
 from app.window.main_window import MainWindow
 from app.window.pauses import keep_pauses_short
 from app.window.report_files import make_room
-from tracker.errors import GlovetrackError
+from tracker.errors import FileError, GlovetrackError
+from tracker.files import write_whole
 from tracker.messages import Array, Event, Tracking
 from tracker.streaming.params import StreamParams
 
@@ -102,7 +103,7 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     path, table = out / "session.mcap", out / "session.csv"
     window.host.record(RecordingRequest(path, watched.name, "as they come"))
     began, ticks = time.monotonic(), window.ticker.ticks
-    gathered = _gather(window, duration, out / "window.png")
+    gathered = _gather(window, duration, out / "window.png", problems)
     rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)
     view = window.host.snapshot()
     window.host.stop()
@@ -152,7 +153,9 @@ def wait_until(done: Callable[[], bool], timeout: float) -> bool:
     return was_done
 
 
-def _gather(window: MainWindow, duration: float, image: Path) -> dict[str, Figures]:
+def _gather(
+    window: MainWindow, duration: float, image: Path, problems: list[str]
+) -> dict[str, Figures]:
     """Watch the engine for ``duration`` s; what is found of each hand, by its side."""
     began = time.monotonic()
     sampler = QTimer()
@@ -168,15 +171,28 @@ def _gather(window: MainWindow, duration: float, image: Path) -> dict[str, Figur
             _take(hand, gathered[hand.setup.side])
         late = time.monotonic() - began > SCREENSHOT_AFTER * duration
         if late and not taken and all(_is_tracked(hand) for hand in view.hands):
-            taken = window.grab().save(str(image))
+            taken = True
+            _save(window, image, problems)
 
     sampler.timeout.connect(sample)
     sampler.start(SAMPLE_MS)
     wait_until(lambda: False, duration)
     sampler.stop()
     if not taken:
-        window.grab().save(str(image))
+        _save(window, image, problems)
     return gathered
+
+
+def _save(window: MainWindow, image: Path, problems: list[str]) -> None:
+    """An image of the window as a PNG, which is there whole or not at all."""
+    data = QByteArray()
+    buffer = QBuffer(data)
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    window.grab().save(buffer, "PNG")
+    try:
+        write_whole(image, bytes(data.data()))
+    except FileError as error:
+        problems.append(str(error))
 
 
 def _is_tracked(view: Snapshot) -> bool:
@@ -216,10 +232,17 @@ def _report(gathered: Mapping[str, Figures], view: Snapshot | None, rate: float,
         f"{figure('frames_dropped', '{:.0f}')} images not searched, "
         f"{figure('pictures_thinned', '{:.0f}')} images not recorded",
         *_lines_of_hands(gathered, view),
-        f"session      {path} ({path.stat().st_size / 1e6:.1f} MB), {path.stem}.csv",
+        f"session      {_session_text(path)}",
         f"machine      {os.cpu_count()} cores, load {load:.1f}",
     ]
     return "\n".join(lines)
+
+
+def _session_text(path: Path) -> str:
+    if not path.exists():
+        return "not recorded"
+    tables = sorted(table.name for table in path.parent.glob(f"{path.stem}*.csv"))
+    return ", ".join([f"{path} ({path.stat().st_size / 1e6:.1f} MB)", *(tables or ["no table"])])
 
 
 def _lines_of_hands(gathered: Mapping[str, Figures], view: Snapshot | None) -> list[str]:

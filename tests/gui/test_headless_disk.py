@@ -1,0 +1,55 @@
+"""A headless report whose disk takes no more: sentences, and no part of a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QImage, QPixmap
+
+from app.window import headless_report as report
+
+resource = pytest.importorskip("resource")
+
+LIMIT = 2000  # bytes of a file
+
+
+@pytest.fixture
+def small_files() -> Iterator[None]:
+    """No file may become longer than `LIMIT` bytes."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT, hard))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+def window() -> SimpleNamespace:
+    noise = np.random.default_rng(1).integers(0, 255, (120, 160, 4), np.uint8)
+    image = QImage(noise.tobytes(), 160, 120, QImage.Format.Format_RGB32).copy()
+    return SimpleNamespace(grab=lambda: QPixmap.fromImage(image))
+
+
+def test_an_image_that_does_not_fit_is_reported_and_not_left(qapp, tmp_path, small_files) -> None:
+    problems: list[str] = []
+    report._save(window(), tmp_path / "window.png", problems)
+    assert len(problems) == 1 and "window.png cannot be written" in problems[0]
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_image_that_fits_is_whole(qapp, tmp_path) -> None:
+    problems: list[str] = []
+    report._save(window(), tmp_path / "window.png", problems)
+    assert problems == [] and QImage(str(tmp_path / "window.png")).width() == 160
+
+
+def test_a_session_that_could_not_be_recorded_is_called_that(tmp_path: Path) -> None:
+    path = tmp_path / "session.mcap"
+    assert report._session_text(path) == "not recorded"
+    path.write_bytes(bytes(100_000))
+    assert report._session_text(path) == f"{path} (0.1 MB), no table"
+    (tmp_path / "session_left.csv").touch()
+    (tmp_path / "session_right.csv").touch()
+    assert report._session_text(path).endswith("MB), session_left.csv, session_right.csv")
