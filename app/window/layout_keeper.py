@@ -80,11 +80,16 @@ class LayoutKeeper(QObject):
 
     # --- the jobs
 
-    def show_first(self) -> None:
-        """Show the docks as they were when the program ended."""
+    def show_first(self, replay: bool = False) -> None:
+        """Show the docks as they were when the program ended; for a replay in its own layout."""
         self.shown = True
         value = self._store.value
-        self._put_on(value.job, value.layout or value.job_layouts.get(value.job))
+        job, layout = value.job, value.layout or value.job_layouts.get(value.job)
+        if replay and not job_of(job).shown.issuperset(REPLAY_NEEDS):
+            self._before_review = job, layout if isinstance(layout, dict) else {}
+            self._store.update(job=REVIEW)
+            job, layout = REVIEW, value.job_layouts.get(REVIEW)
+        self._put_on(job, layout)
 
     def choose(self, job: str) -> None:
         """Show the layout of a job as the user left it, with its main tabs in front."""
@@ -119,11 +124,10 @@ class LayoutKeeper(QObject):
         """Store the job's layout, without visitors; returns it."""
         for name in self._visitors:
             self._docks[name].hide()
-        if self._visitors:
-            self._visitors.clear()
-            inner = self._window.layout()
-            if inner is not None:
-                inner.activate()  # the others have their sizes again
+        self._visitors.clear()
+        inner = self._window.layout()
+        if inner is not None:
+            inner.activate()  # sizes are those without visitors, and after the latest change
         self._before_review = None
         job, kept = self._store.value.job, self._store.value.job_layouts
         layout = capture(self._window, self._docks)

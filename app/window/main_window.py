@@ -284,7 +284,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle((live if setup.player is None else replay).format(setup.name))
         if not self.start_page.isHidden():  # later openings leave panels as the user put them
             self.start_page.hide()
-            self.layouts.show_first()
+            self.layouts.show_first(replay=setup.player is not None)
         self.library.transport.offer_live(self.sources.can_go_live)
         if setup.player is not None:
             self.layouts.show_review()

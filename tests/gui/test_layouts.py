@@ -196,7 +196,7 @@ def session(tmp_path):
 
 def open_replay_of(window, session, qtbot) -> None:
     window.library.replay.emit(session)
-    qtbot.waitUntil(lambda: window.host.setup.player is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: "Replay of" in window.windowTitle(), timeout=60_000)
     qtbot.wait(50)
 
 
@@ -220,6 +220,22 @@ def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_one_before(
     assert watched.store.value.job == job
     assert in_sight(watched) == job_of(job).shown
     assert all(front_tabs(watched, job_of(job)))
+
+
+def test_after_a_replay_opened_first_the_layout_has_its_usual_shares(window, store, session, qtbot):
+    """The layout before it was never on the screen: there are no sizes to go back to."""
+    store.update(job="set_up")
+    open_replay_of(window, session, qtbot)
+    assert store.value.job == "look"
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    qtbot.wait(300)
+    after = shares_of(window, window.docks)
+    window.reset_layout()
+    qtbot.wait(300)
+    usual = shares_of(window, window.docks)
+    assert store.value.job == "set_up" and after.keys() == usual.keys()
+    for name, share in usual.items():
+        assert after[name] == pytest.approx(share, abs=CLOSE), name
 
 
 def test_a_replay_stays_in_a_layout_that_has_all_it_needs(watched, session, qtbot):

@@ -118,7 +118,7 @@ class LibraryPanel(Panel):
             selected[asked]()
 
     def title(self) -> str:
-        return self.tr("Library && replay")
+        return self.tr("Library")
 
     def _name_exports(self) -> None:
         waiting = sum(i.open for i in self.exports.items)
