@@ -115,7 +115,11 @@ def test_validity_and_sd_follow_the_tree(
             expected = Validity.LOST
         assert e.keypoint_state[k] == expected
         end = hand.parent[i] if base else i
-        assert e.keypoint_sd[k] == pytest.approx(_sd(layout, sd, end, i))
+        known = _sd(layout, sd, end, i)
+        if hand.segment_names[i].startswith(("ring", "little")):  # more in test_inferred_sd.py
+            assert e.keypoint_sd[k] >= known * (1 - 1e-9)
+        else:
+            assert e.keypoint_sd[k] == pytest.approx(known)
 
 
 def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int) -> float:

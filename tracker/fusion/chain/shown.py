@@ -26,7 +26,7 @@ from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tracking import DOUBT_AFTER
 from tracker.fusion.output.completion import Completion
 from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed, sensed_lately
-from tracker.fusion.time.timeline import behind_variance
+from tracker.fusion.time.timeline import HAND_SPEED, behind_variance
 from tracker.messages import (
     SEEN_LATELY,
     Array,
@@ -71,6 +71,7 @@ class ShownKept:
     heading_drift: float = 0.0  # rad by which the heading may be off since images held it
     heading_at: float = np.inf  # s until when that was added up
     p_GC: Array = field(default_factory=lambda: np.zeros(0))  # (3,) m of the one camera, lately
+    unsensed_until: float = -np.inf  # s until when no IMU sensed how the hand turned
 
 
 class ShownHand:
@@ -133,6 +134,14 @@ class ShownHand:
         self.kept.doubted = np.ones(len(self._layout.active), bool)
         self.kept.poor_since = np.full(int(self._digit.max(initial=-1)) + 1, -np.inf)
 
+    def moved_unsensed(self, t: float) -> None:
+        """The root's IMU answers again at ``t``: no sensor knows how the hand turned meanwhile, and
+        its tilt takes gravity for motion until an image since then supports the pose."""
+        if not len(self.kept.doubted):
+            self.started()
+        self.kept.doubted = np.ones(len(self._layout.active), bool)
+        self.kept.unsensed_until = t
+
     def supported(self, t: float, seen: Evidence, sure: bool) -> None:
         """An image supports the digits as ``seen`` tells; ``sure`` is the hand as a whole."""
         now = self.kept
@@ -141,6 +150,7 @@ class ShownHand:
         now.poor_since[seen.supported] = np.inf
         now.poor_since[seen.unsupported] = np.minimum(now.poor_since[seen.unsupported], t)
         poor = t - now.poor_since >= DOUBT_AFTER
+        sure = sure and t >= now.unsensed_until
         if sure and len(poor):
             now.doubted = (self._digit >= 0) & poor[self._digit]
         else:
@@ -213,6 +223,16 @@ class ShownHand:
         if not self.kept.one_camera:
             self.kept.tip_sd = self.ends(state)
 
+    def _doubt_variance(self, t: float) -> float:
+        """m² an axis that the covariance lacks while the whole hand is doubted: it holds only if
+        the blobs were of the markers that they were taken for (docs/chain.md, eq. 63)."""
+        doubted = self.kept.doubted
+        if not len(doubted) or not doubted.all():
+            return 0.0
+        since = t - self.kept.seen.max(initial=-np.inf)
+        moved = HAND_SPEED * max(since, 0.0) if np.isfinite(since) else 0.0
+        return MEASURED_SD**2 + float(moved) ** 2
+
     # ---- messages
 
     def estimate(
@@ -220,8 +240,8 @@ class ShownHand:
     ) -> Estimate:
         """The hand of a nominal state at ``t``, which was carried there from ``past``."""
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
-        sd = np.sqrt(self.tip_sd**2 + ahead + behind_variance(state.t, t))
-        estimate = self.estimate_of(state, t, self.sensed(t, tracking), sd)
+        variance = self.tip_sd**2 + ahead + behind_variance(state.t, t) + self._doubt_variance(t)
+        estimate = self.estimate_of(state, t, self.sensed(t, tracking), np.sqrt(variance))
         return called_measured(estimate, self.kept.most_sd)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:

@@ -77,7 +77,10 @@ class ChainTracker:
     # ---- packets
 
     def packet(self, sample: ImuSample) -> None:
-        self.filter.doubt(self.shown.returned(sample))
+        returned = self.shown.returned(sample)
+        self.filter.doubt(returned)
+        if self._layout.imu_of[0] in returned:
+            self.shown.moved_unsensed(sample.t)
         self.shown.packet(sample)
 
     def step(self, way: Intervals, first: int) -> int:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 
 from tracker.fusion.output.completion import ActiveSegments, Completion, HandTables, complete
 from tracker.fusion.segments import EstimatedSegments
-from tracker.geometry.kernels import quats
+from tracker.geometry.kernels import quats, rotate_back
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
@@ -26,6 +27,10 @@ INFERRED_DEG = {
 abduction together: of a segment, else of a finger's segments of that kind."""
 BASE_SD = 0.0022  # m an axis, of a knuckle that nothing senses
 REACH = 0.85  # of a bent finger, as a share of its bones'
+WITHIN_LIMITS = tuple(product(np.linspace(0.0, 1.0, 5), repeat=2))
+"""Where a digit without sensors may be, whatever its neighbour does: shares of their ranges by
+which its first joint is bent, and its other joints together."""
+FLEXION = 1  # among a joint's axes
 LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
 
 
@@ -33,13 +38,17 @@ class Keypoints(NamedTuple):
     """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
     in its nominal B, end_of (K,) the segment that it is the far end of, -1 for none; ancestor (K,)
     the row of the nearest segment whose end's standard deviation is given, beyond (K,) the variance
-    (m², an axis) that the keypoint has beyond that one's."""
+    (m², an axis) that the keypoint has beyond that one's; base (K,) the first segment of the digit
+    without sensors that the keypoint is on, -1 for none, and reached (K, C, 3) m where it is for
+    each of `WITHIN_LIMITS`, from that digit's joint in the nominal B of the digit's parent."""
 
     segment: IntVector
     offset: Matrix
     end_of: IntVector
     ancestor: IntVector
     beyond: Vector
+    base: IntVector
+    reached: Stack
 
 
 class Angles(NamedTuple):
@@ -72,8 +81,13 @@ class HandOutput:
         self._keypoint_count = len(segments.glove.keypoint_names(hand))
         moves_with, end_of = segments.glove.keypoint_segments(hand), self._far_ends()
         offset = [hand.keypoint_offset, *(k.position[None] for k in segments.glove.keypoints)]
+        offsets = np.concatenate(offset)
         self._keypoints = Keypoints(
-            moves_with, np.concatenate(offset), end_of, *self._ancestors(moves_with, end_of)
+            moves_with,
+            offsets,
+            end_of,
+            *self._ancestors(moves_with, end_of),
+            *self._unsensed_digits(moves_with, offsets),
         )
         columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
         child, axis = np.nonzero(columns >= 0)
@@ -124,6 +138,30 @@ class HandOutput:
             row[k] = row_of[a]
         return row, beyond
 
+    def _unsensed_digits(self, moves_with: IntArray, offset: Array) -> tuple[IntArray, Array]:
+        """Per keypoint: the first segment of the digit without sensors that it is on, -1 for none,
+        and where it is for each of `WITHIN_LIMITS`."""
+        hand, row_of = self._segments.hand, self._segments.row_of
+        base = np.full(len(moves_with), -1, np.int64)
+        for k, s in enumerate(moves_with):
+            first = int(s)
+            while first not in row_of and hand.parent[first] not in row_of:
+                first = hand.parent[first]
+            if first not in row_of and hand.parent[first] == hand.root:
+                base[k] = first
+        reached = np.zeros((len(moves_with), len(WITHIN_LIMITS), 3))
+        low, high = hand.angle_limits.T
+        columns = np.array(hand.axis_columns)[:, FLEXION]
+        bends, first = columns >= 0, np.array(hand.parent) == hand.root
+        for c, (near, far) in enumerate(WITHIN_LIMITS):
+            angles, share = np.zeros(len(low)), np.where(first, near, far)[bends]
+            column = columns[bends]
+            angles[column] = low[column] + share * (high - low)[column]
+            R, p = hand.forward(angles, np.eye(3), np.zeros(3))
+            points = p[moves_with] + np.einsum("kij,kj->ki", R[moves_with], offset)
+            reached[:, c] = np.where(base[:, None] >= 0, points - p[base], 0.0)
+        return base, reached
+
     def _nothing(self, t: float) -> Estimate:
         hand, k = self._segments.hand, self._keypoint_count
         n, j = len(hand.segments), len(hand.joint_names)
@@ -166,9 +204,10 @@ def whole_hand(
     points, q = keypoint_positions(keypoints, R, p, scale)
     of_segment = segment_states(hand.row, sensed)
     state = keypoint_states(of_segment, keypoints, coasting)
+    away = farthest(keypoints, hand.parent, points, R, p, scale)
+    sd = keypoint_sds(keypoints, active_sd, away)
     if lost:
         state[:], points[:], q[:] = LOST, np.nan, np.nan
-    sd = keypoint_sds(keypoints, active_sd)
     return points, q, state, sd, angles, angle_states(of_segment, angles_of, known), R, p
 
 
@@ -252,11 +291,31 @@ def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bo
 
 
 @kernel
-def keypoint_sds(keypoints: Keypoints, active_sd: Vector) -> Vector:
+def farthest(
+    keypoints: Keypoints, parent: IntVector, points: Matrix, R: Stack, p: Matrix, scale: Matrix
+) -> Vector:
+    """(K,) m from each of the ``points`` (K, 3) on a digit without sensors to where that digit's
+    joints let it be; 0 on other digits."""
+    out = np.zeros(len(points))
+    for k in range(len(points)):
+        base = keypoints.base[k]
+        if base < 0:
+            continue
+        here = rotate_back(R[parent[base]], points[k] - p[base])
+        for c in range(keypoints.reached.shape[1]):
+            total = 0.0
+            for i in range(3):
+                total += (here[i] - scale[base, i] * keypoints.reached[k, c, i]) ** 2
+            out[k] = max(out[k], np.sqrt(total))
+    return out
+
+
+@kernel
+def keypoint_sds(keypoints: Keypoints, active_sd: Vector, away: Vector) -> Vector:
     """(K,) m: by the sd (A + d,) of the nearest ancestor that has one, and by what lies beyond it
-    (docs/chain.md, eq. 55)."""
+    (docs/chain.md, eq. 55), and a third of how far ``away`` (K,) m the point may be (eq. 62)."""
     ancestor, beyond = keypoints.ancestor, keypoints.beyond
     out = np.empty(len(ancestor))
     for k in range(len(ancestor)):
-        out[k] = np.sqrt(active_sd[ancestor[k]] ** 2 + beyond[k])
+        out[k] = np.sqrt(active_sd[ancestor[k]] ** 2 + beyond[k] + (away[k] / 3.0) ** 2)
     return out

@@ -8,14 +8,12 @@ from __future__ import annotations
 import copy
 from dataclasses import dataclass
 
-import numpy as np
-
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.shown import called_measured
 from tracker.fusion.engine import ExpectedHand
 from tracker.fusion.output.output import HandOutput
 from tracker.fusion.time.imu_buffer import ImuBuffer
-from tracker.fusion.time.timeline import Timeline, TimelineKept, behind_variance
+from tracker.fusion.time.timeline import Timeline, TimelineKept
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import positions
@@ -106,7 +104,7 @@ class VistEngine:
 
     def _estimate(self, state: VistState, t: float) -> Estimate:
         p_GB, sensed = state.p_GB(self._layout), self._tracker.sensed(t)
-        sd = np.hypot(self._tracker.sd_at(t), np.sqrt(behind_variance(state.t, t)))
+        sd = self._tracker.sd_at(t, state)
         return called_measured(self._output.estimate(t, state.R_GB, p_GB, state.scale, sensed, sd))
 
     def calibration(self) -> Calibration:

@@ -6,7 +6,7 @@ import numpy as np
 
 from tracker.fusion.kalman import update_with
 from tracker.fusion.vist.anatomy import Anatomy
-from tracker.fusion.vist.layout import VistLayout
+from tracker.fusion.vist.layout import ERRORS, P, V, VistLayout
 from tracker.fusion.vist.loose import loose_rows
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.params import VistParams
@@ -80,6 +80,11 @@ class VistFilter:
 
     def _update(self, state: VistState, H: Array, r: Array, R: Array) -> None:
         HP = H @ state.P
+        if state.held_back.any():  # a known error of the nominal state: the update takes it back
+            back = np.zeros((self._layout.n, ERRORS))
+            back[:, P : P + 3], back[:, V : V + 3] = state.held_back
+            dx, _ = update_with(state.P, HP, HP @ H.T, H @ back.ravel(), R)
+            state.held_back = state.held_back - np.stack([dx[P : P + 3], dx[V : V + 3]])
         dx, state.P = update_with(state.P, HP, HP @ H.T, r, R)
         inject(state, dx)
 

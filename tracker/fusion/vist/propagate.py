@@ -48,8 +48,10 @@ def propagate(
     state.p_GI, state.v_GI, state.R_GI = _move_nominal(
         layout.chain.parent, state.p_GI, state.v_GI, state.R_GI, w, f, valid, dt
     )
-    if coasting:
-        state.v_GI = state.v_GI - (1 - np.exp(-COAST_DAMPING * dt)) * state.v_GI[0]
+    p_back, v_back = state.held_back
+    taken = (1 - np.exp(-COAST_DAMPING * dt)) * state.v_GI[0] if coasting else np.zeros(3)
+    state.v_GI = state.v_GI - taken
+    state.held_back = np.stack([p_back + v_back * dt, v_back + taken])
     state.t += dt
 
 

@@ -46,7 +46,7 @@ def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
 
 def ahead_variance(state: VistState, layout: VistLayout, noise: VistNoise, tau: float) -> Array:
     """(n,) m² an axis that each segment's position gains while the nominal state alone is carried
-    on for ``tau`` s (docs/chain.md, eq. 50): each has a velocity, a tilt and a bias of its own."""
+    on for ``tau`` s (docs/chain.md, eq. 56): each has a velocity, a tilt and a bias of its own."""
     variance = np.diagonal(state.P).reshape(layout.n, ERRORS)
     velocity, tilt, bias = (variance[:, k : k + 3].mean(axis=1) for k in (V, TH, BA))
     pull = GRAVITY**2 * tilt + bias

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from tracker.records import record
         "scale": "n 3",
         "R_IB": "n 3 3",
         "P": "21n 21n",
+        "held_back": "2 3",
     },
 )
 @dataclass(eq=False)
@@ -34,7 +35,9 @@ class VistState:
     covariance at time ``t``; n segments, rows as in `VistLayout`.
 
     p_GI, v_GI (n, 3) m, m/s of each IMU in G; R_GI (n, 3, 3); bg, ba (n, 3); scale (n, 3) lambda_B;
-    R_IB (n, 3, 3); P (21 n, 21 n).
+    R_IB (n, 3, 3); P (21 n, 21 n). held_back (2, 3) m, m/s: by how much the damping of a hand that
+    no image shows has moved its position and velocity off what the IMUs say, which is what P is
+    the covariance of.
     """
 
     t: float
@@ -46,6 +49,7 @@ class VistState:
     scale: Array
     R_IB: Array
     P: Array
+    held_back: Array = field(default_factory=lambda: np.zeros((2, 3)))
 
     def copy(self) -> VistState:
         """An independent copy."""

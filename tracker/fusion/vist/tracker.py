@@ -11,6 +11,7 @@ from tracker.fusion.chain.pixels import SeenBlobs, seen_blobs
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.output.output import Sensed
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Readings
+from tracker.fusion.time.timeline import behind_variance
 from tracker.fusion.vist.filter import VistFilter
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, PreviousMarkers
@@ -149,6 +150,8 @@ class VistTracker:
         often = max(1.0, self._params.constraint.period / since)
         self._filter.correct(self.state, expected, matched, often)
         self._track.judge(frame.t, enough, self._params.tracking)
+        if enough:
+            self.state.held_back = np.zeros((2, 3))
         return self._finish(frame, seen, pose, expected, matched)
 
     def _look(
@@ -225,10 +228,12 @@ class VistTracker:
         out[self._layout.chain.marker_segment[t - self._track.seen < SEEN_LATELY]] = 1
         return Sensed(out, self._track.tracking)
 
-    def sd_at(self, t: float) -> Array:
-        """(n,) m of the segments' ends, which grows from the last image or constraint on."""
+    def sd_at(self, t: float, shown: VistState) -> Array:
+        """(n,) m of the segments' ends of a state that is ``shown`` for ``t``; it grows from the
+        last image or constraint on."""
         tip_sd, last = self._track.tip_sd, self._track.last_constraint
         tau = t - last if np.isfinite(last) else 0.0
         ahead = ahead_variance(self.state, self._layout, self._params.noise, max(tau, 0.0))
-        sd: Array = np.sqrt(tip_sd**2 + ahead)
+        back = shown.held_back[0] @ shown.held_back[0] / 3
+        sd: Array = np.sqrt(tip_sd**2 + ahead + behind_variance(shown.t, t) + back)
         return sd
