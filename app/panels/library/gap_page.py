@@ -32,7 +32,7 @@ from app.viewmodels.recording import position_text
 from app.widgets.measures import TIGHT
 from app.widgets.one_line import OneLine
 from app.widgets.timeline import Span
-from app.words import tr
+from app.words import local, tr
 
 START, LENGTH, SIDE, PART, KIND, CAUSE = range(6)
 SORTED = int(Qt.ItemDataRole.UserRole)  # what a cell is sorted by
@@ -177,7 +177,7 @@ class GapPage(QWidget):
             look = KINDS[gap.kind]
             cells = (
                 _Cell(position_text(gap.start), gap.start),
-                _Cell(f"{gap.length:.2f} s", gap.length),
+                _Cell(f"{local(gap.length):.2f} s", gap.length),
                 _Cell(side_text(gap.side), gap.side),
                 _Cell(part_text(gap.part), gap.part),
                 _Cell(f"{look.sign} {tr(look.word)}", gap.kind),
