@@ -140,7 +140,7 @@ def _choose(chosen: str, wanted: _Wanted, locks: Locks, known: list[CameraName])
             replace(wanted.right, backend=pair[1].backend),
         )
         two = TwoCameraInput(pair[0].index, pair[1].index, *formats)
-        controls = ControlledInput(two, locks)
+        controls = ControlledInput(two, locks, tuple(camera.path for camera in pair))
         return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)
     if is_plugin(chosen):
         return ChosenCamera(open_plugin(chosen, wanted.each), chosen, None)
@@ -150,7 +150,8 @@ def _choose(chosen: str, wanted: _Wanted, locks: Locks, known: list[CameraName])
     camera = _find(chosen.removeprefix(NAME), known)
     if is_plugin(camera.path):
         return ChosenCamera(open_plugin(camera.path, wanted.each), camera.name, None)
-    controls = ControlledInput(wanted.stream(camera.index, camera.backend), locks)
+    stream = wanted.stream(camera.index, camera.backend)
+    controls = ControlledInput(stream, locks, (camera.path,))
     return ChosenCamera(controls, camera.name, controls)
 
 

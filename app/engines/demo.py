@@ -167,6 +167,7 @@ def _seen_from(
         followed=tracked,
         right_of_way=tracker.right_of_way,
         vibrate=glove.link.vibrate,
+        glove_settings=glove.link,
         guide=shared.guide or WearersGuide(tracked),
         command=tracked.command,
         reset_pose=tracked.reset_pose,

@@ -29,7 +29,8 @@ from tracker.messages import (
     StereoFrame,
 )
 from tracker.sensors.camera import UnfitImages
-from tracker.sensors.camera_controls import Control, Locks
+from tracker.sensors.camera_controls import CameraReport, Control, Locks
+from tracker.sensors.glove_report import GloveReport
 from tracker.session.description import MAIN
 from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
@@ -106,7 +107,17 @@ class CameraControls(Protocol):
 
     def controls(self) -> tuple[Control, ...]: ...
 
+    def reports(self) -> tuple[CameraReport, ...]: ...
+
     def want(self, locks: Locks) -> None: ...
+
+
+class GloveSettings(Protocol):
+    """What a glove that is open is set to, and what of that may be changed."""
+
+    def report(self) -> GloveReport: ...
+
+    def want_rate(self, rate_hz: int) -> None: ...
 
 
 class Player(Protocol):
@@ -202,6 +213,8 @@ class EngineSetup:
     command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
     reference_tracking: ReferenceTracking | None = None
     camera_controls: CameraControls | None = None  # of a device that is open
+    glove_settings: GloveSettings | None = None  # of a glove that is open
+    calibration_file: str = ""  # of the camera; empty where there is none
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     image_rate: Callable[[], float] | None = None  # images a second that the camera should give
     stage: ApplicationStage | None = None  # where an application of the hand runs

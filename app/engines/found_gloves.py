@@ -14,7 +14,7 @@ from tracker.errors import DeviceError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
-from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_link import GloveLink, LinkParams, rates_at
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.protocol import BAUD, BAUDS
 
@@ -36,11 +36,15 @@ class WornGlove:
     def side(self) -> str:
         return self.glove.side
 
-    def link(self) -> GloveLink:
-        """To where it is; one that is not there is looked for until it comes."""
+    def link(self, rate_hz: int = 100) -> GloveLink:
+        """To where it is; one that is not there is looked for until it comes.
+
+        ``rate_hz`` is asked of it where its line carries so much.
+        """
         path, baud = (self.report.path, self.report.baud) if self.report else (self.port, BAUD)
         place = GlovePort(path, baud, glove_id=self.glove_id)
-        return GloveLink(place, len(self.glove.imus), LinkParams(baud=baud))
+        rate = rate_hz if rate_hz in rates_at(baud) else LinkParams.rate_hz
+        return GloveLink(place, len(self.glove.imus), LinkParams(rate, baud=baud))
 
 
 @dataclass(frozen=True)

@@ -91,7 +91,8 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         return Detector(colours, float(pipeline.glove.marker_size.mean()), pipeline.rig.fx)
 
     warm_up(pipeline.hand, pipeline.glove, make_detector(profile))
-    links: dict[str, GloveLink] = {w.side: w.link() for w in found.gloves}
+    rate_hz = settings.glove_rate
+    links: dict[str, GloveLink] = {w.side: w.link(rate_hz) for w in found.gloves}
     gloves: dict[str, GloveSource] = {w.side: links.get(w.side) or NoGlove() for w in worn}
     chosen = found.camera
     device = StereoCamera(chosen.source, found.rig) if chosen else None
@@ -115,6 +116,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         # a calibration file's name holds a ZED's serial number
         camera=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",
         camera_controls=chosen.controls if chosen else None,
+        calibration_file=settings.calibration,
         has_camera=chosen is not None,
         camera_calibrated=found.rig is not None,
         missing=" ".join(found.missing),
@@ -142,6 +144,7 @@ def _seen_from(
         firmware_advice=advice(hello.firmware) if hello else "",
         followed=tracked,
         vibrate=link.vibrate if link else None,
+        glove_settings=link,
         guide=WearersGuide(tracked),
         command=tracked.command,
         reset_pose=tracked.reset_pose,

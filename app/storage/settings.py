@@ -71,6 +71,7 @@ class AppSettings:
     gloves: dict[str, Any] = field(default_factory=dict)  # `BoundGlove`s, by their numbers
     port: str = ""
     baud: int = 0  # of the glove's line; 0: whichever it answers at
+    glove_rate: int = 100  # packets a second that a glove is asked for
     camera: str = ""  # see `app.engines.camera_choice`
     camera_exchanged: bool = False  # left and right images change places
     camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`

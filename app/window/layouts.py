@@ -79,7 +79,7 @@ JOBS = (
             (("cameras",), ("sensors", "motion", "graphs", "library", "log")),
             (
                 ("hand", "applications", "robot"),
-                ("calibration", "checklist", "colours", "recording", "streams"),
+                ("calibration", "checklist", "colours", "recording", "streams", "devices"),
             ),
         ),
         0.58,
@@ -97,7 +97,7 @@ HALF_AND_MORE = 0.62
 """Of the window at most for a side that needs its room; the images keep the rest."""
 BESIDE = {"robot": "hand"}
 """Docks that come to stand beside another one when they are called, where that is in sight."""
-OVER = {"applications": "hand", "graphs": "hand"}
+OVER = {"applications": "hand", "graphs": "hand", "devices": "hand"}
 """Docks that come to the place of another when they are called: they need its room."""
 
 

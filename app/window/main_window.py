@@ -22,6 +22,7 @@ from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
 from app.panels.colours.panel import ColoursPanel
+from app.panels.devices.panel import DevicesPanel
 from app.panels.graphs.panel import GraphsPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
@@ -129,6 +130,7 @@ class MainWindow(QMainWindow):
         self.applications = ApplicationsPanel(self.host, self.store)
         self.robot = RobotPanel(self.host, self.robot_link)
         self.graphs = GraphsPanel(self.host, self.store)
+        self.devices = DevicesPanel(self.host, self.store)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -144,6 +146,7 @@ class MainWindow(QMainWindow):
             self.applications,
             self.robot,
             self.graphs,
+            self.devices,
         ]
 
     def _make_frame(self) -> None:

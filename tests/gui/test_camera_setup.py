@@ -21,7 +21,13 @@ from tracker.calibration.still import StillImu, StillPose
 from tracker.errors import DeviceError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.pipeline import Pipeline
-from tracker.sensors.camera_controls import PROPERTIES, Control, ControlledInput, Locks
+from tracker.sensors.camera_controls import (
+    PROPERTIES,
+    CameraReport,
+    Control,
+    ControlledInput,
+    Locks,
+)
 from tracker.sensors.image_input import CameraName, StreamInput
 from tracker.vision.rig import ideal_rig
 
@@ -47,6 +53,9 @@ class Controls:
             Control("gain"),
             Control("white_balance", True, w.white_balance or 4600.0, w.white_balance is not None),
         )
+
+    def reports(self) -> tuple[CameraReport, ...]:
+        return ()
 
     def want(self, locks: Locks) -> None:
         self.wanted = locks

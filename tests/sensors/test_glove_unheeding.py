@@ -17,6 +17,7 @@ from tracker.sensors.protocol import (
     BAUD,
     GloveStatus,
     Hello,
+    Rate,
     Samples,
     Stop,
 )
@@ -54,6 +55,34 @@ def test_a_glove_that_obeys_is_not_complained_of() -> None:
     run.go(3.0)
     assert run.said == []
     assert len(run.samples) == pytest.approx(300, abs=3)
+
+
+def test_another_rate_is_taken_while_packets_come_and_told_by_their_times() -> None:
+    run = Run(Scripted(Hello(7, N), 100.0, obeys=True))
+    run.go(2.0)
+    before, events = run.link.report(), list(run.said)
+    assert (before.rate_asked_hz, before.glove_id, before.state) == (100, 7, "streaming")
+    assert before.rate_hz == pytest.approx(100.0, rel=0.01)
+    run.link.want_rate(50)
+    assert run.link.report().rate_asked_hz == 50
+    run.go(3.0)
+    assert run.glove.heard[-1] == Rate(50) and run.glove.heard.count(Rate(50)) == 1
+    assert run.link.report().rate_hz == pytest.approx(50.0, rel=0.01)
+    assert run.said == events, "a rate that was asked for is no news"
+    steps = np.diff([s.t for s in run.samples[-50:]])
+    np.testing.assert_allclose(steps, 0.02, atol=0.002)
+    with pytest.raises(ValueError, match="rate"):
+        run.link.want_rate(120)
+
+
+def test_another_rate_that_is_not_heeded_is_seen_in_the_report() -> None:
+    run = Run(Scripted(Hello(7, N), 100.0))
+    run.go(2.0)
+    run.link.want_rate(200)
+    run.go(4.0)
+    report = run.link.report()
+    assert report.rate_asked_hz == 200 and report.rate_hz == pytest.approx(100.0, rel=0.01)
+    assert any("not the 200" in text for text in run.said)
 
 
 def test_a_true_jump_of_the_clock_is_still_said_though_it_looks_like_a_rate() -> None:

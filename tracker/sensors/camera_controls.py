@@ -7,13 +7,14 @@ belongs to the set-up. Values are in the driver's own units: no driver tells wha
 from __future__ import annotations
 
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import cv2
 
 from tracker.sensors.camera_systems import exposure_switch
 from tracker.sensors.image_input import ImageInput, Pair
+from tracker.sensors.v4l2 import Limits, limits_of, serial_number
 
 
 @dataclass(frozen=True)
@@ -40,13 +41,15 @@ COARSE, STEP = 1.0, 0.05
 @dataclass(frozen=True)
 class Control:
     """One control as the device reports it: ``available``, its value, whether it was ``locked``,
-    and whether the device confirms that lock (``verified``)."""
+    and whether the device confirms that lock (``verified``); ``limits`` are None where the system
+    does not report them."""
 
     name: str
     available: bool = False
     value: float = 0.0
     locked: bool = False
     verified: bool = True
+    limits: Limits | None = None
 
     @property
     def is_open(self) -> bool:
@@ -57,6 +60,20 @@ class Control:
     def is_unverified(self) -> bool:
         """Whether it was locked and the camera does not confirm that."""
         return self.available and self.locked and not self.verified
+
+
+@dataclass(frozen=True)
+class CameraReport:
+    """What an open camera grants: its image (px), images a second, pixel format and OpenCV's way
+    to it. ``path`` and ``serial_number`` are empty where the system does not report them."""
+
+    width: int = 0
+    height: int = 0
+    fps: float = 0.0
+    pixel_format: str = ""
+    backend: str = ""
+    path: str = ""
+    serial_number: str = ""
 
 
 @dataclass(frozen=True)
@@ -92,8 +109,12 @@ class ControlledInput:
 
     live = True
 
-    def __init__(self, inner: HasCaptures, locks: Locks | None = None) -> None:
-        self._inner = inner
+    def __init__(
+        self, inner: HasCaptures, locks: Locks | None = None, paths: tuple[str, ...] = ()
+    ) -> None:
+        """``paths`` of the devices, where the system has any."""
+        self._inner, self._paths = inner, paths
+        self._reports: tuple[CameraReport, ...] = ()
         self.name, self.fps = inner.name, inner.fps
         self._lock = threading.Lock()
         self._locks, self._changed = locks or Locks(), True
@@ -117,6 +138,11 @@ class ControlledInput:
         with self._lock:
             return self._controls
 
+    def reports(self) -> tuple[CameraReport, ...]:
+        """Returns what each camera granted when it was opened; none before that."""
+        with self._lock:
+            return self._reports
+
     def want(self, locks: Locks) -> None:
         """Have this from the next image on."""
         with self._lock:
@@ -128,9 +154,15 @@ class ControlledInput:
                 return
             self._changed, locks = False, self._locks
         captures = self._inner.captures()
-        found = tuple(_set_all(captures, name, getattr(locks, name)) for name in PROPERTIES)
+        found = tuple(self._set(captures, name, getattr(locks, name)) for name in PROPERTIES)
+        paths = self._paths or ("",) * len(captures)
+        reports = tuple(_report(c, path) for c, path in zip(captures, paths, strict=False))
         with self._lock:
-            self._controls = found
+            self._controls, self._reports = found, reports
+
+    def _set(self, captures: list[cv2.VideoCapture], name: str, value: float | None) -> Control:
+        limits = limits_of(self._paths[0], name) if self._paths else None
+        return replace(_set_all(captures, name, value), limits=limits)
 
 
 def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -> Control:
@@ -145,6 +177,28 @@ def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -
         all(c.locked for c in found),
         all(c.verified for c in found),
     )
+
+
+def _report(capture: Capture, path: str) -> CameraReport:
+    """What the device granted; only read, as often as controls change."""
+    backend = capture.getBackendName() if isinstance(capture, cv2.VideoCapture) else ""
+    return CameraReport(
+        width=max(0, int(capture.get(cv2.CAP_PROP_FRAME_WIDTH))),
+        height=max(0, int(capture.get(cv2.CAP_PROP_FRAME_HEIGHT))),
+        fps=max(0.0, float(capture.get(cv2.CAP_PROP_FPS))),
+        pixel_format=_four_letters(int(capture.get(cv2.CAP_PROP_FOURCC))),
+        backend=backend,
+        path=path,
+        serial_number=serial_number(path) if path.startswith("/dev/") else "",
+    )
+
+
+def _four_letters(code: int) -> str:
+    """A FOURCC as text; empty where the device reports none."""
+    if code <= 0:
+        return ""
+    letters = "".join(chr(code >> shift & 0xFF) for shift in (0, 8, 16, 24))
+    return letters.strip() if letters.isprintable() else ""
 
 
 def set_control(capture: Capture, name: str, value: float | None) -> Control:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import NamedTuple
 
@@ -22,6 +22,7 @@ from tracker.messages import Event, ImuSample
 from tracker.sensors.accel_range import RangeFromRest
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.glove_report import GloveReport
 from tracker.sensors.link_figures import LinkFigures, LowBattery
 from tracker.sensors.packet_clock import SEQ_BITS, PacketClock, PacketTime
 from tracker.sensors.protocol import (
@@ -53,6 +54,7 @@ ANSWER_WITHIN = 1.0  # s that a HELLO may be under way after it was asked for
 MOMENT = 0.002  # s that a motor command waits for another frame to be written
 LOST_AT_MOST = 200  # packets, while a HELLO is answered
 OTHER_RATE = 0.05  # share by which the rate may differ from what was asked for
+RATE_WITHIN = 2.0  # s after which a glove that was asked for another rate has taken it
 
 
 class LinkState(Enum):
@@ -80,6 +82,11 @@ class LinkParams:
             raise ValueError(f"the rate must be one of {RATES_HZ}")
         if self.rate_hz > SLOW_MOST_HZ and self.baud < BAUD:
             raise ValueError(f"{self.rate_hz} packets a second need {BAUD} baud")
+
+
+def rates_at(baud: int) -> tuple[int, ...]:
+    """Returns the packets a second that a line of ``baud`` carries."""
+    return RATES_HZ if baud >= BAUD else tuple(r for r in RATES_HZ if r <= SLOW_MOST_HZ)
 
 
 class Ranges(NamedTuple):
@@ -150,6 +157,8 @@ class GloveLink:
         self._before: int | None = None  # the same at a HELLO that may be a late answer
         self._was_gone = False  # and nobody was told yet that it is back
         self._packet_clock = self._new_clock()
+        self._wanted_rate = self.params.rate_hz  # set by any thread, sent by the one that polls
+        self._rate_asked = float("-inf")  # when that was sent
 
     # ---- outside
 
@@ -161,6 +170,7 @@ class GloveLink:
         if self._port is None:
             return [*out, *self._words.take()]
         try:
+            self._ask_rate()
             data = read_waiting(self._port, timeout)
             now = self._clock()
             for frame in self.decoder.feed(data):
@@ -186,6 +196,39 @@ class GloveLink:
         finally:
             self._writing.release()
         return False
+
+    def want_rate(self, rate_hz: int) -> None:
+        """Ask for another rate with the next poll, and after each restart. From any thread.
+
+        Raises ValueError for one that the protocol or the line does not have.
+        """
+        replace(self.params, rate_hz=rate_hz)
+        self._wanted_rate = rate_hz
+
+    def report(self) -> GloveReport:
+        """Returns what is known of the glove and its line, without asking it. From any thread."""
+        hello, place, figures = self.hello, self._open_port, self.figures
+        ranges = self._ranges
+        return GloveReport(
+            port=place.path if isinstance(place, GlovePort) else getattr(self._port, "port", ""),
+            adapter=place.adapter if isinstance(place, GlovePort) else None,
+            state=self.state.value,
+            baud=self.params.baud,
+            rates_hz=rates_at(self.params.baud),
+            rate_asked_hz=self._wanted_rate,
+            rate_hz=self._packet_clock.rate_hz,
+            glove_id=hello.glove_id if hello else None,
+            firmware=hello.firmware if hello else None,
+            protocol=hello.protocol if hello else None,
+            motors=hello.haptic_channels if hello else 0,
+            accel_range_g=ranges.accel_g if ranges else None,
+            gyro_range_dps=ranges.gyro_dps if ranges else None,
+            imu_ok=tuple(bool(self._imu_ok >> j & 1) for j in range(self._imu_count)),
+            battery_mV=figures.battery_mV,
+            temperature_cC=figures.temperature_cC,
+            latency_ms=figures.latency_ms,
+            skew_ppm=figures.skew_ppm,
+        )
 
     def close(self) -> None:
         """Stop the stream and free the port. May be called again."""
@@ -230,6 +273,17 @@ class GloveLink:
         wire_time = BITS_PER_BYTE * len(packet) / baud if baud else 0.0
         said = 1 / self.hello.rate_hz if self.hello is not None and self.hello.rate_hz else None
         return PacketClock(1 / self.params.rate_hz, wire_time, said)
+
+    def _ask_rate(self) -> None:
+        """Another rate that is wanted: the packet clock learns it from the packets."""
+        rate_hz = self._wanted_rate
+        if rate_hz == self.params.rate_hz:
+            return
+        self.params = replace(self.params, rate_hz=rate_hz)
+        self._rate_asked = self._clock()
+        self._words.topics.discard("rate")
+        if self.state in (LinkState.STREAMING, LinkState.SILENT):
+            self._send(Rate(rate_hz))
 
     def _send(self, frame: Frame) -> None:
         """Where that fails `poll` frees the port, which it may be reading from now."""
@@ -351,7 +405,8 @@ class GloveLink:
             by = time_of.jumped
             self._words.say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
         self.figures.skew_ppm = self._packet_clock.skew_ppm
-        self._judge_rate()
+        if now - self._rate_asked > RATE_WITHIN:
+            self._judge_rate()
         if self._ranges is None:
             self._judge_range(frame, time_of.t_device)
         return [si_sample(frame, time_of, now, self._ranges, self._imu_ok)]

@@ -36,6 +36,11 @@ class GlovePort:
         self._adapter: UsbPort | None = None
         self._refused: set[str] = set()
 
+    @property
+    def adapter(self) -> UsbPort | None:
+        """The USB adapter of the glove; None where the port is on no list."""
+        return self._adapter
+
     def __call__(self) -> Port:
         """The glove's port, open. Raises OSError where there is none."""
         trouble: OSError | None = None

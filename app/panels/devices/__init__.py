@@ -1,0 +1,1 @@
+"""All settings of the devices that are open."""

@@ -1,0 +1,198 @@
+"""Device settings: every value of gloves and camera, and what of it can be changed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QLineEdit,
+    QPlainTextEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
+from app.jobs.device_changes import apply_changes, read_settings, save_settings
+from app.panels.devices.tree import DeviceTree
+from app.panels.panel import Panel
+from app.storage.settings import SettingsStore
+from app.viewmodels.device_settings import (
+    DeviceValue,
+    Value,
+    device_values,
+    differences,
+    is_allowed,
+    motor_of,
+    report_of,
+    to_file,
+)
+from app.widgets.measures import NEAR, TIGHT
+from app.widgets.one_line import OneLine
+from tracker.errors import GlovetrackError
+
+MOTOR_AMPLITUDE, MOTOR_MS = 160, 300
+REPORT_HEIGHT = 90  # px
+
+
+class DevicesPanel(Panel):
+    """Reads what the engine knows already: no device is asked for it."""
+
+    name = "devices"
+    period = 0.5
+
+    def __init__(
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(host, parent)
+        self._store = store
+        self.values: dict[str, DeviceValue] = {}
+        self.edits: dict[str, Value] = {}  # that are not applied
+        self._asked: dict[str, Value] = {}  # that were applied
+        self.search = QLineEdit()
+        self.search.setPlaceholderText(self.tr("Search settings"))
+        self.search.setAccessibleName(self.tr("Search settings"))
+        self.search.setClearButtonEnabled(True)
+        self.tree = DeviceTree()
+        self.said = QPlainTextEdit()
+        self.said.setReadOnly(True)
+        self.said.setMaximumHeight(REPORT_HEIGHT)
+        self.said.hide()
+        self.apply = QPushButton(self.tr("Apply"))
+        self.revert = QPushButton(self.tr("Revert"))
+        self.save = QPushButton(self.tr("Save as file…"))
+        self.load = QPushButton(self.tr("Load…"))
+        head = OneLine()
+        for button in (self.apply, self.revert, self.save, self.load):
+            head.add(button)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(TIGHT)
+        for widget in (self.search, self.tree, self.said, head):
+            column.addWidget(widget)
+        self._connect()
+        self._enable()
+
+    def title(self) -> str:
+        return self.tr("Device settings")
+
+    def _connect(self) -> None:
+        self.search.textChanged.connect(self.tree.search)
+        self.tree.edited.connect(self.edit)
+        self.tree.motor.connect(self._run_motor)
+        self.apply.clicked.connect(self.apply_edits)
+        self.revert.clicked.connect(self.revert_edits)
+        self.save.clicked.connect(self._ask_save)
+        self.load.clicked.connect(self._ask_load)
+        self.host.opened.connect(lambda _setup: self._forget())
+        self.host.closed.connect(self._forget)
+
+    def _forget(self) -> None:
+        self.edits, self._asked, self.values = {}, {}, {}
+        self.tree.show_values([], {})
+        self._say("")
+        self._enable()
+
+    def _say(self, text: str) -> None:
+        self.said.setPlainText(text)
+        self.said.setVisible(bool(text))
+
+    def _enable(self) -> None:
+        for button in (self.apply, self.revert):
+            button.setEnabled(bool(self.edits))
+        for button in (self.save, self.load):
+            button.setEnabled(bool(self.values))
+
+    def refresh(self, view: Snapshot | None) -> None:
+        if view is None:
+            return
+        known = len(self.values)
+        self.values = {value.key: value for value in device_values(view, self._asked)}
+        self.tree.show_values(list(self.values.values()), self.edits)
+        if len(self.values) != known:
+            self.tree.search(self.search.text())
+        self._enable()
+
+    # --- changing
+
+    def edit(self, key: str, wanted: Value) -> None:
+        """Note a change until it is applied; one that the device cannot have is refused."""
+        value = self.values.get(key)
+        if value is None:
+            return
+        if not is_allowed(value, wanted):
+            text = self.tr("{}: {} is not possible ({}).")
+            self._say(text.format(value.path[-1], wanted, value.detail or value.text))
+            self.edits.pop(key, None)
+        elif wanted == value.value:
+            self.edits.pop(key, None)
+        else:
+            self.edits[key] = wanted
+            self._say("")
+        self._show_edits()
+
+    def apply_edits(self) -> None:
+        """Send what was changed to the devices, and store it for the next start."""
+        setup = self.host.setup
+        if setup is None:
+            return
+        try:
+            apply_changes(setup, self._store, list(self.values.values()), self.edits)
+        except GlovetrackError as error:
+            self._say(str(error))
+            return
+        self._asked |= self.edits
+        self.edits = {}
+        self._show_edits()
+
+    def revert_edits(self) -> None:
+        """Forget what was changed and not applied."""
+        self.edits = {}
+        self._say("")
+        self._show_edits()
+
+    def _show_edits(self) -> None:
+        self.tree.show_values(list(self.values.values()), self.edits)
+        self._enable()
+
+    def _run_motor(self, key: str) -> None:
+        side, channel = motor_of(key)
+        setup = self.host.setup.seen_from(side) if self.host.setup is not None else None
+        if setup is None or setup.vibrate is None:
+            return
+        if not setup.vibrate(channel, MOTOR_AMPLITUDE, MOTOR_MS):
+            self._say(self.tr("The motor was not run: the glove is disconnected."))
+
+    # --- files
+
+    def _ask_save(self) -> None:
+        words, kinds = self.tr("Save the device settings"), self.tr("TOML (*.toml)")
+        name, _ = QFileDialog.getSaveFileName(self, words, "devices.toml", kinds)
+        if name:
+            self.save_as(Path(name))
+
+    def save_as(self, path: Path) -> None:
+        """All values that are known, as TOML."""
+        try:
+            save_settings(to_file(list(self.values.values())), path)
+        except GlovetrackError as error:
+            self._say(str(error))
+
+    def _ask_load(self) -> None:
+        words, kinds = self.tr("Load device settings"), self.tr("TOML (*.toml)")
+        name, _ = QFileDialog.getOpenFileName(self, words, "", kinds)
+        if name:
+            self.load_from(Path(name))
+
+    def load_from(self, path: Path) -> None:
+        """Report the differences; those that can be applied become changes."""
+        try:
+            found = differences(read_settings(path), path.name, list(self.values.values()))
+        except GlovetrackError as error:
+            self._say(str(error))
+            return
+        self.edits = {d.key: d.stored for d in found if d.can_apply}
+        self._say(report_of(found, path.name))
+        self._show_edits()
