@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from app.engines.engine import EngineSetup
+from app.viewmodels.application_words import Progress, instruction, results
 from app.words import local, told, tr
 from tracker.applications.drawing import Drawing
-from tracker.applications.registry import titles
+from tracker.applications.registry import BUILT_IN, titles
 from tracker.applications.runner import BEGINS, ENDS, KIND
+from tracker.applications.stage import ApplicationStage
 from tracker.errors import GlovetrackError
 from tracker.streaming.publisher import StreamError
 
@@ -118,6 +121,19 @@ class ApplicationsModel:
         outcome = self.stage.outcome if self.stage is not None else None
         return outcome.drawing if outcome is not None else ()
 
+    def instruction(self) -> str:
+        """What the wearer is to do now; empty where that is not known."""
+        stage = self.stage
+        if stage is None or not stage.name or stage.problem:
+            return ""
+        located = stage.outcome is not None and stage.outcome.hand.located
+        return instruction(stage.name, self._made(stage), located)
+
+    @staticmethod
+    def _made(stage: ApplicationStage) -> Progress:
+        last = {what: event.data for what, event in stage.latest.items()}
+        return Progress(Counter(dict(stage.counts)), last)
+
     def line(self) -> str:
         """What has happened, in one line."""
         stage = self.stage
@@ -125,6 +141,11 @@ class ApplicationsModel:
             return ""
         if stage.problem:
             return tr("It failed and rests: {}").format(stage.problem)
+        found = results(stage.name, self._made(stage))
+        if found:
+            return found
+        if stage.name in BUILT_IN:
+            return tr("Nothing has happened yet.")
         counts = [(what, n) for what, n in stage.counts.items() if what not in NO_EVENTS]
         return ", ".join(f"{what} {n}" for what, n in counts) or tr("Nothing has happened yet.")
 

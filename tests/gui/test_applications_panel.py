@@ -9,13 +9,17 @@ import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
 
 from app.viewmodels.application_drawing import DrawingForms, bounds
+from app.viewmodels.application_words import Progress, instruction, results
 from tracker import library
 from tracker.applications import registry
 from tracker.applications.drawing import Line, Mesh, Points, Text
 from tracker.applications.hand import HandSample
 from tracker.applications.interface import Happening, Step
 from tracker.applications.stage import ApplicationStage
-from tracker.messages import Event
+from tracker.geometry import so3
+from tracker.messages import Estimate, Event, Tracking
+from tracker.simulation import scripted
+from tracker.simulation.motion import pose_at
 
 TETRA = np.array([[0, 0, 0], [1.0, 0, 0], [0, 1, 0], [0, 0, 1]])
 FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -115,6 +119,86 @@ def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(st
     for _ in range(60):
         show(panel, stage, engine)
     assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08
+
+
+def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot):
+    """They follow the light; what is open is then described anew, for the same hand."""
+    panel, stage, engine, _ = staged
+    setup, profile = window.host.setup, models()[2]
+    window.host.adopt(replace(setup, stage=stage, profile=profile))
+    window.host.set_profile(replace(profile, name="of another light"))
+    panel.choose("compass")
+
+    def drawn() -> bool:
+        show(panel, stage, engine)
+        return panel._skin is not None and panel.view.caption == ""
+
+    qtbot.waitUntil(drawn, timeout=60_000)
+    assert panel._bodies[0]._skin is panel._skin
+
+
+def progress(**counts) -> Progress:
+    return Progress(counts, {})
+
+
+def test_each_application_says_what_to_do_now():
+    for name in registry.BUILT_IN:
+        waits = instruction(name, progress(placed=1), located=False)
+        begins = instruction(name, progress(placed=1), located=True)
+        assert waits == "Hold the hand where the cameras see it." and begins != waits
+    assert "fingertip" in instruction("touch", progress(placed=1), True)
+    assert "Press deeper" in instruction("touch", progress(placed=1, touch=2, release=1), True)
+    assert "thumb up" in instruction("arm", progress(placed=1, stop=1), True)
+    assert "carry" in instruction("arm", progress(placed=1, clutch=1, grab=1), True)
+    assert "palm open" in instruction("place", progress(placed=1, choose=2, back=1), True)
+    assert "Pinch inside" in instruction("swarm", progress(placed=1, nudge=1), True)
+    assert "fist" in instruction(
+        "swarm", progress(placed=1, nudge=1, dragged=1, stretched=1, split=1), True
+    )
+    assert instruction("air-drawing", progress(placed=1), True) == ""
+
+
+def test_a_touch_is_followed_by_the_instruction_and_told_with_units(staged, qtbot):
+    panel, stage, engine, _ = staged
+    show(panel, stage, engine)
+    tip = engine.latest_estimate().keypoints[models()[0].keypoint_names.index("index_tip")]
+    stage.show("touch", {"place": tip.tolist()})
+    show(panel, stage, engine)
+    assert panel.instruction.text().startswith("Press deeper") and panel.instruction.isVisible()
+    assert panel.said.text().startswith("Touches: ") and " mm deep" in panel.said.text()
+    stage.show("")
+    show(panel, stage, engine)
+    assert not panel.instruction.isVisible()
+
+
+@pytest.mark.parametrize("name", list(registry.BUILT_IN))
+def test_what_a_simulated_wearer_does_is_told_in_words(name):
+    """Run on the show that each application has, with the true hand."""
+    hand, glove, _ = models()
+    stage, motion = ApplicationStage(hand, glove), scripted.show(name, hand)
+    stage.show(name)
+    said = []
+    for t in np.arange(0.0, motion.duration, 0.02):
+        angles, R, p = pose_at(motion, t)
+        R_GB, p_GB = hand.forward(angles, R, p)
+        for _ in stage.feed(true_estimate(float(t), R_GB, p_GB, angles)):
+            pass
+        made = Progress(dict(stage.counts), {w: e.data for w, e in stage.latest.items()})
+        said.append((instruction(name, made, True), results(name, made)))
+    assert stage.problem == ""
+    assert len({step for step, _ in said}) > 1, "the instruction goes on with what was done"
+    assert any(ch.isdigit() for ch in said[-1][1]) and "_" not in said[-1][1]
+
+
+def true_estimate(t: float, R_GB, p_GB, angles) -> Estimate:
+    hand, glove, _ = models()
+    names = glove.keypoint_names(hand)
+    points = glove.keypoint_positions(hand, R_GB, p_GB, np.ones((len(R_GB), 3)))
+    q = so3.quat_from_matrix(R_GB[glove.keypoint_segments(hand)])
+    sure, measured = np.full(len(names), 1e-3), np.full(len(names), 2)
+    return Estimate(
+        t, Tracking.TRACKING, points, q, measured, sure, angles, np.full(len(angles), 2), R_GB, p_GB
+    )
 
 
 def test_settings_are_changed_in_the_form(staged):

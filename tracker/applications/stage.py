@@ -55,6 +55,7 @@ class ApplicationStage:
         self.outcome: Outcome | None = None
         self.counts: Counter[str] = Counter()
         self.last: Event | None = None
+        self.latest: dict[str, Event] = {}  # of each kind of event
         self.problem = ""
 
     # --- from any thread
@@ -86,6 +87,7 @@ class ApplicationStage:
             self._runner, self._anew = made, False
             self.outcome, self.last, self.problem = None, None, ""
             self.counts = Counter()
+            self.latest = {}
 
     def set(self, key: str, value: Any) -> None:
         """Change a setting. Raises ConfigError."""
@@ -114,6 +116,7 @@ class ApplicationStage:
             return
         if anew:
             self.counts.clear()
+            self.latest = {}
             runner.begin_anew()
         try:
             for outcome in runner.feed(estimate):
@@ -134,6 +137,7 @@ class ApplicationStage:
     def _hear(self, event: Event) -> None:
         self.counts[str(event.data["what"])] += 1
         self.last = event
+        self.latest = {**self.latest, str(event.data["what"]): event}  # others read it meanwhile
         self.tell(event)
 
     def _fail(self, runner: ApplicationRunner, t: float, error: Exception) -> None:

@@ -20,6 +20,7 @@ from app.panels.applications.controls import ApplicationControls
 from app.panels.applications.settings_form import SettingsForm
 from app.panels.hand.bodies import HandBodies
 from app.panels.hand_choice import HandChoice
+from app.panels.hand.legend import ValidityLegend
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
@@ -27,6 +28,7 @@ from app.viewmodels.application_drawing import DrawingForms, bounds
 from app.viewmodels.applications import ApplicationsModel
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts, followed
 from app.viewmodels.hand_skin import HandSkin
+from app.viewmodels.made_skins import MADE
 from app.widgets.measures import NEAR
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.scene import Label, contrast
@@ -65,8 +67,12 @@ class ApplicationsPanel(Panel):
         self.form.setFixedWidth(FORM_WIDTH)
         self.form.hide()
         self.controls = ApplicationControls()
-        self.said = QLabel()
-        self.said.setWordWrap(True)
+        self.instruction, self.said = QLabel(), QLabel()
+        self.instruction.setProperty("role", "figure")
+        for label in (self.instruction, self.said):
+            label.setWordWrap(True)
+        self.legend = ValidityLegend()
+        self.legend.row.addStretch(1)
         self._lay_out()
         self._connect()
         self._clear()
@@ -86,7 +92,9 @@ class ApplicationsPanel(Panel):
         head.addWidget(self.hand_choice)
         head.addWidget(self.controls, 1)
         column.addLayout(head)
+        column.addWidget(self.instruction)
         column.addLayout(middle, 1)
+        column.addWidget(self.legend)
         column.addWidget(self.said)
 
     def _connect(self) -> None:
@@ -146,6 +154,13 @@ class ApplicationsPanel(Panel):
     def _say(self, text: str) -> None:
         self._problem = text
         self.said.setText(text)
+        self._instruct()
+
+    def _instruct(self) -> None:
+        """What to do now, where there is something to be done."""
+        text = self.model.instruction() if self.model is not None and not self._problem else ""
+        self.instruction.setText(text)
+        self.instruction.setVisible(bool(text))
 
     def set_background(self, colour: str) -> None:
         self._background = colour
@@ -189,6 +204,10 @@ class ApplicationsPanel(Panel):
         """Once the panel is in sight; a second's work, beside the window."""
         self._skin_asked = True
         hand, glove = setup.hand, setup.glove
+        if MADE.has(hand, glove):  # as where the hand's own panel has it
+            self._skin = HandSkin(hand, glove)
+            self._make_bodies()
+            return
 
         def made(skin: HandSkin) -> None:
             if self._setup is setup:
@@ -216,16 +235,23 @@ class ApplicationsPanel(Panel):
             self.view.caption = self.tr("No hand yet")
             self.view.render_scene()
             return
-        if not self._skin_asked:
-            self._make_skin(view.setup)
+        if not self._skin_asked and self._setup is not None:
+            self._make_skin(self._setup)  # the view's setup is another one once colours change
         if self._bodies[1].worn_out:
             self._make_bodies()
         scene = self._hand_model.scene(view)
-        self.view.caption = scene.caption if scene is not None else self.tr("No hand yet")
+        self.view.caption = self._caption(scene)
         self._draw(scene)
         if not self._problem:
             self.said.setText(self.model.line())
+        self._instruct()
         self.view.render_scene()
+
+    def _caption(self, scene: HandScene | None) -> str:
+        if scene is None:
+            return self.tr("No hand yet")
+        making = "" if self._skin is not None else self.tr("The hand's skin is being made…")
+        return " · ".join(filter(None, (scene.caption, making)))
 
     def _draw(self, scene: HandScene | None) -> None:
         assert self.model is not None and self._bodies is not None

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, Qt
 from PySide6.QtGui import QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.hand.controls import HandControls
+from app.panels.hand.legend import ValidityLegend
 from app.panels.hand.shown_hand import ShownHand
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel
@@ -20,12 +21,11 @@ from app.viewmodels.gestures import ShownGestures
 from app.viewmodels.hand_scene import HandScene, followed, view_direction
 from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.made_skins import MADE
-from app.viewmodels.states import VALIDITY
 from app.widgets.elided_label import ElidedLabel
-from app.widgets.measures import NEAR, WIDE
+from app.widgets.measures import NEAR
 from app.widgets.view3d.view_3d import View3D
 from tracker.errors import GlovetrackError
-from tracker.messages import Shed, Validity
+from tracker.messages import Shed
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
@@ -77,22 +77,11 @@ class HandPanel(Panel):
         return self.tr("Hand")
 
     def _legend(self) -> QWidget:
-        self.legend = QWidget()
-        row = QHBoxLayout(self.legend)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(WIDE)
-        words = {
-            Validity.MEASURED: self.tr("measured"),
-            Validity.INFERRED: self.tr("inferred"),
-            Validity.LOST: self.tr("lost"),
-        }
-        for state, word in words.items():
-            look = VALIDITY[state]
-            row.addWidget(QLabel(f'<span style="color:{look.colour}">{look.sign}</span> {word}'))
+        self.legend = ValidityLegend()
         self.gesture = ElidedLabel()
         self.gesture.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.gesture.setToolTip(self.tr("What the hand shows now, and how much of it"))
-        row.addWidget(self.gesture, 1)
+        self.legend.row.addWidget(self.gesture, 1)
         return self.legend
 
     def resizeEvent(self, event: QResizeEvent) -> None:
