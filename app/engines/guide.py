@@ -11,6 +11,9 @@ class PoseGuide(Protocol):
     def show(self, pose: str) -> None:
         """A simulated wearer goes to this pose, or (empty) on as before; a real one sees it."""
 
+    def show_gesture(self, gesture: str) -> None:
+        """The same of a gesture of the conformance script, see `tracker.simulation.gestures`."""
+
     def hold(self, pose: str) -> None:
         """The pose is held from now on."""
 
@@ -33,6 +36,9 @@ class WearersGuide:
         self._engine = engine
 
     def show(self, pose: str) -> None:
+        """The wearer sees it."""
+
+    def show_gesture(self, gesture: str) -> None:
         """The wearer sees it."""
 
     def hold(self, pose: str) -> None:

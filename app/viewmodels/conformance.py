@@ -10,7 +10,7 @@ from itertools import accumulate
 from app.viewmodels.states import BAD, GOOD, WARN, StateLook
 from app.words import mark, tr
 from tracker.conformance.finding import FAIL, PASS, Finding
-from tracker.conformance.take import BEAT, BEATS, GRASPS, SCRIPT
+from tracker.conformance.take import BEAT, BEATS, GRASPS, OPENS, SCRIPT
 
 OPEN = mark("Hand open, fingers straight")
 STEP_WORDS = {
@@ -43,6 +43,42 @@ LAYERS = {
     "placement": mark("Placement in the room"),
     "steps": mark("Scripted steps"),
 }
+RULES = {
+    "finite": mark("All positions are numbers"),
+    "unit quaternions": mark("Rotations have length 1"),
+    "a hand in the records": mark("A hand is tracked"),
+    "stamps rise": mark("Time never goes back"),
+    "available after sampled": mark("No record is earlier than its measurement"),
+    "regular intervals": mark("Regular sampling intervals"),
+    "no gaps": mark("No gaps"),
+    "joint speed": mark("Plausible joint speeds"),
+    "all 21 joints": mark("All 21 joints are present"),
+    "the same joints all along": mark("The same joints throughout"),
+    "radius": mark("Plausible joint radii"),
+    "wrist to middle tip": mark("Hand length, wrist to middle fingertip"),
+    "rigid bones": mark("Constant bone lengths"),
+    "knuckles in order": mark("Knuckles in order"),
+    "joints from root to tip": mark("Joints in order, from knuckle to tip"),
+    "fingers bend to the palm": mark("Fingers bend towards the palm"),
+    "the wrist is in the room": mark("The wrist is within reach of the origin"),
+    "the wrist is not frozen": mark("The wrist position is not frozen"),
+    "−z along the bones, xyzw": mark("Rotations: −z along the bones, order xyzw"),
+    "wrist and joints turn together": mark("Wrist and joints turn together"),
+    "scripted steps": mark("Steps are labelled"),
+    "windows in order": mark("Steps are complete and in order"),
+    "windows have records": mark("Every step is recorded"),
+    "open_hand_open": mark("Hand open, at the start"),
+    "fist": mark("Fist"),
+    "right_grasps_left_fist": mark("Right hand grips the left fist"),
+    "left_grasps_right_fist": mark("Left hand grips the right fist"),
+    "pinch_index": mark("Pinch, thumb and index finger"),
+    "pinch_middle": mark("Pinch, thumb and middle finger"),
+    "pinch_ring": mark("Pinch, thumb and ring finger"),
+    "pinch_little": mark("Pinch, thumb and little finger"),
+    "wrist_rotate": mark("Wrist turned from side to side"),
+    "open_hand_close": mark("Hand open, at the end"),
+}
+"""The rules' names in the user's words; others are shown as they are."""
 LOOKS: dict[str, StateLook] = {PASS: GOOD, FAIL: BAD}
 
 
@@ -139,6 +175,12 @@ class ScriptRun:
         named = {"open_hand_open": "flat", "open_hand_close": "flat", "wrist_rotate": "turn"}
         return named.get(self.label, self.label)
 
+    def gesture(self) -> str:
+        """What a simulated wearer is to show, of `tracker.simulation.gestures`; empty: nothing."""
+        if not self.is_running:
+            return ""
+        return "open" if self.label in OPENS else self.drawn()
+
     def chips(self) -> list[tuple[str, str]]:
         """(sign, name) of each step: over, now, still to come."""
         out = []
@@ -163,6 +205,7 @@ class FindingRow:
 def finding_row(finding: Finding) -> FindingRow:
     """What was not seen, or is advice, is neither good nor bad."""
     look = LOOKS.get(finding.status, WARN)
+    rule = tr(RULES[finding.rule]) if finding.rule in RULES else finding.rule
     if finding.advice and look == BAD:
         look = WARN
-    return FindingRow(look, tr(LAYERS[finding.layer]), finding.rule, finding.figure, finding.limit)
+    return FindingRow(look, tr(LAYERS[finding.layer]), rule, finding.figure, finding.limit)

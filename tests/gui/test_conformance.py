@@ -153,7 +153,7 @@ def test_a_wearer_who_follows_the_cues_keeps_every_rule(dialog, clock, engine, t
     rows = verdict(dialog, qtbot)
     assert dialog.outcome.heading.text() == "All rules are kept", rows
     assert len(rows) > 30 and all(row[0] == "● good" for row in rows.values())
-    assert rows["fist"][3].startswith("straightness 0.") and rows["fist"][4] == "≤ 0.60"
+    assert rows["Fist"][3].startswith("straightness 0.") and rows["Fist"][4] == "≤ 0.60"
     (take,) = (tmp_path / "takes").glob("*.mcap")
     labels = json.loads(take.with_name(f"{take.stem}.labels.json").read_text())
     assert [s["label"] for s in labels["steps"]] == list(SCRIPT)
@@ -178,7 +178,9 @@ def test_a_hand_that_stays_open_fails_in_the_steps_that_it_did_not_show(
     rows = verdict(dialog, qtbot)
     assert dialog.outcome.heading.text() == "Not all rules are kept"
     bad = {rule for rule, row in rows.items() if row[0] == "▲ problem"}
-    assert {"fist", "pinch_index", "wrist_rotate"} <= bad and "open_hand_open" not in bad
+    failed = {"Fist", "Pinch, thumb and index finger", "Wrist turned from side to side"}
+    assert failed <= bad and "Hand open, at the start" not in bad
+    assert not [rule for rule in rows if "_" in rule], "rules have plain names"
     assert next(iter(rows)) in bad, "what is not kept comes first"
 
 

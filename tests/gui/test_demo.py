@@ -3,6 +3,7 @@
 import csv
 import multiprocessing
 import time
+from unittest.mock import ANY
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from gui_fakes import models
 from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
+from app.viewmodels.conformance import Cue, Phase
 from app.window.headless_report import KEYPOINTS, wait_until
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
@@ -107,6 +109,21 @@ def test_the_wearer_does_what_the_guidance_shows_and_closing_leaves_it_in_a_whol
     assert len(held) > 5 and max(map(reach, held)) < FIST
 
 
+@pytest.mark.timeout(180)
+def test_the_wearer_follows_the_conformance_script(demo, qtbot, tmp_path):
+    demo.recording.set_folder(tmp_path)
+    demo.run_command("conformance")
+    dialog = demo.set_up.dialogs["conformance"]
+    dialog.start()
+    shown = lambda: reach(demo.host.setup.truth(time.monotonic()))  # noqa: E731
+    qtbot.waitUntil(lambda: dialog.run.cue == Cue(Phase.HOLDING, 0, 0, ANY), timeout=30_000)
+    qtbot.waitUntil(lambda: dialog.run.label == "open_hand_open" and shown() > OPEN, timeout=5_000)
+    qtbot.waitUntil(lambda: dialog.run.label == "fist" and shown() < FIST, timeout=15_000)
+    dialog.reject()
+    qtbot.waitUntil(lambda: shown() > FIST, timeout=15_000)  # on with what he did before
+
+
+OPEN = 0.16  # m, of `reach`
 FIST = 0.08  # m, of `reach`; 0.18 of a flat hand
 
 

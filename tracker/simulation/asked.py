@@ -15,29 +15,34 @@ MOVE = 0.8  # s from what the hand does to the posture, and back
 AHEAD = 1.6
 """s before which nothing can change: packets are made a second at a time, and that a third of a
 second before they are sent (`tracker.simulation.drawn_ahead`)."""
+TURN = np.deg2rad(60.0)  # of the wrist, to either side
 SWAY_DEG = 0.8  # of a hand that holds a posture; a standard deviation
 SWAY_TIME = 0.8  # s, correlation
 
 
 class Asked(NamedTuple):
     """From ``t`` (s) on the hand goes to a posture of ``angles`` (J,) rad, in front of the camera;
-    without any it goes on with its own motion."""
+    without any it goes on with its own motion. ``turning`` is the period (s) in which it turns
+    about the forearm meanwhile, from side to side; 0: it does not."""
 
     t: float
     angles: tuple[float, ...] = ()
+    turning: float = 0.0
 
 
 def asked_event(asked: Asked, pose: str, t: float) -> Event:
     """What a recording is told at ``t`` (s): the posture is of ``pose``, or (empty) his own."""
     shown = f"the pose {pose}" if pose else "no pose any more"
-    told = {"t": asked.t, "angles": list(asked.angles)}
+    told = {"t": asked.t, "angles": list(asked.angles), "turning": asked.turning}
     return Event(t, "device", f"The simulated wearer is shown {shown}.", {"asked": told})
 
 
 def asked_in(event: Event) -> Asked | None:
     """What `asked_event` tells; None where it is another event."""
     told = event.data.get("asked")
-    return Asked(told["t"], tuple(told["angles"])) if isinstance(told, dict) else None
+    if not isinstance(told, dict):
+        return None
+    return Asked(told["t"], tuple(told["angles"]), told.get("turning", 0.0))
 
 
 class AskedMotion:
@@ -68,7 +73,7 @@ class AskedMotion:
         out = own = self._own.poses(at)
         for k, asked in enumerate(count):
             share = minimum_jerk((at - asked.t) / MOVE)
-            there = self._held(at, asked.angles) if asked.angles else own
+            there = self._held(at, asked) if asked.angles else own
             out = _between(out, there, share, len(t) + k)
         n = len(t)
         return Poses(out.angles[:n], out.R_GB[:n], out.p_GB[:n])
@@ -79,10 +84,15 @@ class AskedMotion:
         reached = [k for k, a in enumerate(asked) if a.t + MOVE <= t]
         return asked[reached[-1] :] if reached else asked
 
-    def _held(self, t: Array, angles: tuple[float, ...]) -> Poses:
+    def _held(self, t: Array, asked: Asked) -> Poses:
         sway = np.deg2rad(SWAY_DEG) * self._sway(t)
         p = np.tile(self._p, (len(t), 1))
-        return Poses(np.array(angles) + sway[:, :-3], self._R @ so3.exp(sway[:, -3:]), p)
+        R = self._R @ so3.exp(sway[:, -3:])
+        if asked.turning:
+            since = t - asked.t - MOVE
+            roll = TURN * np.cos(2 * np.pi * since / asked.turning)
+            R = R @ so3.exp(np.outer(roll, [1.0, 0.0, 0.0]))
+        return Poses(np.array(asked.angles) + sway[:, :-3], R, p)
 
 
 def _between(one: Poses, other: Poses, share: Array, begin: int) -> Poses:

@@ -99,14 +99,19 @@ class Gestures:
         return Poses(angles, R, p)
 
     def _posture(self, gesture: str) -> Array:
-        if gesture.startswith("pinch_"):
-            return self._pinches[gesture.removeprefix("pinch_")]
-        return posture(self._hand, {"fist": FIST, "grip": GRIP}.get(gesture, OPEN))
+        return self._known[gesture] if gesture in self._known else posture(self._hand, OPEN)
 
     @cached_property
-    def _pinches(self) -> dict[str, Array]:
-        wanted = {c.gesture.removeprefix("pinch_") for c in self.cues if "pinch_" in c.gesture}
-        return {finger: pinch(self._hand, finger, self._wearer) for finger in wanted}
+    def _known(self) -> dict[str, Array]:
+        wanted = sorted({c.gesture for c in self.cues})
+        return {name: gesture_angles(self._hand, name, self._wearer) for name in wanted}
+
+
+def gesture_angles(hand: HandModel, gesture: str, wearer: Wearer | None = None) -> Array:
+    """(J,) rad of a gesture: fist, grip, ``pinch_`` and a finger, else the open hand."""
+    if gesture.startswith("pinch_"):
+        return pinch(hand, gesture.removeprefix("pinch_"), wearer)
+    return posture(hand, {"fist": FIST, "grip": GRIP}.get(gesture, OPEN))
 
 
 def _turning(t: Array, hold: float) -> Array:

@@ -43,6 +43,7 @@ class ConformanceDialog(LeadingDialog):
         self._take: Path | None = None
         self._page: Path | None = None
         self._beat = 0
+        self._shown = ""  # by a simulated wearer
         self.run = ScriptRun(setup.hand.side, host.notes.add)
         self.setWindowTitle(self.tr("Conformance"))
         self.setObjectName("conformance")
@@ -76,6 +77,7 @@ class ConformanceDialog(LeadingDialog):
 
     def _go_on(self) -> None:
         self.run.tick(monotonic())
+        self._lead_wearer()
         cue = self.run.cue
         if cue.phase == Phase.DONE:
             self.pages.setCurrentWidget(self.outcome)
@@ -86,6 +88,13 @@ class ConformanceDialog(LeadingDialog):
             self.beep()
         self._beat = cue.beat
         self.lead.show_run(self.run, self._setup.tracked.latest_estimate())
+
+    def _lead_wearer(self) -> None:
+        """A simulated wearer shows what a real one sees."""
+        gesture, guide = self.run.gesture(), self._setup.guide
+        if gesture != self._shown and guide is not None:
+            self._shown = gesture
+            guide.show_gesture(gesture)
 
     def _end_take(self) -> None:
         request = self._host.recording.request
@@ -119,5 +128,6 @@ class ConformanceDialog(LeadingDialog):
     def done(self, result: int) -> None:
         """What was recorded so far is a recording like any other."""
         self.run.cancel()
+        self._lead_wearer()
         self._end_take()
         super().done(result)
