@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.viewmodels.names import spoken
-from app.words import tr
+from app.words import local, tr
 
 
 class Progress(NamedTuple):
@@ -89,7 +89,7 @@ def _touch_results(made: Progress) -> list[str]:
         last = made.last["touch"]
         finger, depth = spoken(str(last["tip"])), float(last["depth_mm"])
         out.append(tr("Touches: {}").format(made.count("touch")))
-        out.append(tr("last: {}, {:.1f} mm deep").format(finger, depth))
+        out.append(tr("last: {}, {:.1f} mm deep").format(finger, local(depth)))
         now = made.count("touch") - made.count("release")
         out.append(tr("fingertips that touch now: {}").format(max(now, 0)))
     return out
@@ -121,7 +121,7 @@ def _place_results(made: Progress) -> list[str]:
         far = 100 * float(np.linalg.norm(last["by"]))
         out.append(tr("moved by {:.0f} cm, turned by {:.0f}°").format(far, last["turned_deg"]))
     if made.count("scaled"):
-        out.append(tr("size {:.1f} ×").format(made.last["scaled"]["size"]))
+        out.append(tr("size {:.1f} ×").format(local(float(made.last["scaled"]["size"]))))
     if made.count("faded"):
         out.append(tr("old plan {:.0f} % visible").format(100 * made.last["faded"]["source"]))
     return out
@@ -138,7 +138,9 @@ def _swarm_results(made: Progress) -> list[str]:
         far = 100 * float(np.linalg.norm(made.last["dragged"]["by"]))
         out.append(tr("dragged by {:.0f} cm").format(far))
     if made.count("stretched"):
-        out.append(tr("stretched to {:.1f} ×").format(made.last["stretched"]["factor"]))
+        out.append(
+            tr("stretched to {:.1f} ×").format(local(float(made.last["stretched"]["factor"])))
+        )
     if made.count("wall"):
         area = float(made.last["wall"]["area_cm2"])
         out.append(tr("walls: {}, the last of {:.0f} cm²").format(made.count("wall"), area))

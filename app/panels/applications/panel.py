@@ -19,8 +19,8 @@ from app.panels.applications.bodies import ApplicationBodies
 from app.panels.applications.controls import ApplicationControls
 from app.panels.applications.settings_form import SettingsForm
 from app.panels.hand.bodies import HandBodies
-from app.panels.hand_choice import HandChoice
 from app.panels.hand.legend import ValidityLegend
+from app.panels.hand_choice import HandChoice
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
