@@ -70,16 +70,18 @@ class Countdown(QWidget):
         painter.drawEllipse(self.rect())
         painter.setPen(INK)
         number, words = self.font(), self.font()
-        number.setPixelSize(SIDE // 2)
+        number.setPixelSize(SIDE // 3 if self._announced.words else SIDE // 2)
         number.setBold(True)
         painter.setFont(number)
         upper = QRect(0, 0, SIDE, 3 * SIDE // 4)
+        if self._announced.words:
+            upper = QRect(0, SIDE // 3, SIDE, SIDE // 3)
         painter.drawText(upper, Qt.AlignmentFlag.AlignCenter, str(self._key.left))
         words.setPixelSize(SIDE // 13)
         painter.setFont(words)
         lower = QRect(0, 2 * SIDE // 3, SIDE, SIDE // 5)
         painter.drawText(lower, Qt.AlignmentFlag.AlignCenter, self.tr("Esc: not now"))
         if self._announced.words:
-            top = QRect(SIDE // 8, SIDE // 20, 3 * SIDE // 4, SIDE // 4)
+            top = QRect(SIDE // 5, SIDE // 12, 3 * SIDE // 5, SIDE // 4)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(top, flags, self._announced.words)

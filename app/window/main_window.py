@@ -168,7 +168,7 @@ class MainWindow(QMainWindow):
         reset = Announced(
             self.tr("Pose reset in {} s"),
             lambda: self.store.value.pose_reset_sound,
-            self.tr("Hand flat and level, fingers ahead"),
+            self.tr("Hold the hand flat, fingers ahead"),
         )
         Countdown(self.record_key, recording, self)
         Countdown(self.pose_reset, reset, self)
