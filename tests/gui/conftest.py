@@ -11,9 +11,16 @@ import time
 
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
+from patience import patient
 
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
+
+
+@pytest.fixture
+def qtbot(qtbot):
+    """Waits while jobs get on; see `patience`."""
+    return patient(qtbot)
 
 
 @pytest.fixture

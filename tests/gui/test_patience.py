@@ -1,0 +1,39 @@
+"""Tests wait while a job gets on, and give up where it does not."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from tracker.child import start_child
+
+
+def work(pipe) -> None:
+    """Uses the processor for a second, then answers."""
+    end = time.process_time() + 1.0
+    while time.process_time() < end:
+        pass
+    pipe.send("done")
+
+
+def sleep(pipe) -> None:
+    pipe.recv()
+
+
+def test_a_job_that_gets_on_is_waited_for(qtbot) -> None:
+    pipe, process = start_child("works", work)
+    qtbot.waitUntil(lambda: pipe.poll(), timeout=300)
+    assert pipe.recv() == "done"
+    process.join()
+
+
+def test_a_job_that_stands_still_is_given_up(qtbot) -> None:
+    pipe, process = start_child("sleeps", sleep)
+    began = time.monotonic()
+    time.sleep(3.0)  # its start uses the processor
+    with pytest.raises(qtbot.TimeoutError):
+        qtbot.waitUntil(lambda: False, timeout=1000)
+    assert time.monotonic() - began < 30
+    pipe.send(None)
+    process.join()
