@@ -34,7 +34,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         return 0
     except OSError as error:
-        what = error.filename or "what is printed"
+        what = error.filename or "standard output"
         print(f"glovetrack: {disk_error(what, error)}", file=sys.stderr)
     return 1
 
@@ -50,9 +50,10 @@ def _parser() -> argparse.ArgumentParser:
 
     parser = argparse.ArgumentParser(
         prog="glovetrack",
-        description="Hand tracking with a sensor glove and a stereo camera. Without a command, or "
-        "with a session file, the window opens; 'glovetrack demo' opens it on simulated sensors, "
-        "'glovetrack devices' on the glove and the camera, 'glovetrack remote' controls it.",
+        description="Track a hand with a sensor glove and a stereo camera. Without a command, or "
+        "with a session file, the window opens. 'glovetrack demo' opens it with simulated devices, "
+        "'glovetrack devices' with the connected glove and camera; 'glovetrack remote' controls "
+        "an open window.",
     )
     parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)

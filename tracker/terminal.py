@@ -22,12 +22,14 @@ _SHOW_EVERY = 0.25  # s
 
 def add_json(command: argparse.ArgumentParser) -> None:
     """``--json FILE`` and the ``--force`` that replaces one."""
-    command.add_argument("--json", metavar="FILE", help="write results as JSON (- for the screen)")
+    command.add_argument(
+        "--json", metavar="FILE", help="write the results as JSON (- for standard output)"
+    )
     add_force(command)
 
 
 def add_force(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--force", action="store_true", help="replace a file that exists already")
+    command.add_argument("--force", action="store_true", help="overwrite existing files")
 
 
 def check_json(args: argparse.Namespace, inputs: Sequence[Path] = ()) -> None:

@@ -40,13 +40,22 @@ SESSION, SETTINGS = "latency.mcap", "window.json"
 
 def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="app.tools.command_latency", description=__doc__)
-    parser.add_argument("--seconds", type=float, default=60.0, help="that are recorded")
-    parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
-    parser.add_argument("--devices", action="store_true", help="what is set up, not the demo")
-    parser.add_argument("--motion", default="", help="of the hand: as in the demo")
-    parser.add_argument("--only", choices=PARTS, default="", help="leave the other one out")
-    parser.add_argument("--hidden", action="store_true", help="their panels are not in sight")
-    parser.add_argument("-o", "--output", type=Path, default=None, help="a folder for the session")
+    parser.add_argument(
+        "--seconds", type=float, default=60.0, help="duration of the recording (default: 60)"
+    )
+    parser.add_argument(
+        "--fps",
+        type=float,
+        default=30.0,
+        help="frame rate of the simulated camera, Hz (default: 30)",
+    )
+    parser.add_argument(
+        "--devices", action="store_true", help="use the configured devices instead of the demo"
+    )
+    parser.add_argument("--motion", default="", help="hand motion, as for the demo")
+    parser.add_argument("--only", choices=PARTS, default="", help="run only this part")
+    parser.add_argument("--hidden", action="store_true", help="hide the panels of both parts")
+    parser.add_argument("-o", "--output", type=Path, default=None, help="folder for the session")
     add_force(parser)
     args = parser.parse_args(argv)
     if args.output is not None:

@@ -60,9 +60,17 @@ class Load:
 
 def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="app.tools.recording_load", description=__doc__)
-    parser.add_argument("--seconds", type=float, default=60.0, help="of each stretch")
-    parser.add_argument("--fps", type=float, nargs="+", default=[30.0, 60.0])
-    parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
+    parser.add_argument(
+        "--seconds", type=float, default=60.0, help="duration of each measurement (default: 60)"
+    )
+    parser.add_argument(
+        "--fps",
+        type=float,
+        nargs="+",
+        default=[30.0, 60.0],
+        help="camera frame rates to measure, Hz (default: 30 60)",
+    )
+    parser.add_argument("--json", type=Path, default=None, help="file for the results")
     add_force(parser)
     args = parser.parse_args(argv)
     if args.json is not None:

@@ -39,7 +39,12 @@ STILL = 1.5  # s for which it stays so, lest it be caught on its way
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the demo and take the images; returns the exit status."""
     parser = argparse.ArgumentParser(prog="app.tools.screenshots")
-    parser.add_argument("--out", type=Path, default=Path("docs/screenshots"))
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=Path("docs/screenshots"),
+        help="folder for the images (default: docs/screenshots)",
+    )
     out = parser.parse_args(argv).out
     out.mkdir(parents=True, exist_ok=True)
     app = QApplication.instance() or QApplication(["glovetrack"])
@@ -73,7 +78,7 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
         _take_panels(window, out, name)
     window.host.shut_down()
     if not take_set_up(window, out, save):
-        print("A page of the set-up did not get ready.")
+        print("A set-up page did not finish loading.")
         return 1
     return 0
 

@@ -87,13 +87,21 @@ class Soak:
 
 def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="app.tools.soak", description=__doc__)
-    parser.add_argument("--cycles", type=int, default=0)
-    parser.add_argument("--minutes", type=float, default=0.0)
-    parser.add_argument("--fps", type=float, default=FPS, help="of the demo's camera")
-    parser.add_argument("--hands", choices=HANDS, default="right", help="before it")
-    parser.add_argument("--lenses", choices=LENSES, default="both", help="that it has")
-    parser.add_argument("--drawn", action="store_true", help="all its images before it begins")
-    parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
+    parser.add_argument(
+        "--cycles", type=int, default=0, help="number of times to open and close the window"
+    )
+    parser.add_argument("--minutes", type=float, default=0.0, help="duration of the demo")
+    parser.add_argument(
+        "--fps", type=float, default=FPS, help="frame rate of the demo's camera, Hz (default: 60)"
+    )
+    parser.add_argument("--hands", choices=HANDS, default="right", help="hands in the demo")
+    parser.add_argument(
+        "--lenses", choices=LENSES, default="both", help="lenses of the demo's camera"
+    )
+    parser.add_argument(
+        "--drawn", action="store_true", help="render all images before the demo starts"
+    )
+    parser.add_argument("--json", type=Path, default=None, help="file for the results")
     add_force(parser)
     args = parser.parse_args(argv)
     if args.json is not None:

@@ -179,7 +179,7 @@ def release(path: Path) -> Path:
 
 def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="app.tools.translations")
-    parser.add_argument("languages", nargs="*", default=["de"])
+    parser.add_argument("languages", nargs="*", default=["de"], help="language codes (default: de)")
     words = all_words()
     for language in parser.parse_args(argv).languages:
         path = place() / f"{CONTEXT}_{language}.ts"
@@ -188,7 +188,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         missing = words.keys() - done.keys()
         if not missing:
             release(path)
-        print(f"{path.name}: {len(words) - len(missing)} of {len(words)} texts are translated")
+        print(f"{path.name}: {len(words) - len(missing)} of {len(words)} texts translated")
     return 0
 
 

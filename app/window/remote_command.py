@@ -59,30 +59,55 @@ def _address(text: str) -> tuple[str, int]:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="glovetrack remote",
-        description="Control the window that is open, as if its keys were pressed.",
+        description="Control the open Glovetrack window.",
     )
     common = argparse.ArgumentParser(add_help=False)
     common.add_argument(
         "--to",
         type=_address,
         metavar="HOST[:PORT]",
-        help="the window of another computer, whose remote control by UDP is switched on",
+        help="control a window on another computer, where remote control over UDP is enabled",
     )
     add_json(common)
     asked = parser.add_subparsers(dest="do", metavar="WHAT", required=True)
-    asked.add_parser("start", parents=[common], help="begin a recording")
-    asked.add_parser("stop", parents=[common], help="end it")
-    asked.add_parser("status", parents=[common], help="whether devices run and what is recorded")
-    note = asked.add_parser("note", parents=[common], help="add a note, of now")
-    note.add_argument("text", metavar="TEXT")
-    vibrate = asked.add_parser("vibrate", parents=[common], help="let a motor of the glove run")
-    vibrate.add_argument("finger", choices=tuple(CHAINS))
-    vibrate.add_argument("--amplitude", type=int, default=USUAL_AMPLITUDE, metavar="0..255")
-    vibrate.add_argument("--duration", dest="duration_ms", type=int, default=USUAL_MS, metavar="MS")
-    contact = asked.add_parser(
-        "contact", parents=[common], help="a finger touches something that another program knows"
+    asked.add_parser("start", parents=[common], help="start recording")
+    asked.add_parser("stop", parents=[common], help="stop recording")
+    asked.add_parser(
+        "status", parents=[common], help="show the status of the devices and the recording"
     )
-    contact.add_argument("finger", choices=tuple(CHAINS))
-    contact.add_argument("--strength", type=float, default=1.0, metavar="0..1")
-    contact.add_argument("--object", default="", metavar="NAME")
+    note = asked.add_parser("note", parents=[common], help="add a note at the current time")
+    note.add_argument("text", metavar="TEXT", help="text of the note")
+    vibrate = asked.add_parser(
+        "vibrate", parents=[common], help="run a vibration motor of the glove"
+    )
+    vibrate.add_argument("finger", choices=tuple(CHAINS), help="finger of the motor")
+    vibrate.add_argument(
+        "--amplitude",
+        type=int,
+        default=USUAL_AMPLITUDE,
+        metavar="0..255",
+        help="strength of the vibration",
+    )
+    vibrate.add_argument(
+        "--duration",
+        dest="duration_ms",
+        type=int,
+        default=USUAL_MS,
+        metavar="MS",
+        help="duration of the vibration",
+    )
+    contact = asked.add_parser(
+        "contact",
+        parents=[common],
+        help="report contact with an object that another program simulates or measures",
+    )
+    contact.add_argument("finger", choices=tuple(CHAINS), help="finger in contact")
+    contact.add_argument(
+        "--strength",
+        type=float,
+        default=1.0,
+        metavar="0..1",
+        help="strength of the contact; 0 ends it (default: 1)",
+    )
+    contact.add_argument("--object", default="", metavar="NAME", help="name of the object")
     return parser

@@ -33,9 +33,10 @@ if TYPE_CHECKING:
     from app.storage.settings import SettingsStore
 
 NO_SCREEN = (
-    "There is no screen to open the window on: neither DISPLAY nor WAYLAND_DISPLAY names one "
-    "that answers.\n"
-    "Without one: `glovetrack demo --headless-report 20`, or any other command (see the README)."
+    "The window cannot open because no display is available: neither DISPLAY nor WAYLAND_DISPLAY "
+    "refers to a running display server.\n"
+    "Without a display, use `glovetrack demo --headless-report 20` or another command "
+    "(see the README)."
 )
 
 SingleShot = Qt.ConnectionType.SingleShotConnection
@@ -81,9 +82,9 @@ def open_window(argv: Sequence[str]) -> int:
 def _check_headless(args: argparse.Namespace) -> None:
     """Raises ConfigError for options that such a run does not have."""
     if args.session is not None:
-        raise ConfigError("--headless-report runs the demo or the devices, not a session.")
+        raise ConfigError("--headless-report cannot be used with a session.")
     if not 0.0 < args.headless_report < float("inf"):
-        raise ConfigError("--headless-report needs a number of seconds above 0.")
+        raise ConfigError("--headless-report requires a number of seconds greater than 0.")
 
 
 def _report(args: argparse.Namespace) -> int:
@@ -177,69 +178,90 @@ def close_when_told(window: QWidget) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="glovetrack", description="The Glovetrack window.")
-    parser.add_argument("session", nargs="?", type=Path, help="a session file to replay")
-    parser.add_argument("--demo", action="store_true", help="start the simulated glove and camera")
-    parser.add_argument("--devices", action="store_true", help="open the glove and the camera")
+    parser = argparse.ArgumentParser(prog="glovetrack", description="Open the Glovetrack window.")
+    parser.add_argument("session", nargs="?", type=Path, help="session to replay")
+    parser.add_argument("--demo", action="store_true", help="start a simulated glove and camera")
+    parser.add_argument(
+        "--devices", action="store_true", help="connect to the glove and the camera"
+    )
     parser.add_argument(
         "--baud",
         type=int,
         choices=BAUDS,
         default=None,
-        help="of the glove's line, for this run; else as set up",
+        help="baud rate of the glove for this run (default: from the settings)",
     )
     parser.add_argument(
         "--stream",
         default="",
         metavar="NAME[:PORT],…",
-        help=f"outputs to turn on for this run: {', '.join(STREAMS)}",
+        help=f"streams to enable for this run: {', '.join(STREAMS)}",
     )
-    parser.add_argument("--stream-host", default="", metavar="HOST", help="to or at which address")
+    parser.add_argument(
+        "--stream-host",
+        default="",
+        metavar="HOST",
+        help="destination or listening address of the streams",
+    )
     parser.add_argument(
         "--stream-joints",
         default="",
         choices=("", *JOINT_SETS),
         metavar="|".join(JOINT_SETS),
-        help="what streams carry: our keypoints, or OpenXR's 26 joints",
+        help="joints to stream: Glovetrack's keypoints, or OpenXR's 26 joints",
     )
     parser.add_argument(
         "--remote",
         default="",
         metavar="NAME[:PORT],…",
-        help=f"let other programs start, stop and note in this run: {', '.join(DOORS)}",
+        help=f"enable remote control for this run: {', '.join(DOORS)}",
     )
-    parser.add_argument("--remote-host", default="", metavar="HOST", help="listen at which address")
+    parser.add_argument(
+        "--remote-host", default="", metavar="HOST", help="listening address for remote control"
+    )
     parser.add_argument(
         "--wearer",
         type=Path,
         metavar="FILE",
-        help="a wearer's profile: kept among the others, and worn from the start",
-    )
-    parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
-    parser.add_argument("--hands", choices=HANDS, default="right", help="simulated in the demo")
-    parser.add_argument(
-        "--motion", default="", help="of the demo's hand: a recording, or show:NAME, an application"
+        help="import this wearer's profile and use it from the start",
     )
     parser.add_argument(
-        "--lenses", choices=LENSES, default="both", help="of the simulated camera, or no camera"
+        "--fps",
+        type=float,
+        default=30.0,
+        help="frame rate of the simulated camera, Hz (default: 30)",
+    )
+    parser.add_argument(
+        "--hands", choices=HANDS, default="right", help="hands to simulate in the demo"
+    )
+    parser.add_argument(
+        "--motion",
+        default="",
+        help="hand motion in the demo: a recording, or show:NAME for an application",
+    )
+    parser.add_argument(
+        "--lenses",
+        choices=LENSES,
+        default="both",
+        help="lenses of the simulated camera, or none for no camera",
     )
     parser.add_argument(
         "--scene",
         choices=SCENES,
         default="auto",
-        help="behind the simulated hand; auto: a desk where the computer can draw it",
+        help="background in the demo; auto: a desk if the computer can render it fast enough",
     )
     parser.add_argument(
         "--headless-report",
         type=float,
         metavar="SECONDS",
         default=None,
-        help="run so long by itself, with or without a screen, and leave a report in --out",
+        help="run without a window for this long and write a report to --out",
     )
-    parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")
     parser.add_argument(
-        "--force", action="store_true", help="replace the files of an earlier report in it"
+        "--out", type=Path, default=Path("demo"), help="folder for the report (default: demo)"
     )
+    parser.add_argument("--force", action="store_true", help="overwrite an earlier report")
     return parser
 
 

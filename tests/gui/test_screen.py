@@ -64,7 +64,7 @@ def test_the_window_says_that_there_is_no_screen():
         text=True,
     )
     assert done.returncode == 1
-    assert done.stderr.startswith("There is no screen to open the window on")
+    assert done.stderr.startswith("The window cannot open because no display is available")
     assert "Traceback" not in done.stderr
 
 

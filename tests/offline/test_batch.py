@@ -118,4 +118,4 @@ def test_a_folder_is_verified_at_once(folder: Path, capsys: pytest.CaptureFixtur
     ok = {Path(name).name: said["ok"] for name, said in found["files"].items()}
     assert ok == {"a.mcap": True, "b.mcap": True, "c.mcap": False} and not found["ok"]
     assert main(["verify", str(folder / "a.mcap"), str(folder / "monday")]) == 0
-    assert "b.mcap is all right." in capsys.readouterr().out
+    assert "b.mcap is intact." in capsys.readouterr().out

@@ -136,7 +136,7 @@ def test_angles_are_judged_wherever_the_truth_is_known(tmp_path: Path, capsys) -
     assert main([*words, "--json", str(done)]) == 0
     said = json.loads(done.read_text())
     assert said["error_mm"]["mean"] > 0 and 0 < said["error_deg"] < 15
-    assert "of the joint angles" in capsys.readouterr().out
+    assert "joint angle error" in capsys.readouterr().out
 
 
 def test_the_help_names_every_engine_and_what_becomes_of_settings(capsys) -> None:

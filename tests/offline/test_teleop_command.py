@@ -195,7 +195,7 @@ def test_what_is_asked_wrongly_is_told_in_words(
     session: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["teleop"]) == 1
-    assert "one of three" in capsys.readouterr().err
+    assert "exactly one of" in capsys.readouterr().err
     assert main(["teleop", str(session), "--check"]) == 1
     assert "has no robot in it" in capsys.readouterr().err
     assert main(["teleop", "--listen", "somewhere"]) == 1

@@ -156,7 +156,7 @@ def test_a_full_standard_output_is_told(tracked: Path) -> None:
             check=False,
         )
     assert done.returncode == 1
-    assert done.stderr == "glovetrack: what is printed cannot be written: the disk is full.\n"
+    assert done.stderr == "glovetrack: standard output cannot be written: the disk is full.\n"
 
 
 def test_a_terminal_without_unicode_is_enough(tracked: Path) -> None:

@@ -17,25 +17,34 @@ SIMULATED = "simulated"  # name of a simulated wearer's page in a folder
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add ``conformance``, whose exit status is 1 where a rule is not kept."""
     parser = subparsers.add_parser(
-        "conformance", help="whether a take is what robot labs accept, as one HTML page"
+        "conformance",
+        help="check hand data against the requirements of robot labs and write an HTML page",
     )
     parser.add_argument(
         "file", type=Path, nargs="?", metavar="FILE", help="session or Isaac record"
     )
     parser.add_argument(
-        "--simulate", "--simulated", action="store_true", help="a simulated wearer's script"
+        "--simulate",
+        "--simulated",
+        action="store_true",
+        help="check a simulated wearer who follows the script",
     )
-    parser.add_argument("--hands", choices=("left", "right", "both"), default="")
     parser.add_argument(
-        "--glove", default="", help="of the simulated wearer; --hands says the side"
+        "--hands",
+        choices=("left", "right", "both"),
+        default="",
+        help="hands to check (default: all)",
     )
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument(
+        "--glove", default="", help="glove of the simulated wearer; --hands selects the side"
+    )
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the simulated wearer")
     parser.add_argument(
         "-o",
         "--output",
         type=Path,
         metavar="PAGE.html|DIR",
-        help="the page, or a folder for it, which is made if it does not exist",
+        help="HTML page, or a folder for it (created if missing)",
     )
     add_json(parser)
     parser.set_defaults(func=_run)
@@ -49,7 +58,7 @@ def _run(args: argparse.Namespace) -> int:
     from tracker.terminal import check_json, finish
 
     if args.simulate == (args.file is not None):
-        raise ConfigError("Name a session or a record, or --simulate.")
+        raise ConfigError("Specify either a session or record, or --simulate.")
     sides = {"": (), "both": ("left", "right")}.get(args.hands, (args.hands,))
     inputs = [args.file] if args.file else []
     check_json(args, inputs)
@@ -110,4 +119,4 @@ def _lines(verdict: Verdict) -> list[str]:
         if f.status != "pass":
             lines.append(f"{f.status}: {f.layer}, {f.side}: {f.rule}: {f.figure} ({f.limit})")
     kept = sum(f.status == "pass" for f in verdict.findings)
-    return [*lines, f"{kept} of {len(verdict.findings)} rules are kept."]
+    return [*lines, f"{kept} of {len(verdict.findings)} rules passed."]

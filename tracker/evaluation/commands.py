@@ -14,7 +14,9 @@ from tracker.evaluation.vist.command import add_evaluate_vist
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Adds ``evaluate`` with a sub-command for each protocol."""
-    evaluate = subparsers.add_parser("evaluate", help="the papers' protocols, and device faults")
+    evaluate = subparsers.add_parser(
+        "evaluate", help="run the papers' evaluation protocols, or simulate device faults"
+    )
     protocols = evaluate.add_subparsers(title="protocols", metavar="PROTOCOL", required=True)
     add_evaluate_vist(protocols)
     add_evaluate_inertial(protocols)

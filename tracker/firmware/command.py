@@ -11,18 +11,39 @@ from tracker.terminal import add_json, finish
 
 def add_commands(commands: Any) -> None:
     """Sub-commands ``firmware show`` and ``firmware write``."""
-    parser = commands.add_parser("firmware", help="what runs in the glove, and writing it anew")
+    parser = commands.add_parser("firmware", help="show or write the glove's firmware")
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
-    show = actions.add_parser("show", help="versions: what comes with the program, and the glove's")
-    show.add_argument("port", nargs="?", help="of the glove, /dev/ttyUSB0 or COM5; without: all")
+    show = actions.add_parser(
+        "show", help="show the versions of the bundled firmware and of the connected gloves"
+    )
+    show.add_argument(
+        "port",
+        nargs="?",
+        help="serial port of the glove, such as /dev/ttyUSB0 or COM5 (default: all ports)",
+    )
     add_json(show)
     show.set_defaults(func=_show)
-    write = actions.add_parser("write", help="write it into a glove, and have it read back")
-    write.add_argument("port", help="of the glove, as /dev/ttyUSB0 or COM5")
-    write.add_argument("--glove-id", type=int, help="tells gloves apart; without: as it is, else 1")
-    write.add_argument("--baud", type=int, default=250_000, help="of the glove's port: or 115200")
-    write.add_argument("--image", type=Path, help="an Intel HEX file instead of the program's")
-    write.add_argument("--old-bootloader", action="store_true", help="of early Nanos: 57600 baud")
+    write = actions.add_parser("write", help="write firmware to a glove and verify it")
+    write.add_argument("port", help="serial port of the glove, such as /dev/ttyUSB0 or COM5")
+    write.add_argument(
+        "--glove-id",
+        type=int,
+        help="number that identifies the glove (default: its current number, or 1)",
+    )
+    write.add_argument(
+        "--baud",
+        type=int,
+        default=250_000,
+        help="baud rate of the new firmware: 250000 (default) or 115200",
+    )
+    write.add_argument(
+        "--image", type=Path, help="Intel HEX file to write instead of the bundled firmware"
+    )
+    write.add_argument(
+        "--old-bootloader",
+        action="store_true",
+        help="use the 57600 baud bootloader of early Arduino Nanos",
+    )
     write.set_defaults(func=_write)
 
 
@@ -38,10 +59,10 @@ def _show(args: argparse.Namespace) -> int:
         for r in found
         if r.hello is not None
     ]
-    told = [f"comes with the program: {version_text(ours)}"]
+    told = [f"bundled: {version_text(ours)}"]
     told += [f"{g['port']}: glove {g['glove_id']}, {g['version']}" for g in gloves]
     told += [advice(r.hello.firmware) for r in found if r.hello is not None]
-    told += [] if gloves else ["no glove answers"]
+    told += [] if gloves else ["no glove responded"]
     finish(args, {"shipped": version_text(ours), "gloves": gloves}, filter(None, told))
     return 0
 
@@ -57,8 +78,8 @@ def _write(args: argparse.Namespace) -> int:
     kind = "old Nano" if args.old_bootloader else "Optiboot"
     flash(FlashJob(image.for_glove(number), args.port, BOOTLOADERS[kind]))
     version = version_text(image.version)
-    print(f"{args.port}: firmware {version} is written and read back, glove {number}")
+    print(f"{args.port}: firmware {version} written and verified, glove {number}")
     after = greeting(args.port)
     if after is None:
-        print("It does not say HELLO yet: unplug it and plug it in again.")
+        print("The glove does not respond yet. Unplug it, then plug it in again.")
     return 0

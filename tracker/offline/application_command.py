@@ -22,34 +22,57 @@ MOST_VEHICLES = 5000
 
 def add_apps(parser: argparse.ArgumentParser) -> None:
     """Arguments of the command."""
-    parser.add_argument("name", metavar="NAME", help="of an application; list shows all")
-    parser.add_argument("source", type=Path, nargs="?", metavar="SESSION", help="its hand is used")
+    parser.add_argument("name", metavar="NAME", help="application name; list prints all of them")
     parser.add_argument(
-        "--hand", choices=("left", "right"), default="", help="of a session of both; else the right"
+        "source", type=Path, nargs="?", metavar="SESSION", help="session to use as input"
     )
-    parser.add_argument("--simulate", type=float, metavar="S", help="a simulated hand for so long")
     parser.add_argument(
-        "--motion", default="", help="of the simulated hand: a recording, or show:NAME"
+        "--hand",
+        choices=("left", "right"),
+        default="",
+        help="hand to use in a session of both (default: right)",
     )
-    parser.add_argument("--seed", type=int, default=0, help="of the simulated wearer")
-    parser.add_argument("--on-truth", action="store_true", help="as if that hand were known")
     parser.add_argument(
-        "--live", default="", metavar="ADDRESS", help="a stream: udp, udp:PORT or ws://HOST:PORT"
+        "--simulate", type=float, metavar="S", help="use a simulated hand for this long"
     )
-    parser.add_argument("--glove", default="", help="name or file, of a simulated or live hand")
+    parser.add_argument(
+        "--motion",
+        default="",
+        help="motion of the simulated hand: a recording, or show:NAME for an application",
+    )
+    parser.add_argument("--seed", type=int, default=0, help="random seed of the simulated wearer")
+    parser.add_argument(
+        "--on-truth", action="store_true", help="use the simulator's truth instead of tracking it"
+    )
+    parser.add_argument(
+        "--live",
+        default="",
+        metavar="ADDRESS",
+        help="live stream to use as input: udp, udp:PORT or ws://HOST:PORT",
+    )
+    parser.add_argument(
+        "--glove", default="", help="glove name or file, for a simulated or live hand"
+    )
     parser.add_argument(
         "--set",
         action="append",
         default=[],
         metavar="KEY=VALUE",
-        help="a setting; VALUE is JSON",
-    )
-    parser.add_argument("-o", "--out", type=Path, help="a new session with the events in it")
-    parser.add_argument(
-        "--page", type=int, metavar="PORT", help="show it in browsers of this machine, as it passes"
+        help="change a setting; VALUE is JSON",
     )
     parser.add_argument(
-        "--check", action="store_true", help="run again what SESSION holds, and compare"
+        "-o", "--out", type=Path, help="new session that includes the application's events"
+    )
+    parser.add_argument(
+        "--page",
+        type=int,
+        metavar="PORT",
+        help="show the application in a browser on this computer, in real time",
+    )
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="run the recorded application again and compare the events",
     )
     add_json(parser)
     parser.set_defaults(func=_apps)
@@ -101,7 +124,9 @@ def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome]
     try:
         from tracker.offline.application_page import PacedPage
     except ImportError as error:
-        raise ConfigError('The page needs: pip install "glovetrack[streams]".') from error
+        raise ConfigError(
+            '--page requires more packages: pip install "glovetrack[streams]".'
+        ) from error
     page = PacedPage(args.page, paced=not args.live)
     stack.callback(page.close)
     print(f"The page is at {page.url}", flush=True)
@@ -112,11 +137,11 @@ def _check(args: argparse.Namespace, files: list[Path]) -> int:
     from tracker.offline.applications import replay
 
     if args.source is None:
-        raise ConfigError("Tell the session that holds the application.")
+        raise ConfigError("--check requires a session with a recorded application.")
     reports = [r for r in replay(args.source) if args.name in (r.application, "all")]
     lines = [line for report in reports for line in report.lines()]
     same = not any(report.differs for report in reports)
-    lines.append("The events are those of the session." if same else "The events differ.")
+    lines.append("The events match the session." if same else "The events differ.")
     finish(args, {"runs": [r.to_json() for r in reports], "same": same}, lines, files)
     return 0 if same else 1
 
@@ -127,7 +152,7 @@ def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
 
     asked = [args.source is not None, args.simulate is not None, bool(args.live)]
     if sum(asked) != 1:
-        raise ConfigError("Tell one of SESSION, --simulate and --live: where the hand comes from.")
+        raise ConfigError("Specify exactly one of SESSION, --simulate and --live.")
     if args.source is not None:
         return stack.enter_context(recorded(args.source, args.hand))
     if args.live:
@@ -146,12 +171,12 @@ def _vehicles(args: argparse.Namespace) -> int:
     from tracker.simulation.vehicles import VehicleSimulator
 
     if not 1 <= args.count <= MOST_VEHICLES:
-        raise ConfigError(f"There can be 1 to {MOST_VEHICLES} vehicles, not {args.count}.")
+        raise ConfigError(f"--count must be between 1 and {MOST_VEHICLES}, not {args.count}.")
     simulator = VehicleSimulator(args.count, args.port)
-    print(f"{args.count} vehicles wait at 127.0.0.1:{simulator.port} for MAVLink.", flush=True)
+    print(f"{args.count} vehicles listen for MAVLink on 127.0.0.1:{simulator.port}.", flush=True)
     simulator.wait(args.seconds)
     simulator.close()
-    print(f"{simulator.fleet.asked} of them were told where to be.")
+    print(f"{simulator.fleet.asked} of them received a target position.")
     return 0
 
 
@@ -167,10 +192,26 @@ def _setting(text: str) -> tuple[str, Any]:
 
 def add_commands(commands: Any) -> None:
     """Add ``apps`` to the sub-parsers of ``glovetrack``."""
-    parser = commands.add_parser("apps", help="what a hand can do: touch, swarm, arm, place")
+    parser = commands.add_parser(
+        "apps", help="run an application of the hand: touch, swarm, arm, place"
+    )
     add_apps(parser)
-    vehicles = commands.add_parser("vehicles", help="simulated vehicles that take MAVLink by UDP")
-    vehicles.add_argument("--count", type=int, default=200, metavar="N")
-    vehicles.add_argument("--port", type=int, default=14550, help="of the first 250; then the next")
-    vehicles.add_argument("--seconds", type=float, default=math.inf, help="then it ends")
+    vehicles = commands.add_parser(
+        "vehicles", help="simulate vehicles that receive MAVLink over UDP"
+    )
+    vehicles.add_argument(
+        "--count", type=int, default=200, metavar="N", help="number of vehicles (default: 200)"
+    )
+    vehicles.add_argument(
+        "--port",
+        type=int,
+        default=14550,
+        help="UDP port of the first 250 vehicles; each further 250 use the next port",
+    )
+    vehicles.add_argument(
+        "--seconds",
+        type=float,
+        default=math.inf,
+        help="stop after this time (default: run until interrupted)",
+    )
     vehicles.set_defaults(func=_vehicles)

@@ -24,70 +24,97 @@ LENSES_BY_NUMBER = {"2": "both", "1": "one", "0": "none"}
 
 def add_commands(commands: Any) -> None:
     """Add them to the sub-parsers of ``glovetrack``."""
-    _add_simulate(commands.add_parser("simulate", help="a session with truth from the simulator"))
+    _add_simulate(commands.add_parser("simulate", help="simulate a session with known truth"))
     _add_colours(commands.add_parser("colours", help="fit colours to a recording, or check them"))
-    _add_track(commands.add_parser("track", help="track a recording again"))
-    _add_light(commands.add_parser("light", help="what the light of a recording costs markers"))
-    _add_crop(commands.add_parser("crop", help="a part of a session as a session of its own"))
+    _add_track(commands.add_parser("track", help="track a recorded session again"))
+    _add_light(
+        commands.add_parser(
+            "light", help="assess the lighting of a recording and suggest improvements"
+        )
+    )
+    _add_crop(commands.add_parser("crop", help="copy part of a session to a new session"))
     add_gap_commands(commands)
-    add_teleop(commands.add_parser("teleop", help="a robot hand that follows the wearer's"))
-    add_rig(commands.add_parser("rig", help="a simulated glove and camera, as a system's devices"))
-    add_import(commands.add_parser("import", help="raw IMUs of another program as a session"))
+    add_teleop(
+        commands.add_parser("teleop", help="drive a robot hand from a session or a live stream")
+    )
+    add_rig(
+        commands.add_parser("rig", help="simulate a glove and a camera as devices of this computer")
+    )
+    add_import(
+        commands.add_parser("import", help="create a session from another program's raw IMU data")
+    )
 
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session (.mcap)")
     parser.add_argument(
         "--motion",
         default="",
-        help="recorded (Qualisys TSV, Leap, BVH), or show:touch, arm, swarm, place",
+        help="recorded hand motion (Qualisys TSV, Leap or BVH file), or motion for an "
+        "application: show:touch, show:arm, show:swarm or show:place",
     )
-    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=0, help="random seed")
     parser.add_argument(
         "--person",
         type=int,
         metavar="SEED",
-        help="whose hand it is: the person of another session's --seed, in a glove put on anew",
+        help="simulate the same person as the session with --seed SEED, after putting the glove "
+        "on again",
     )
-    parser.add_argument("--duration", type=float, default=60.0, help="seconds")
-    parser.add_argument("--fps", type=float, default=60.0)
     parser.add_argument(
-        "--hands", choices=("left", "right", "both"), default="right", help="both meet and cross"
+        "--duration", type=float, default=60.0, help="duration in seconds (default: 60)"
     )
-    parser.add_argument("--glove", default="", help="name or file; the side's usual if not given")
-    parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
-    parser.add_argument("--blobs-only", action="store_true", help="blobs instead of images")
+    parser.add_argument(
+        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    )
+    parser.add_argument(
+        "--hands",
+        choices=("left", "right", "both"),
+        default="right",
+        help="hands to simulate; if both, they touch and cross",
+    )
+    parser.add_argument(
+        "--glove", default="", help="glove name or file (default: the standard glove for that side)"
+    )
+    parser.add_argument(
+        "--hand", default="", help="hand name or file (default: the hand of the glove file)"
+    )
+    parser.add_argument("--blobs-only", action="store_true", help="write blobs instead of images")
     parser.add_argument(
         "--scene",
         choices=("plain", "painted", "photo", "desk"),
         default="plain",
-        help="behind the hand; the desk is drawn as a camera in a room sees it",
+        help="background; desk also simulates the room lighting and the camera's noise and blur",
     )
-    parser.add_argument("--photo", default="", metavar="FILE", help="image of the scene photo")
+    parser.add_argument(
+        "--photo", default="", metavar="FILE", help="background image for --scene photo"
+    )
     parser.add_argument(
         "--light",
         choices=("window", "lamp", "led", "dim"),
         default="",
-        help="over the desk: daylight, a lamp of 2700 K, LEDs, or a dim room (window)",
+        help="lighting of the desk: daylight from a window (default), a 2700 K lamp, LEDs, or a "
+        "dim room",
     )
     parser.add_argument(
         "--lenses",
         choices=(*LENSES_BY_NUMBER.values(), *LENSES_BY_NUMBER),
         default="both",
-        help="a camera with one lens alone (1), or a glove without a camera (0); 2 is both",
+        help="number of lenses: both (or 2), one (or 1), or none (or 0), a glove without a camera",
     )
     parser.add_argument(
         "--right-late-ms",
         type=float,
         default=0.0,
         metavar="MS",
-        help="the right camera exposes so much later than the left one",
+        help="delay of the right camera's exposure after the left one's",
     )
     parser.add_argument(
         "--camera",
         choices=("stand", "head", "head-imu"),
         default="stand",
-        help="on the wearer's head it moves and tells its pose, or only what its own IMU measures",
+        help="fixed on a stand; on the wearer's head with a known pose (head); or on the head "
+        "with only its own IMU (head-imu)",
     )
     parser.add_argument(
         "--guided",
@@ -95,67 +122,97 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
         const="well",
         default="",
         choices=("well", "badly"),
-        help="guided poses first, told in /events, held as people do or badly",
+        help="start with guided poses, announced in /events and held well (default) or badly",
     )
     add_force(parser)
     parser.set_defaults(func=_simulate)
 
 
 def _add_track(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("sources", type=Path, nargs="+", metavar="IN", help="sessions or folders")
     parser.add_argument(
-        "-o", "--out", type=Path, required=True, help="the new session; for several IN a folder"
+        "sources", type=Path, nargs="+", metavar="IN", help="sessions or folders of sessions"
+    )
+    parser.add_argument(
+        "-o",
+        "--out",
+        type=Path,
+        required=True,
+        help="the new session; for several inputs, a folder",
     )
     parser.add_argument(
         "--engine",
         default="",
-        help="chain, vist, switching, madgwick, or inertial, which needs no camera; default: the "
-        "recorded one, and inertial for a session without a camera",
+        help="chain, vist, switching, madgwick or inertial (needs no camera); default: the "
+        "recorded engine, or inertial for a session without a camera",
     )
     parser.add_argument(
         "--settings",
         default="",
         metavar="FILE|default",
-        help="settings of tracking, .toml, or default: those of this version; without this option "
-        "the recorded ones",
+        help="settings file (.toml), or the word default for the defaults of this version; "
+        "without this option, the recorded settings are used",
     )
-    parser.add_argument("--hand", default="", help="name or file")
-    parser.add_argument("--glove", default="", help="name or file")
-    parser.add_argument("--colours", default="", help="name or file")
+    parser.add_argument("--hand", default="", help="hand name or file (default: the recorded hand)")
     parser.add_argument(
-        "--lenses", default="", choices=("left", "right"), help="use the images of one lens alone"
+        "--glove", default="", help="glove name or file (default: the recorded glove)"
+    )
+    parser.add_argument(
+        "--colours", default="", help="colour profile name or file (default: the recorded profile)"
+    )
+    parser.add_argument(
+        "--lenses", default="", choices=("left", "right"), help="use only the images of this lens"
     )
     parser.add_argument(
         "--wearer",
         default="",
         metavar="FILE",
-        help="the wearer's profile, .toml; of both hands two, parted by a comma",
+        help="wearer's profile (.toml); for both hands, two files separated by a comma",
     )
     parser.add_argument(
-        "--hand-length", type=float, default=0.0, metavar="MM", help="of the wearer, by a ruler"
+        "--hand-length",
+        type=float,
+        default=0.0,
+        metavar="MM",
+        help="length of the wearer's hand, measured with a ruler",
     )
     parser.add_argument(
         "--keep-wearer",
         default="",
         metavar="FILE",
-        help="write what was learned of the wearer; of both hands FILE_left and FILE_right",
+        help="save the wearer's profile; for both hands, FILE_left and FILE_right",
     )
     parser.add_argument(
-        "--no-guided", action="store_true", help="learn nothing from guided poses in the session"
+        "--no-guided", action="store_true", help="do not calibrate from guided poses in the session"
     )
-    parser.add_argument("--smooth", action="store_true", help="use what comes later, too")
-    parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
+    parser.add_argument(
+        "--smooth", action="store_true", help="smooth the result, using later data as well"
+    )
+    parser.add_argument("--with-sensors", action="store_true", help="also copy the sensor topics")
     add_json(parser)
-    parser.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
-    parser.add_argument("--dask", default="", metavar="ADDRESS", help="work on this Dask cluster")
+    parser.add_argument(
+        "--jobs", type=int, metavar="N", help="number of worker processes (default: one per core)"
+    )
+    parser.add_argument("--dask", default="", metavar="ADDRESS", help="run on this Dask cluster")
     parser.set_defaults(func=_track)
 
 
 def _add_crop(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("source", type=Path, metavar="IN")
     parser.add_argument("-o", "--out", type=Path, required=True, help="the new session")
-    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="from the beginning")
-    parser.add_argument("--stop", type=float, default=None, metavar="S", help="likewise")
+    parser.add_argument(
+        "--start",
+        type=float,
+        default=0.0,
+        metavar="S",
+        help="start, in seconds from the beginning (default: 0)",
+    )
+    parser.add_argument(
+        "--stop",
+        type=float,
+        default=None,
+        metavar="S",
+        help="end, in seconds from the beginning (default: the end)",
+    )
     add_json(parser)
     parser.set_defaults(func=_crop)
 
@@ -173,7 +230,9 @@ def _crop(args: argparse.Namespace) -> int:
 
 def _add_light(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, metavar="FILE")
-    parser.add_argument("--colours", default="", help="name or file; the session's if not told")
+    parser.add_argument(
+        "--colours", default="", help="colour profile name or file (default: the session's profile)"
+    )
     add_json(parser)
     parser.set_defaults(func=_light)
 
@@ -188,15 +247,21 @@ def _light(args: argparse.Namespace) -> int:
 
 
 def _add_colours(parser: argparse.ArgumentParser) -> None:
-    kinds = parser.add_subparsers(title="what to do", metavar="fit|check", required=True)
-    fit = kinds.add_parser("fit", help="learn the colours from a recording's images")
-    fit.add_argument("-o", "--out", type=Path, required=True, help="the new colours, .toml")
+    kinds = parser.add_subparsers(title="actions", metavar="fit|check", required=True)
+    fit = kinds.add_parser("fit", help="fit colours to the images of a recording")
+    fit.add_argument("-o", "--out", type=Path, required=True, help="the new colour profile (.toml)")
     fit.set_defaults(func=_fit_colours)
-    check = kinds.add_parser("check", help="per hue: found, missed, clashing")
+    check = kinds.add_parser(
+        "check", help="report found, missed and conflicting markers of each hue"
+    )
     check.set_defaults(func=_check_colours)
     for command in (fit, check):
-        command.add_argument("source", type=Path, metavar="SESSION", help="with images")
-        command.add_argument("--colours", default="", help="name or file; the session's own if not")
+        command.add_argument("source", type=Path, metavar="SESSION", help="session with images")
+        command.add_argument(
+            "--colours",
+            default="",
+            help="colour profile name or file (default: the session's profile)",
+        )
     add_force(fit)
     add_json(check)
 
@@ -207,7 +272,7 @@ def _fit_colours(args: argparse.Namespace) -> int:
     fit = fit_session(args.source, args.out, args.colours, args.force)
     before = fit.before
     print(
-        f"Before: {before.found:.1f} markers, {before.clashing:.1f} other things in an image. Now:"
+        f"Before: {before.found:.1f} markers, {before.clashing:.1f} other regions per image. Now:"
     )
     print("\n".join(fit.after.words()))
     return 0
@@ -302,5 +367,5 @@ def _summary(report: dict[str, Any]) -> str:
     if "error_mm" in report:
         text += f", mean error {report['error_mm']['mean']:.1f} mm"
     if "error_deg" in report:
-        text += f", of the joint angles {report['error_deg']:.1f}°"
+        text += f", mean joint angle error {report['error_deg']:.1f}°"
     return text + "."

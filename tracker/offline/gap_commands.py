@@ -17,34 +17,41 @@ if TYPE_CHECKING:
 
 def add_gap_commands(commands: Any) -> None:
     """Add both."""
-    gaps = commands.add_parser("gaps", help="where the hand of a session is not measured, and why")
+    gaps = commands.add_parser("gaps", help="list where and why a hand is not measured")
     gaps.add_argument("source", type=Path, metavar="SESSION")
     _add_limit(gaps)
     add_json(gaps)
     gaps.set_defaults(func=_gaps)
-    fill = commands.add_parser("fill", help="interpolate gaps of a session in a new, marked file")
+    fill = commands.add_parser(
+        "fill", help="interpolate gaps of a session and save the result as a new session"
+    )
     fill.add_argument("source", type=Path, metavar="SESSION")
     fill.add_argument("-o", "--out", type=Path, required=True, help="the new session")
     fill.add_argument(
-        "--max-gap", type=float, default=0.2, metavar="S", help="longest gap that is filled (0.2)"
+        "--max-gap", type=float, default=0.2, metavar="S", help="longest gap to fill (default: 0.2)"
     )
     fill.add_argument(
         "--method",
         default="linear",
         choices=("linear", "cubic", "smooth"),
-        help="straight lines and great arcs; with the speeds at both ends; or the sensors of the "
-        "session tracked again and smoothed",
+        help="linear: straight lines and great arcs; cubic: also matches the speeds at both "
+        "ends; smooth: tracks the session's sensor data again and smooths the result",
     )
     fill.add_argument(
         "--kinds",
         default="hole,lost",
         metavar="A,B",
-        help="of hole (no estimates), lost and inferred; default: hole,lost",
+        help="kinds of gaps to fill: hole (no estimates), lost, inferred (default: hole,lost)",
     )
     fill.add_argument(
-        "--gaps", type=Path, metavar="FILE", help="only these, as `gaps --json` lists them"
+        "--gaps",
+        type=Path,
+        metavar="FILE",
+        help="fill only gaps listed in this output of `gaps --json`",
     )
-    fill.add_argument("--by", default="", metavar="NAME", help="who edits; default: the user")
+    fill.add_argument(
+        "--by", default="", metavar="NAME", help="name of the editor (default: the current user)"
+    )
     _add_limit(fill)
     add_json(fill)
     fill.set_defaults(func=_fill)
@@ -56,7 +63,7 @@ def _add_limit(command: argparse.ArgumentParser) -> None:
         type=float,
         default=0.5,
         metavar="S",
-        help="list what is inferred, and not measured, for longer than this (0.5)",
+        help="treat points inferred for longer than this as gaps (default: 0.5)",
     )
 
 

@@ -24,34 +24,39 @@ LASTS = 3600.0  # s of motion
 
 def add_rig(parser: argparse.ArgumentParser) -> None:
     """Arguments of the command."""
-    parser.add_argument("folder", type=Path, help="gets glove, camera.mjpeg and camera.yml")
+    parser.add_argument("folder", type=Path, help="folder for the device files and camera.yml")
     parser.add_argument(
         "--hands",
         choices=("right", "left", "both"),
         default="right",
-        help="with gloves; of both they are glove_left and glove_right",
+        help="hands with a glove; if both, the devices are glove_left and glove_right",
     )
     parser.add_argument(
         "--lenses",
         choices=("one", "both", "apart"),
         default="both",
-        help="of the camera; apart: camera_left.mjpeg and camera_right.mjpeg, which is smaller",
+        help="one or both lenses in one stream; apart: two cameras, camera_left.mjpeg and "
+        "camera_right.mjpeg, the right one with smaller images",
     )
     parser.add_argument(
         "--right-late-ms",
         type=float,
         default=0.0,
         metavar="MS",
-        help="the right one of two apart exposes so much later",
+        help="with --lenses apart: delay of the right camera's exposure",
     )
-    parser.add_argument("--board", action="store_true", help="a board is held before it first")
-    parser.add_argument("--fps", type=float, default=30.0, help="of the camera")
-    parser.add_argument("--seed", type=int, default=1, help="of the wearer")
-    parser.add_argument("--duration", type=float, metavar="S", help="end by itself")
+    parser.add_argument(
+        "--board", action="store_true", help="start with a calibration board in front of the camera"
+    )
+    parser.add_argument(
+        "--fps", type=float, default=30.0, help="frame rate of the camera, Hz (default: 30)"
+    )
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the wearer")
+    parser.add_argument("--duration", type=float, metavar="S", help="stop after this time")
     add_force(parser)
     parser.epilog = (
-        "Lines of standard input are heeded: 'unplug left', 'plug left' (or right), 'board' holds "
-        "a calibration board before the camera, 'hand' takes it away."
+        "Commands on standard input: 'unplug left' and 'plug left' (or right) disconnect and "
+        "reconnect a glove; 'board' shows a calibration board to the camera, 'hand' the hand."
     )
     parser.set_defaults(func=_rig)
 
@@ -74,7 +79,7 @@ def _rig(args: argparse.Namespace) -> int:
             print(f"{path.stem.replace('_', ' '):<13}{path}")
         print(f"calibration  {calibration}")
         for side, length in devices.hand_lengths.items():
-            print(f"{side + ' hand':<13}{1000 * length:.0f} mm long by a ruler", flush=True)
+            print(f"{side + ' hand':<13}{1000 * length:.0f} mm long", flush=True)
 
     def stop() -> bool:
         heard.take()
@@ -85,7 +90,7 @@ def _rig(args: argparse.Namespace) -> int:
         taken = devices.run(stop, ready)
     finally:
         devices.close()
-    print(f"{taken} images were taken.")
+    print(f"{taken} images captured.")
     return 0
 
 

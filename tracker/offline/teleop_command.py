@@ -20,28 +20,55 @@ if TYPE_CHECKING:
 
 def add_teleop(parser: argparse.ArgumentParser) -> None:
     """Its arguments; ``func`` returns the exit status."""
-    parser.add_argument("source", type=Path, nargs="?", metavar="IN", help="a session")
-    parser.add_argument("-o", "--out", type=Path, help="the session with the robot in it")
-    parser.add_argument("--check", action="store_true", help="drive the session's robot again")
+    parser.add_argument("source", type=Path, nargs="?", metavar="IN", help="a session to follow")
+    parser.add_argument("-o", "--out", type=Path, help="copy of the session with the robot added")
+    parser.add_argument(
+        "--check", action="store_true", help="drive the recorded robot again and compare"
+    )
     parser.add_argument(
         "--listen",
         metavar="PORT|ws://HOST:PORT",
-        help="to a live stream by UDP or WebSocket, until it is stopped",
+        help="follow a live stream over UDP or WebSocket until interrupted",
     )
-    parser.add_argument("--seconds", type=float, default=0.0, help="of a live stream, at most")
     parser.add_argument(
-        "--simulate", type=int, metavar="SEED", help="a scripted wearer who takes a cube"
+        "--seconds",
+        type=float,
+        default=0.0,
+        help="maximum duration of a live stream (0: unlimited)",
     )
-    parser.add_argument("--send", default="", metavar="HOST:PORT", help="states by UDP, as JSON")
     parser.add_argument(
-        "--model", "--hand-model", default=SHADOW, help="name, or path of an MJCF hand"
+        "--simulate",
+        type=int,
+        metavar="SEED",
+        help="follow a simulated wearer who picks and places a cube",
     )
-    parser.add_argument("--side", choices=("right", "left"), default="", help="the session's")
-    parser.add_argument("--objects", default="cube,cylinder,ball", help="on the table")
-    parser.add_argument("--motion-scale", type=float, default=1.0, help="of the palm's way")
-    parser.add_argument("--reach-scale", type=float, default=1.0, help="of the fingers' reach")
     parser.add_argument(
-        "--clutch", choices=("none", "thumb_up", "point", "fist"), default="none", help="a gesture"
+        "--send", default="", metavar="HOST:PORT", help="send robot states as JSON over UDP"
+    )
+    parser.add_argument(
+        "--model",
+        "--hand-model",
+        default=SHADOW,
+        help="robot hand: a name, or the path of an MJCF file",
+    )
+    parser.add_argument(
+        "--side",
+        choices=("right", "left"),
+        default="",
+        help="side of the robot hand (default: the session's hand)",
+    )
+    parser.add_argument("--objects", default="cube,cylinder,ball", help="objects on the table")
+    parser.add_argument(
+        "--motion-scale", type=float, default=1.0, help="scale factor of the palm's motion"
+    )
+    parser.add_argument(
+        "--reach-scale", type=float, default=1.0, help="scale factor of the fingers' reach"
+    )
+    parser.add_argument(
+        "--clutch",
+        choices=("none", "thumb_up", "point", "fist"),
+        default="none",
+        help="gesture that couples and uncouples the palm",
     )
     add_json(parser)
     parser.set_defaults(func=_teleop)
@@ -52,9 +79,9 @@ def _teleop(args: argparse.Namespace) -> int:
 
     given = [args.source is not None, args.listen is not None, args.simulate is not None]
     if sum(given) != 1:
-        raise ConfigError("A robot follows one of three: a session, --listen, or --simulate.")
+        raise ConfigError("Specify exactly one of a session, --listen and --simulate.")
     if args.source is None and (args.out or args.check):
-        raise ConfigError("-o and --check are for a session.")
+        raise ConfigError("-o and --check require a session.")
     check_json(args, [args.source] if args.source else [])
     need_mujoco()
     if args.check:
@@ -84,7 +111,7 @@ def _check(args: argparse.Namespace) -> int:
 
     again = drive_again(args.source)
     same = again.different == 0 and again.compared > 0
-    lines = [f"{again.robot}: {again.compared} states driven again, {again.different} differ"]
+    lines = [f"{again.robot}: {again.compared} states recomputed, {again.different} differ"]
     finish(args, asdict(again), lines, [args.source])
     return 0 if same else 1
 
@@ -132,8 +159,8 @@ def _script(args: argparse.Namespace) -> int:
     figures = DriveFigures()
     with _Sender(args.send, driver) as send:
         result = pick_and_place(driver.teleop, args.simulate, figures.count, send)
-    words = "The cube was put down where it should be" if result.placed else "The cube was not put"
-    return _finish(args, driver, figures, [f"{words}, {result.off_mm:.0f} mm off."])
+    words = "Cube placed" if result.placed else "Cube not placed"
+    return _finish(args, driver, figures, [f"{words}, {result.off_mm:.0f} mm from its target."])
 
 
 def _finish(
@@ -163,7 +190,7 @@ class _Sender:
         if target:
             host, colon, port = target.rpartition(":")
             if not colon or not port.isdecimal():
-                raise ConfigError(f"States are sent to HOST:PORT, not to {target!r}.")
+                raise ConfigError(f"--send requires HOST:PORT, not {target!r}.")
             self._socket = DatagramSocket("robot", host, int(port))
 
     def __enter__(self) -> Callable[[RobotState], None]:

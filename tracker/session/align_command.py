@@ -11,12 +11,21 @@ from tracker.terminal import add_json, check_json, finish
 
 def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Its arguments."""
-    command = subparsers.add_parser("align", help="where one recording lies on another's time")
+    command = subparsers.add_parser("align", help="find the time offset between two recordings")
     command.add_argument("first", type=Path, metavar="A")
     command.add_argument("second", type=Path, metavar="B")
-    command.add_argument("--by", choices=("clock", "movement"), default="movement")
-    command.add_argument("-o", "--output", type=Path, metavar="JSON", help="keep it, for compare")
-    command.add_argument("--figure", type=Path, metavar="PNG", help="draw both over each other")
+    command.add_argument(
+        "--by",
+        choices=("clock", "movement"),
+        default="movement",
+        help="align by recorded timestamps or by hand movement",
+    )
+    command.add_argument(
+        "-o", "--output", type=Path, metavar="JSON", help="save the result for `compare --align`"
+    )
+    command.add_argument(
+        "--figure", type=Path, metavar="PNG", help="plot both recordings on one time axis"
+    )
     add_json(command)
     command.set_defaults(func=_align)
 
@@ -34,11 +43,12 @@ def _align(args: argparse.Namespace) -> int:
         draw(args.figure, *read_courses(args.first, args.second), found, args.force)
     if args.output is not None:
         keep(found, args.output, args.force)
-    line = f"{args.second.name} begins at {found.offset_s:+.3f} s of {args.first.name}"
+    line = f"{args.second.name} starts at {found.offset_s:+.3f} s in {args.first.name}"
     if found.correlation is not None:
         line += (
-            f": by movement, correlation {found.correlation:.2f} ({found.elsewhere:.2f} elsewhere);"
-            f" its clock is {-found.clocks_differ_s:+.3f} s ahead"
+            f": by movement, correlation {found.correlation:.2f} "
+            f"({found.elsewhere:.2f} at other offsets); "
+            f"its clock is {-found.clocks_differ_s:+.3f} s ahead"
         )
     finish(args, asdict(found), [f"{line}."], files)
     return 0

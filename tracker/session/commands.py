@@ -18,9 +18,9 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     """Add the sub-commands; each sets ``func``, which returns the exit status."""
     _add_export(subparsers)
     for name, func, text in (
-        ("info", _info, "what a session holds"),
-        ("verify", _verify, "whether a session is whole, with reasons"),
-        ("recover", _recover, "make a whole file of a broken recording"),
+        ("info", _info, "show the contents of a session"),
+        ("verify", _verify, "check sessions for damage"),
+        ("recover", _recover, "recover a damaged recording"),
     ):
         command = subparsers.add_parser(name, help=text)
         if name == "verify":
@@ -29,19 +29,32 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
             command.add_argument("file", type=Path, metavar="FILE")
         if name == "info":
             command.add_argument(
-                "--latency", action="store_true", help="and how late motors and robots were told"
+                "--latency",
+                action="store_true",
+                help="also report the latency of vibration motors and robots",
             )
         add_json(command)
         command.set_defaults(func=func)
         if name == "recover":
-            command.add_argument("-o", "--output", type=Path, metavar="OUT")
+            command.add_argument(
+                "-o",
+                "--output",
+                type=Path,
+                metavar="OUT",
+                help="the recovered session (default: FILE_recovered.mcap)",
+            )
     _add_report(subparsers)
-    command = subparsers.add_parser("compare", help="what differs between two trackings")
+    command = subparsers.add_parser(
+        "compare", help="list the differences between two trackings of a session"
+    )
     command.add_argument("first", type=Path, metavar="A")
     command.add_argument("second", type=Path, metavar="B")
-    command.add_argument("--figure", type=Path, metavar="PNG", help="draw the differences")
+    command.add_argument("--figure", type=Path, metavar="PNG", help="plot the differences")
     command.add_argument(
-        "--align", type=Path, metavar="FILE", help="lay B on A's time as `align` has found"
+        "--align",
+        type=Path,
+        metavar="FILE",
+        help="shift B to A's time by the result of `glovetrack align`",
     )
     add_json(command)
     command.set_defaults(func=_compare)
@@ -51,33 +64,52 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     from tracker.session.export.options import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNITS, VIEWS
 
-    command = subparsers.add_parser("export", help="write a session in another format")
+    command = subparsers.add_parser("export", help="convert a session to another format")
     command.add_argument(
-        "files", type=Path, nargs="+", metavar="IN", help="a session; for lerobot several, folders"
+        "files",
+        type=Path,
+        nargs="+",
+        metavar="IN",
+        help="a session; for lerobot, several sessions or folders",
     )
-    command.add_argument("--format", required=True, choices=FORMATS)
-    command.add_argument("-o", "--output", type=Path, required=True, metavar="OUT")
+    command.add_argument("--format", required=True, choices=FORMATS, help="output format")
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="OUT", help="output file or folder"
+    )
     command.add_argument("--rate", type=float, metavar="HZ", help="resample to this rate")
-    command.add_argument("--axes", choices=AXES_NAMES)
-    command.add_argument("--units", choices=UNITS)
-    command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
-    command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
-    command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth image")
+    command.add_argument("--axes", choices=AXES_NAMES, help="coordinate axes")
+    command.add_argument("--units", choices=UNITS, help="unit of length")
+    command.add_argument(
+        "--start", type=float, metavar="S", help="start, in seconds after the first estimate"
+    )
+    command.add_argument(
+        "--stop", type=float, metavar="S", help="end, in seconds after the first estimate"
+    )
+    command.add_argument(
+        "--every",
+        type=int,
+        default=1,
+        metavar="N",
+        help="in videos and images, use every Nth frame",
+    )
     command.add_argument(
         "--views",
         default="left",
         metavar="A,B",
-        help=f"of films, side by side: {', '.join(VIEWS)}",
+        help=f"views in videos, side by side: {', '.join(VIEWS)} (default: left)",
     )
     command.add_argument(
-        "--joints", metavar="A,B", help="only these keypoints and angles, or openxr: its 26 joints"
+        "--joints",
+        metavar="A,B",
+        help="export only these keypoints and angles; openxr exports OpenXR's 26 joints",
     )
     command.add_argument(
         "--anonymous",
         nargs="*",
         choices=HIDEABLE,
         metavar="FIELD",
-        help=f"leave out {' and '.join(PERSONAL)}, or the named ones of {', '.join(HIDEABLE)}",
+        help=f"omit {' and '.join(PERSONAL)}, or only the given fields out of "
+        f"{', '.join(HIDEABLE)}",
     )
     _add_dataset(command)
     add_json(command)
@@ -88,13 +120,18 @@ def _add_dataset(command: argparse.ArgumentParser) -> None:
     from tracker.session.export.options import ENCODED, IMAGES
 
     group = command.add_argument_group("data sets of many sessions (lerobot)")
-    group.add_argument("--task", default="", metavar="TEXT", help="what is done in them")
-    group.add_argument("--split", action="store_true", help="an episode from each note to the next")
+    group.add_argument("--task", default="", metavar="TEXT", help="description of the task")
+    group.add_argument("--split", action="store_true", help="start a new episode at each note")
     group.add_argument(
-        "--images", choices=IMAGES, default=ENCODED, help="as recorded, films by ffmpeg, or none"
+        "--images",
+        choices=IMAGES,
+        default=ENCODED,
+        help="keep images as recorded (encoded), convert them to video with ffmpeg, or omit them",
     )
-    group.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
-    group.add_argument("--dask", default="", metavar="ADDRESS", help="work on this Dask cluster")
+    group.add_argument(
+        "--jobs", type=int, metavar="N", help="number of worker processes (default: one per core)"
+    )
+    group.add_argument("--dask", default="", metavar="ADDRESS", help="run on this Dask cluster")
 
 
 def _export(args: argparse.Namespace) -> int:
@@ -140,14 +177,25 @@ def _asked_task(args: argparse.Namespace) -> str:
 
     if args.format not in DATASETS or args.split or not sys.stdin.isatty():
         return ""
-    return input("What is done in these sessions? (Enter: as the sessions say) ").strip()
+    return input("Task in these sessions (Enter: use the tasks stored in them): ").strip()
 
 
 def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    command = subparsers.add_parser("report", help="what takes measured, as one page and a table")
+    command = subparsers.add_parser(
+        "report", help="summarize recordings in one HTML page and one table"
+    )
     command.add_argument("sessions", type=Path, nargs="+", metavar="SESSION")
-    command.add_argument("-o", "--output", type=Path, required=True, metavar="REPORT.html")
-    command.add_argument("--anonymous", action="store_true", help="name no take and no wearer")
+    command.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        required=True,
+        metavar="REPORT.html",
+        help="the HTML page; the table is written next to it",
+    )
+    command.add_argument(
+        "--anonymous", action="store_true", help="omit names of recordings and participants"
+    )
     add_json(command)
     command.set_defaults(func=_report)
 
@@ -160,7 +208,7 @@ def _report(args: argparse.Namespace) -> int:
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)
     takes = write_report(paths, args.output, args.anonymous, args.force)
-    finish(args, as_json(takes), [f"{args.output}: {len(takes)} takes"], [*paths, args.output])
+    finish(args, as_json(takes), [f"{args.output}: {len(takes)} recordings"], [*paths, args.output])
     return 0
 
 
@@ -210,7 +258,7 @@ def _verdict(path: Path, findings: list[Finding]) -> tuple[dict[str, Any], list[
 
     ok = is_ok(findings)
     lines = [f"{f.severity}: {f.where}: {f.what}" for f in findings]
-    lines.append(f"{path} is {'all right' if ok else 'damaged'}.")
+    lines.append(f"{path} is {'intact' if ok else 'damaged'}.")
     return {"ok": ok, "findings": [asdict(f) for f in findings]}, lines
 
 
@@ -239,7 +287,7 @@ def _recover(args: argparse.Namespace) -> int:
     with SessionReader(saved.path) as reader:
         duration = reader.duration
     lines = [f"byte {d.offset}: {d.what}" for d in saved.damage]
-    lines.append(f"{saved.messages} messages of {duration:.2f} s are in {saved.path}.")
+    lines.append(f"Recovered {saved.messages} messages ({duration:.2f} s) to {saved.path}.")
     result = {
         "file": str(saved.path),
         "messages": saved.messages,
@@ -256,9 +304,9 @@ def _made_on(made_on: list[str], identical: bool) -> list[str]:
     first, second = made_on
     if identical or first == second:
         return []
-    unknown = "a computer that is not known"
+    unknown = "unknown computer"
     return [
-        "computed with different arithmetic, on which the last bits depend:",
+        "computed with different arithmetic, which affects the last bits:",
         f"  {printable(first) or unknown}",
         f"  {printable(second) or unknown}",
     ]
@@ -273,8 +321,8 @@ def _compare(args: argparse.Namespace) -> int:
     shift = 0.0 if args.align is None else read_alignment(args.align).clocks_differ_s
     found = compare(args.first, args.second, args.figure, args.force, shift)
     lines = [
-        f"{side}{each['compared']} instants in common; mean {each['mean_mm']:.3f} mm, "
-        f"largest {each['max_mm']:.3f} mm; angles {each['rms_deg']:.3f}° rms"
+        f"{side}{each['compared']} instants compared; mean {each['mean_mm']:.3f} mm, "
+        f"maximum {each['max_mm']:.3f} mm; angles {each['rms_deg']:.3f}° rms"
         for side, each in (
             ((f"{s} hand: ", h) for s, h in found["hands"].items())
             if "hands" in found
@@ -283,7 +331,7 @@ def _compare(args: argparse.Namespace) -> int:
     ]
     lines.append("identical to the last bit" if found["identical"] else "not identical")
     if found["first_difference_s"] is not None:
-        lines[-1] += f": they first differ {found['first_difference_s']:.3f} s after the beginning"
+        lines[-1] += f": first difference {found['first_difference_s']:.3f} s after the start"
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
     lines += _made_on(found["made_on"], found["identical"])

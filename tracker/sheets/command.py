@@ -13,15 +13,19 @@ PAPERS = ("a4", "letter")
 
 def add_commands(commands: Any) -> None:
     """Sub-command ``print``."""
-    parser = commands.add_parser("print", help="sheets to build a glove with, as PDF in true size")
+    parser = commands.add_parser(
+        "print", help="create PDF sheets at true scale for building a glove"
+    )
     parser.add_argument(
         "what",
         choices=("markers", "wiring", "board"),
-        help="patches and where they are sewn; the wiring; the camera's calibration board",
+        help="marker patches and their positions, the wiring, or the camera's calibration board",
     )
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF")
-    parser.add_argument("--glove", default="", help="name or file; without: the first shipped one")
-    parser.add_argument("--paper", choices=PAPERS, default=PAPERS[0])
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF file")
+    parser.add_argument(
+        "--glove", default="", help="glove name or file (default: the first bundled glove)"
+    )
+    parser.add_argument("--paper", choices=PAPERS, default=PAPERS[0], help="paper size")
     add_force(parser)
     parser.set_defaults(func=_print)
 
@@ -44,5 +48,5 @@ def _print(args: argparse.Namespace) -> int:
         pages, title = [board_page(args.paper)], "Calibration board"
     with whole_file(args.out, args.force) as part:
         save_pages(pages, part, title)
-    print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 %")
+    print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 % scale")
     return 0

@@ -14,10 +14,11 @@ if TYPE_CHECKING:
 def add_evaluate_faults(protocols: Any) -> None:
     """Adds ``faults`` to the sub-parsers of ``evaluate``."""
     parser: argparse.ArgumentParser = protocols.add_parser(
-        "faults", help="random faults of a simulated glove and camera, and what becomes of tracking"
+        "faults",
+        help="inject random faults into a simulated glove and camera and check the tracking",
     )
-    parser.add_argument("--count", type=int, default=1000, help="faults")
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--count", type=int, default=1000, help="number of faults (default: 1000)")
+    parser.add_argument("--seed", type=int, default=1, help="random seed")
     add_json(parser)
     parser.set_defaults(func=_run)
 
@@ -33,9 +34,11 @@ def _run(args: argparse.Namespace) -> int:
 
 
 def _table(report: DrillReport) -> str:
-    lines = [f"{'fault':<16}{'count':>6}{'back, worst s':>15}{'not said':>10}{'silent wrong':>14}"]
+    lines = [
+        f"{'fault':<16}{'count':>6}{'recovery max s':>16}{'unreported':>12}{'silent error':>14}"
+    ]
     for kind, count in sorted(report.faults.items()):
         worst = max(report.recovery[kind])
         unsaid, wrong = report.unsaid[kind], report.silent_wrong[kind]
-        lines.append(f"{kind:<16}{count:>6}{worst:>15.2f}{unsaid:>10}{wrong:>14}")
+        lines.append(f"{kind:<16}{count:>6}{worst:>16.2f}{unsaid:>12}{wrong:>14}")
     return "\n".join(lines)

@@ -17,14 +17,30 @@ def add_evaluate_gestures(
     subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
 ) -> None:
     """Adds the protocol; its ``func`` returns the exit status."""
-    parser = subparsers.add_parser("gestures", help="what simulated people hold and move freely")
-    parser.add_argument("--people", type=int, default=8, metavar="N")
-    parser.add_argument("--seconds", type=float, default=60.0, help="of free motion, each")
-    parser.add_argument("--seed", type=int, default=1, help="of the first of them")
-    parser.add_argument("--glove", default="", help="name or file")
-    parser.add_argument("--on-truth", action="store_true", help="as if the hand were known")
+    parser = subparsers.add_parser(
+        "gestures", help="score gesture recognition on simulated or recorded hands"
+    )
     parser.add_argument(
-        "--motion", type=Path, nargs="+", default=[], metavar="FILE", help="recorded hands instead"
+        "--people", type=int, default=8, metavar="N", help="number of simulated people (default: 8)"
+    )
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        default=60.0,
+        help="duration of free motion per person (default: 60)",
+    )
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
+    parser.add_argument("--glove", default="", help="glove name or file")
+    parser.add_argument(
+        "--on-truth", action="store_true", help="use the simulator's truth instead of tracking it"
+    )
+    parser.add_argument(
+        "--motion",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="FILE",
+        help="use recorded hand motion instead of simulated people",
     )
     add_json(parser)
     parser.set_defaults(func=_evaluate)
@@ -88,6 +104,6 @@ def _lines(report: dict[str, Any]) -> list[str]:
         lines.append(f"{name:<14}{row['held']:>5}{row['right_percent']:>9.1f}{delay:>10}")
     false = ", ".join(f"{n} {k}" for n, k in report["false"].items()) or "none"
     lines.append(
-        f"false starts a minute of free motion: {report['false_per_minute']:.2f} ({false})"
+        f"false detections per minute of free motion: {report['false_per_minute']:.2f} ({false})"
     )
     return lines

@@ -21,15 +21,27 @@ def add_evaluate_hands(protocols: Any) -> None:
     """Adds ``hands`` to the sub-parsers of ``evaluate``."""
     parser: argparse.ArgumentParser = protocols.add_parser(
         "hands",
-        help="two simulated hands that cross and hide one another, against each alone, and against "
-        "each where the other one hides it and shows no markers",
+        help="track two simulated hands that cross and occlude each other; compare with each "
+        "hand alone, and with each hand occluded by a hand without markers",
     )
-    parser.add_argument("--pairs", type=int, default=20, metavar="N")
-    parser.add_argument("--seconds", type=float, default=20.0, metavar="S", help="of each pair")
+    parser.add_argument(
+        "--pairs", type=int, default=20, metavar="N", help="number of pairs of hands (default: 20)"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=20.0, metavar="S", help="duration per pair (default: 20)"
+    )
     parser.add_argument("--engine", default="chain", help="chain or vist")
-    parser.add_argument("--fps", type=float, default=60.0)
-    parser.add_argument("--seed", type=int, default=0, help="of the first pair")
-    parser.add_argument("--processes", type=int, default=1, metavar="N")
+    parser.add_argument(
+        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    )
+    parser.add_argument("--seed", type=int, default=0, help="random seed of the first pair")
+    parser.add_argument(
+        "--processes",
+        type=int,
+        default=1,
+        metavar="N",
+        help="number of worker processes (default: 1)",
+    )
     add_json(parser)
     parser.set_defaults(func=_run)
 
@@ -42,9 +54,9 @@ def _run(args: argparse.Namespace) -> int:
 
     check_json(args)
     if args.engine not in ENGINES:
-        raise ConfigError(f"There is no engine {args.engine!r}; there are {', '.join(ENGINES)}.")
+        raise ConfigError(f"Unknown engine {args.engine!r}. Available: {', '.join(ENGINES)}.")
     if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
-        raise ConfigError("It takes at least one pair, 4 s of each, and 5 to 240 images a second.")
+        raise ConfigError("--pairs must be at least 1, --seconds at least 4, and --fps 5 to 240.")
     seeds = range(args.seed, args.seed + args.pairs)
     tasks = [WorkItem(run_trial, (seed, args.seconds, args.engine, args.fps)) for seed in seeds]
     with some_workers(max(1, min(args.processes, args.pairs))) as workers:

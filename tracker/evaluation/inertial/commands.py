@@ -12,13 +12,20 @@ def add_evaluate_inertial(
     subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
 ) -> None:
     """Adds the sub-command ``inertial``."""
-    p = subparsers.add_parser("inertial", help="finger angles from IMUs: the 2020 paper's protocol")
+    p = subparsers.add_parser(
+        "inertial",
+        help="estimate finger angles from IMUs, following the protocol of Lemak et al. 2020",
+    )
     add_json(p)
-    p.add_argument("--broad", type=Path, metavar="DIR", help="recordings of the BROAD data set")
-    p.add_argument("--seeds", type=_count, metavar="N", help="runs per case (5)")
-    p.add_argument("--rates", type=_rate, nargs="+", metavar="HZ", help="sampling rates (100 1000)")
-    p.add_argument("--out", type=Path, metavar="DIR", help="figures as PNG files")
-    p.add_argument("--quick", action="store_true", help="fewer durations and seeds, 100 Hz")
+    p.add_argument(
+        "--broad", type=Path, metavar="DIR", help="folder with recordings of the BROAD data set"
+    )
+    p.add_argument("--seeds", type=_count, metavar="N", help="runs per case (default: 5)")
+    p.add_argument(
+        "--rates", type=_rate, nargs="+", metavar="HZ", help="sampling rates (default: 100 1000)"
+    )
+    p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures (PNG)")
+    p.add_argument("--quick", action="store_true", help="fewer durations and seeds, 100 Hz only")
     p.set_defaults(func=_run)
 
 
@@ -39,5 +46,5 @@ def _count(text: str) -> int:
 def _rate(text: str) -> float:
     value = float(text)
     if not 20 <= value <= 10000:
-        raise argparse.ArgumentTypeError("must lie between 20 and 10000 Hz")
+        raise argparse.ArgumentTypeError("must be between 20 and 10000 Hz")
     return value

@@ -15,13 +15,36 @@ def add_evaluate_robot(
     subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
 ) -> None:
     """Adds the protocol; its ``func`` returns the exit status."""
-    parser = subparsers.add_parser("robot", help="a robot hand that follows and takes a cube")
-    parser.add_argument("--trials", type=int, default=10, metavar="N", help="of pick and place")
-    parser.add_argument("--people", type=int, default=4, metavar="N", help="who move at random")
-    parser.add_argument("--seconds", type=float, default=20.0, help="of random motion, each")
-    parser.add_argument("--seed", type=int, default=1, help="of the first of them")
-    parser.add_argument("--side", choices=("right", "left"), default="right")
-    parser.add_argument("--model", default=SHADOW, help="name, or path of an MJCF hand")
+    parser = subparsers.add_parser(
+        "robot", help="evaluate a robot hand that follows a wearer and picks up a cube"
+    )
+    parser.add_argument(
+        "--trials",
+        type=int,
+        default=10,
+        metavar="N",
+        help="number of pick-and-place trials (default: 10)",
+    )
+    parser.add_argument(
+        "--people",
+        type=int,
+        default=4,
+        metavar="N",
+        help="number of people who move at random (default: 4)",
+    )
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        default=20.0,
+        help="duration of random motion per person (default: 20)",
+    )
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
+    parser.add_argument(
+        "--side", choices=("right", "left"), default="right", help="side of the robot hand"
+    )
+    parser.add_argument(
+        "--model", default=SHADOW, help="robot hand: a name, or the path of an MJCF file"
+    )
     add_json(parser)
     parser.set_defaults(func=_evaluate)
 
@@ -84,16 +107,17 @@ def _lines(report: dict[str, Any]) -> list[str]:
     tips = report.get("tips")
     if tips:
         lines = [
-            f"targets that can be reached: {tips['reachable_percent']:.1f} %",
-            f"tips within {GOAL_MM:.0f} mm of these: {tips['within_5_mm_percent']:.2f} % "
+            f"reachable targets: {tips['reachable_percent']:.1f} %",
+            f"tips within {GOAL_MM:.0f} mm of reachable targets: "
+            f"{tips['within_5_mm_percent']:.2f} % "
             f"(median {tips['error_mm_median']:.2f} mm, 99 %: {tips['error_mm_99']:.2f} mm)",
         ]
     for trial in report.get("pick_and_place", ()):
         word = "placed" if trial["placed"] else "NOT placed"
-        lines.append(f"trial {trial['seed']:>3}: {word}, {trial['off_mm']:.0f} mm from its goal")
+        lines.append(f"trial {trial['seed']:>3}: {word}, {trial['off_mm']:.0f} mm from its target")
     if "placed" in report:
         lines.append(
-            f"{report['placed']} of {len(report['pick_and_place'])} cubes put down in their place; "
-            f"a step took {report['step_ms_median']:.2f} ms (99 %: {report['step_ms_99']:.2f} ms)"
+            f"{report['placed']} of {len(report['pick_and_place'])} cubes placed; "
+            f"step time {report['step_ms_median']:.2f} ms (99 %: {report['step_ms_99']:.2f} ms)"
         )
     return lines

@@ -21,63 +21,113 @@ ENGINES_OF = {"both": ("chain", "vist"), "one": ("chain",), "none": ("inertial",
 
 def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Adds the sub-command."""
-    p = subparsers.add_parser("vist", help="hand tracking: three experiments, simulated")
-    p.add_argument("--participants", type=_count, default=15, metavar="N")
-    p.add_argument("--minutes", type=_positive, metavar="M", help="of each trial (3, 2 and 2)")
+    p = subparsers.add_parser(
+        "vist", help="track simulated hands in the three experiments of Lee et al. 2021"
+    )
+    p.add_argument(
+        "--participants",
+        type=_count,
+        default=15,
+        metavar="N",
+        help="number of simulated participants (default: 15)",
+    )
+    p.add_argument(
+        "--minutes",
+        type=_positive,
+        metavar="M",
+        help="duration of each trial (default: 3, 2 and 2)",
+    )
     p.add_argument(
         "--engines",
         type=_words,
         metavar="A,B",
-        help="chain and vist if not told; with one lens chain, without any inertial",
+        help="engines to evaluate (default: chain and vist; with one lens, chain; without a "
+        "camera, inertial)",
     )
     p.add_argument(
         "--lenses",
         choices=tuple(ENGINES_OF),
         default="both",
-        help="of the camera; without any, joint angles are judged, and where joints are in the "
-        "dorsum's frame",
+        help="lenses of the camera; without a camera, errors are those of joint angles and of "
+        "joint positions relative to the dorsum",
     )
     p.add_argument(
         "--measured",
         action="store_true",
-        help="the length of each hand is known, by a ruler (2 mm)",
+        help="the hand lengths are known from a ruler (sd 2 mm)",
     )
     p.add_argument(
         "--experiments",
         type=_words,
         default=("free", "object", "device"),
         metavar="A,B",
-        help="free, object, device (the paper's three) and head, a camera that the wearer moves",
+        help="free, object, device (from the paper) and head, a camera worn on the head "
+        "(default: free,object,device)",
     )
-    p.add_argument("--level", choices=("points", "images"), default="points")
+    p.add_argument(
+        "--level",
+        choices=("points", "images"),
+        default="points",
+        help="simulate marker positions in the images, or whole images",
+    )
     p.add_argument(
         "--lights",
         type=_words,
         default=("window", "lamp", "led", "dim"),
         metavar="A,B|none",
-        help="with --level images: a row over a desk in each light beside the plain wall",
+        help="with --level images: repeat each experiment over a desk in these lights (default: "
+        "all four)",
     )
-    p.add_argument("--ablations", type=_words, default=(), metavar="A,B|all")
+    p.add_argument(
+        "--ablations",
+        type=_words,
+        default=(),
+        metavar="A,B|all",
+        help="variants of the engines to evaluate as well",
+    )
     p.add_argument(
         "--guided",
         action="store_true",
-        help="rows of free motion after guided poses: untold, told, held badly, in another "
-        "session; distal markers",
+        help="add free motion after guided poses: not announced, announced, held badly, and from"
+        " another session; also with markers on the fingertips",
     )
     p.add_argument(
-        "--wearer", type=Path, metavar="FILE", help="a profile that every participant begins with"
+        "--wearer",
+        type=Path,
+        metavar="FILE",
+        help="wearer's profile that every participant starts with",
     )
-    p.add_argument("--fps", type=_positive, default=60.0)
-    p.add_argument("--distractors", type=int, default=0, help="coloured balls in the room")
-    p.add_argument("--seed", type=int, default=0)
-    p.add_argument("--processes", type=_count, default=1, metavar="N")
-    p.add_argument("--quick", action="store_true", help="two people, twenty seconds each")
     p.add_argument(
-        "--keep", type=Path, metavar="DIR", help="finished trials: a run that was ended goes on"
+        "--fps", type=_positive, default=60.0, help="frame rate of the camera, Hz (default: 60)"
     )
-    p.add_argument("--motion", nargs="+", type=Path, default=(), metavar="FILE")
+    p.add_argument(
+        "--distractors", type=int, default=0, help="number of coloured balls in the room"
+    )
+    p.add_argument("--seed", type=int, default=0, help="random seed")
+    p.add_argument(
+        "--processes",
+        type=_count,
+        default=1,
+        metavar="N",
+        help="number of worker processes (default: 1)",
+    )
+    p.add_argument("--quick", action="store_true", help="two participants, 20 s each")
+    p.add_argument(
+        "--keep",
+        type=Path,
+        metavar="DIR",
+        help="save finished trials in this folder; an interrupted run resumes from them",
+    )
+    p.add_argument(
+        "--motion",
+        nargs="+",
+        type=Path,
+        default=(),
+        metavar="FILE",
+        help="recorded hand motion to use instead of simulated motion",
+    )
     add_json(p)
-    p.add_argument("--out", type=Path, metavar="DIR", help="figures and one HTML report")
+    p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures and an HTML report")
     p.set_defaults(func=run)
 
 
@@ -129,7 +179,7 @@ def run(args: argparse.Namespace) -> int:
         print(f"Report: {page}", file=table)
     done, wanted = sum(len(trials) for _, trials in results), len(cases) * participants
     if done < wanted:
-        print(f"Stopped after {done} of {wanted} trials; the figures are of those.", file=table)
+        print(f"Stopped after {done} of {wanted} trials; the figures cover only these.", file=table)
     return 0 if done == wanted else 1
 
 
@@ -158,7 +208,7 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
     _known(args.experiments, EXPERIMENTS, "experiment")
     missing = [str(f) for f in args.motion if not f.is_file()]
     if missing:
-        raise ConfigError(f"There is no motion file {missing[0]}.")
+        raise ConfigError(f"Motion file not found: {missing[0]}.")
     if args.wearer is not None:
         _check_wearer(args.wearer, engines)
     experiments = ("free",) if args.quick or args.motion else args.experiments
@@ -184,9 +234,9 @@ def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
 
     blind = [e for e in engines if e in WITHOUT_IMAGES]
     if lenses == "none" and len(blind) < len(engines):
-        raise ConfigError("Without a camera only the engine inertial can be judged.")
+        raise ConfigError("Only the engine inertial can be evaluated without a camera.")
     if lenses != "none" and blind:
-        raise ConfigError("The engine inertial looks at no image: add --lenses none.")
+        raise ConfigError("The engine inertial does not use images: add --lenses none.")
     if lenses == "one" and "vist" in engines:
         raise ConfigError("The engine vist needs both lenses: add --engines chain.")
 
@@ -251,4 +301,4 @@ def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
 def _known(names: Sequence[str], known: Sequence[str] | Mapping[str, Any], what: str) -> None:
     for name in names:
         if name not in known:
-            raise ConfigError(f"There is no {what} {name!r}; there are {', '.join(known)}.")
+            raise ConfigError(f"Unknown {what} {name!r}. Available: {', '.join(known)}.")

@@ -11,17 +11,19 @@ from tracker.terminal import add_json, check_json, finish
 def add_import(parser: argparse.ArgumentParser) -> None:
     """Its arguments."""
     parser.add_argument(
-        "sources", type=Path, nargs="+", metavar="IN", help="CSV, .mat, or folders of x-IMU3"
+        "sources", type=Path, nargs="+", metavar="IN", help="CSV or .mat files, or x-IMU3 folders"
     )
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
-    parser.add_argument("--glove", default="", help="name or file")
-    parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session (.mcap)")
+    parser.add_argument("--glove", default="", help="glove name or file")
+    parser.add_argument(
+        "--hand", default="", help="hand name or file (default: the hand of the glove file)"
+    )
     parser.add_argument(
         "--imu",
         action="append",
         default=[],
         metavar="GLOVE=FILE",
-        help="the glove's IMU that one of the files is, as dorsum=hand_right; more than once",
+        help="assign a file to an IMU of the glove, such as dorsum=hand_right; can be repeated",
     )
     add_json(parser)
     parser.set_defaults(func=_import)
