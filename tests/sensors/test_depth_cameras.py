@@ -160,7 +160,7 @@ def test_images_of_two_sizes_are_tracked_live_as_a_pair(hand, glove, plugin) -> 
     late, off, images, said = tracked(hand, glove, plugin, infrared=False)
     assert {(m.left.shape, m.right.shape) for m in images} == {((720, 1280, 3), (480, 640, 3))}
     assert np.mean(off) < 0.012  # m, of a stranger's hand seen for two seconds by two cameras
-    assert max(e.keypoint_sd.mean() for e in late) < 0.012
+    assert max(np.median(e.keypoint_sd) for e in late) < 0.008  # less than one camera claims
     assert not [text for text in said if "calibration" in text], "nothing is wrong with the rig"
 
 
@@ -170,7 +170,7 @@ def test_beside_an_infrared_camera_the_colour_camera_tracks_alone(hand, glove, p
     assert grey is not None and grey.shape == (480, 640, 3)
     assert (grey[..., 0] == grey[..., 2]).all()
     assert np.mean(off) < 0.040  # m: 5 % of a stranger's size at 40 cm are 20 mm, two of them
-    sure = [e.keypoint_sd.mean() for e in late]
+    sure = [float(np.median(e.keypoint_sd)) for e in late]
     assert min(sure) > 0.008, "one camera does not know how far away the hand is"
     assert np.mean(np.array(off) < 3 * np.sqrt(3) * np.array(sure)) > 0.95
     assert not [text for text in said if "calibration" in text]
