@@ -94,7 +94,7 @@ def test_inferred_points_are_within_3_sd_under_overload(
 @pytest.mark.data
 @pytest.mark.parametrize("engine", ["chain", "vist", "switching"])
 def test_inferred_points_of_an_overloaded_recording(data_folder: Path, engine: str) -> None:
-    """In 5 s of it the wearer points with two fingers: ring and little finger do not follow."""
+    """In 3 s of it the wearer points with two fingers: ring and little finger do not follow."""
     path = data_folder / "overload" / "session.mcap"
     if not path.exists():
         pytest.skip(f"there is no {os.fspath(path)}")
