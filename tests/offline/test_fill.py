@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import shlex
+import shutil
 from pathlib import Path
 
 import ezc3d
@@ -247,6 +249,24 @@ def test_listed_gaps_alone_are_filled(cut: Path, tmp_path: Path) -> None:
     one[0]["start_ns"] += 1
     listed.write_text(json.dumps({"gaps": one}))
     assert main([*words, "--force"]) == 1, "not a gap of the session"
+
+
+def test_commands_of_the_guide_fill_gaps(
+    cut: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copy(cut, tmp_path / "tracked.mcap")
+    monkeypatch.chdir(tmp_path)
+    assert main(shlex.split("gaps tracked.mcap --json gaps.json")) == 0
+    lines = (
+        "fill tracked.mcap -o filled.mcap --max-gap 0.2 --method cubic",
+        'fill tracked.mcap -o some.mcap --gaps gaps.json --by "A. Miller"',
+    )
+    for line in lines:
+        out = shlex.split(line)[3]
+        assert main(shlex.split(line)) == 0
+        with SessionReader(tmp_path / out) as reader:
+            ((first, second),) = [edit.filled for edit in reader.edits]
+        assert first.stop_ns < second.start_ns
 
 
 def test_what_cannot_be_filled_is_refused_in_words(cut: Path, whole: Path, tmp_path: Path) -> None:

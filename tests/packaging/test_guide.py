@@ -39,9 +39,16 @@ ELSEWHERE = {
     "glovetrack compare tracked.mcap other.mcap --align aligned.json": (
         *("tests/session/test_align.py", '"--align", str(kept)'),
     ),
+    **{
+        f"glovetrack {words}": ("tests/offline/test_fill.py", words)
+        for words in (
+            "fill tracked.mcap -o filled.mcap --max-gap 0.2 --method cubic",
+            'fill tracked.mcap -o some.mcap --gaps gaps.json --by "A. Miller"',
+        )
+    },
     "sudo usermod -aG dialout $USER": ("packaging/debian_smoke.sh", "usermod -aG dialout"),
 }
-"""Commands that want a minute, longer takes or a system of their own, and who runs them."""
+"""Commands that need a minute, longer recordings, gaps or their own system, and who runs them."""
 HEAD = "Timestamp (us),Gyroscope X (deg/s),Gyroscope Y (deg/s),Gyroscope Z (deg/s),"
 HEAD += "Accelerometer X (g),Accelerometer Y (g),Accelerometer Z (g)"
 
