@@ -4,8 +4,8 @@
     <name>glovetrack</name>
     <message>
       <location filename="app/engines/camera_choice.py" />
-      <source>No camera was found. Plug in the stereo camera and look again, or, where the system lists no cameras, enter its number under Set-up, Camera (0 is the first one).</source>
-      <translation>Keine Kamera gefunden. Stereokamera anschließen und neu suchen oder, wo das System keine Kameras auflistet, ihre Nummer unter Einrichtung, Kamera eingeben (0 ist die erste).</translation>
+      <source>No camera was found. Plug in the stereo camera, then choose Search again. If this system lists no cameras, enter the number of yours under Set-up, Camera, Or number, file (0 is the first one).</source>
+      <translation>Keine Kamera gefunden. Schließen Sie die Stereokamera an und wählen Sie Erneut suchen. Wenn dieses System keine Kameras auflistet, geben Sie die Nummer unter Einrichtung, Kamera, Oder Nummer, Datei ein (0 ist die erste).</translation>
     </message>
     <message>
       <location filename="app/engines/camera_choice.py" />
@@ -41,6 +41,11 @@
       <location filename="app/engines/engine_host.py" />
       <source>{}: not now, a recording has begun meanwhile.</source>
       <translation>{}: jetzt nicht, inzwischen hat eine Aufnahme begonnen.</translation>
+    </message>
+    <message>
+      <location filename="app/engines/engine_host.py" />
+      <source>Tracking has stopped. {} Start it again.</source>
+      <translation>Das Tracking wurde beendet. {} Starten Sie es neu.</translation>
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
@@ -219,7 +224,7 @@
     </message>
     <message>
       <location filename="app/panels/applications/controls.py" />
-      <source>Begin anew</source>
+      <source>Restart</source>
       <translation>Neu beginnen</translation>
     </message>
     <message>
@@ -266,6 +271,11 @@
       <location filename="app/panels/applications/panel.py" />
       <source>No hand yet</source>
       <translation>Noch keine Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>The hand's skin is being made…</source>
+      <translation>Die Haut der Hand wird gemacht…</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
@@ -329,18 +339,23 @@
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
-      <source>Start tracking to see what is estimated.</source>
-      <translation>Nach dem Start des Trackings steht hier, was geschätzt wird.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/panel.py" />
       <source>Hand length</source>
       <translation>Handlänge</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
+      <source>Start tracking to see what is estimated.</source>
+      <translation>Nach dem Start des Trackings steht hier, was geschätzt wird.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/panel.py" />
       <source>Camera delay</source>
       <translation>Kameraverzug</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/profiles.py" />
+      <source>The profile {} was removed.</source>
+      <translation>Das Profil {} wurde entfernt.</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
@@ -668,16 +683,6 @@
       <translation>Licht wird gemessen</translation>
     </message>
     <message>
-      <location filename="app/panels/checklist.py" />
-      <source>Ready</source>
-      <translation>Bereit</translation>
-    </message>
-    <message>
-      <location filename="app/panels/checklist.py" />
-      <source>{} of {} done</source>
-      <translation>{} von {} erledigt</translation>
-    </message>
-    <message>
       <location filename="app/panels/colours/files.py" />
       <source>Colour profile</source>
       <translation>Farbprofil</translation>
@@ -706,6 +711,11 @@
       <location filename="app/panels/colours/image.py" />
       <source>Searching the image</source>
       <translation>Bild wird durchsucht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/image.py" />
+      <source>Mask, image frozen</source>
+      <translation>Maske, Bild angehalten</translation>
     </message>
     <message>
       <location filename="app/panels/colours/light.py" />
@@ -843,14 +853,29 @@
       <translation>Erst ein behaltenes Bild wählen: Das Livebild bleibt.</translation>
     </message>
     <message>
+      <location filename="app/panels/colours/source.py" />
+      <source>The image {} was removed.</source>
+      <translation>Das Bild {} wurde entfernt.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/tools.py" />
+      <source>Pick =</source>
+      <translation>Wählen =</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/tools.py" />
+      <source>Set from pixel: an eyedropper; a click on a marker sets the ranges of the chosen hue to its colour</source>
+      <translation>Aus Bildpunkt setzen: eine Pipette; ein Klick auf einen Marker setzt die Bereiche des gewählten Farbtons auf dessen Farbe</translation>
+    </message>
+    <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Pick +</source>
       <translation>Pipette +</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Eyedropper: a click takes a pixel in, Ctrl+click leaves it out. With one marker of each colour clicked, the colours are learned.</source>
-      <translation>Pipette: Ein Klick nimmt ein Pixel auf, Strg+Klick lässt es aus. Ist je ein Marker jeder Farbe angeklickt, werden die Farben gelernt.</translation>
+      <source>Eyedropper: a click widens the ranges to take a pixel in, Ctrl+click leaves it out. With one marker of each colour clicked, the colours are learned.</source>
+      <translation>Pipette: Ein Klick erweitert die Bereiche um einen Bildpunkt, Strg+Klick nimmt ihn heraus. Sobald ein Marker jeder Farbe angeklickt ist, werden die Farben gelernt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -953,6 +978,211 @@
       <translation>Port von {}</translation>
     </message>
     <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Device settings</source>
+      <translation>Geräteeinstellungen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Search settings</source>
+      <translation>Einstellungen suchen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Apply</source>
+      <translation>Anwenden</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Revert</source>
+      <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Save as file…</source>
+      <translation>Als Datei speichern…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Load…</source>
+      <translation>Laden…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>{}: {} is not possible ({}).</source>
+      <translation>{}: {} ist nicht möglich ({}).</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Save the device settings</source>
+      <translation>Geräteeinstellungen speichern</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>TOML (*.toml)</source>
+      <translation>TOML (*.toml)</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>Load device settings</source>
+      <translation>Geräteeinstellungen laden</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/panel.py" />
+      <source>The motor was not run: the glove is disconnected.</source>
+      <translation>Der Motor lief nicht: Der Handschuh ist getrennt.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
+      <source>changed, not applied</source>
+      <translation>geändert, nicht angewendet</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
+      <source>Setting</source>
+      <translation>Einstellung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
+      <source>State</source>
+      <translation>Zustand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
+      <source>Run</source>
+      <translation>Ausführen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
+      <source>Run this motor for 0.3 s</source>
+      <translation>Diesen Motor 0,3 s laufen lassen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
+      <source>automatic</source>
+      <translation>automatisch</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/controls.py" />
+      <source>Fit both axes to the curves (double-click the graph)</source>
+      <translation>Beide Achsen an die Kurven anpassen (Doppelklick auf das Diagramm)</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/controls.py" />
+      <source>Time window</source>
+      <translation>Zeitfenster</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/controls.py" />
+      <source>Pause this graph; tracking goes on</source>
+      <translation>Dieses Diagramm anhalten; das Tracking läuft weiter</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/controls.py" />
+      <source>Copy what is shown as CSV</source>
+      <translation>Dargestelltes als CSV kopieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/controls.py" />
+      <source>Remove this graph</source>
+      <translation>Dieses Diagramm entfernen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/controls.py" />
+      <source>Whole recording</source>
+      <translation>Ganze Aufnahme</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/layouts.py" />
+      <source>Save these graphs…</source>
+      <translation>Diese Diagramme speichern…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/layouts.py" />
+      <source>Delete a layout…</source>
+      <translation>Anordnung löschen…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/layouts.py" />
+      <source>Save these graphs</source>
+      <translation>Diese Diagramme speichern</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/layouts.py" />
+      <source>Name of the layout</source>
+      <translation>Name des Layouts</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/layouts.py" />
+      <source>Delete a layout</source>
+      <translation>Layout löschen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/layouts.py" />
+      <source>Layout</source>
+      <translation>Layout</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Graphs</source>
+      <translation>Diagramme</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Reading the recording's signals</source>
+      <translation>Signale der Aufnahme werden gelesen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Add graph</source>
+      <translation>Diagramm hinzufügen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Pause all</source>
+      <translation>Alle anhalten</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Signals</source>
+      <translation>Signale</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Show the tree of signals</source>
+      <translation>Signalbaum zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Layouts</source>
+      <translation>Anordnungen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Reading the whole recording…</source>
+      <translation>Ganze Aufnahme wird gelesen…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/panel.py" />
+      <source>Copied {} lines of {} curves as CSV.</source>
+      <translation>{} Zeilen von {} Kurven als CSV kopiert.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>not available</source>
+      <translation>nicht verfügbar</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>Tick signals in the tree, or drag them here.</source>
+      <translation>Signale im Baum ankreuzen oder hierher ziehen.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/tree.py" />
+      <source>Search signals</source>
+      <translation>Signale suchen</translation>
+    </message>
+    <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Back</source>
       <translation>Rücken</translation>
@@ -1053,24 +1283,24 @@
       <translation>Spur: {}</translation>
     </message>
     <message>
-      <location filename="app/panels/hand/panel.py" />
-      <source>Hand</source>
-      <translation>Hand</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/panel.py" />
+      <location filename="app/panels/hand/legend.py" />
       <source>measured</source>
       <translation>gemessen</translation>
     </message>
     <message>
-      <location filename="app/panels/hand/panel.py" />
+      <location filename="app/panels/hand/legend.py" />
       <source>inferred</source>
       <translation>erschlossen</translation>
     </message>
     <message>
-      <location filename="app/panels/hand/panel.py" />
+      <location filename="app/panels/hand/legend.py" />
       <source>lost</source>
       <translation>verloren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>Hand</source>
+      <translation>Hand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
@@ -1086,11 +1316,6 @@
       <location filename="app/panels/hand/panel.py" />
       <source>Not tracked yet: Replay, Track again</source>
       <translation>Noch ohne Tracking: Wiedergabe, Tracking wiederholen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/panel.py" />
-      <source>The hand's skin is being made…</source>
-      <translation>Die Haut der Hand wird gemacht…</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
@@ -1111,6 +1336,21 @@
       <location filename="app/panels/hand/view_chooser.py" />
       <source>The 3D view cannot use the graphics card; it is painted.</source>
       <translation>Die 3D-Ansicht kann die Grafikkarte nicht nutzen; sie wird gezeichnet.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand_choice.py" />
+      <source>Left hand</source>
+      <translation>Linke Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand_choice.py" />
+      <source>Right hand</source>
+      <translation>Rechte Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand_choice.py" />
+      <source>Which hand</source>
+      <translation>Welche Hand</translation>
     </message>
     <message>
       <location filename="app/panels/library/compare_dialog.py" />
@@ -1269,18 +1509,13 @@
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
-      <source>Forget what has ended</source>
-      <translation>Beendete vergessen</translation>
+      <source>Clear finished</source>
+      <translation>Fertige entfernen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
       <source>Open folder</source>
       <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_list.py" />
-      <source>State</source>
-      <translation>Zustand</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
@@ -1318,9 +1553,134 @@
       <translation>keine: wie unten</translation>
     </message>
     <message>
+      <location filename="app/panels/library/export_presets.py" />
+      <source>Put back the preset {}</source>
+      <translation>Vorlage {} wiederherstellen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Gaps of the recording</source>
+      <translation>Lücken der Aufnahme</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Kind of gap</source>
+      <translation>Art der Lücke</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>All kinds</source>
+      <translation>Alle Arten</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Part of the hand</source>
+      <translation>Teil der Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Parts without a sensor</source>
+      <translation>Teile ohne Sensor</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>With sensor</source>
+      <translation>Mit Sensor</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>All parts</source>
+      <translation>Alle Teile</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Inferred longer than</source>
+      <translation>Länger erschlossen als</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Method</source>
+      <translation>Methode</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Longest gap to fill</source>
+      <translation>Längste zu füllende Lücke</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Fill…</source>
+      <translation>Füllen…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Interpolate the selected gaps in a new file, which marks them; the recording itself is not changed</source>
+      <translation>Ausgewählte Lücken in einer neuen Datei interpolieren, die sie kennzeichnet; die Aufnahme selbst bleibt unverändert</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>All parts of the hand</source>
+      <translation>Alle Teile der Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Fill</source>
+      <translation>Füllen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Start</source>
+      <translation>Start</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Length</source>
+      <translation>Länge</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Part</source>
+      <translation>Teil</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Kind</source>
+      <translation>Art</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Cause</source>
+      <translation>Ursache</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>up to</source>
+      <translation>bis zu</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>inferred over</source>
+      <translation>erschlossen über</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Fill {} gaps</source>
+      <translation>{} Lücken füllen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gaps.py" />
+      <source>Listing the gaps</source>
+      <translation>Lücken werden aufgelistet</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gaps.py" />
+      <source>Filling gaps of {}</source>
+      <translation>Lücken von {} werden gefüllt</translation>
+    </message>
+    <message>
       <location filename="app/panels/library/panel.py" />
-      <source>Library &amp;&amp; replay</source>
-      <translation>Bibliothek &amp;&amp; Wiedergabe</translation>
+      <source>Library</source>
+      <translation>Bibliothek</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
@@ -1331,6 +1691,11 @@
       <location filename="app/panels/library/panel.py" />
       <source>Exports</source>
       <translation>Exporte</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/panel.py" />
+      <source>Gaps</source>
+      <translation>Lücken</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
@@ -1356,6 +1721,11 @@
       <location filename="app/panels/library/panel.py" />
       <source>Exports ({})</source>
       <translation>Exporte ({})</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/panel.py" />
+      <source>Gaps ({})</source>
+      <translation>Lücken ({})</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
@@ -1384,8 +1754,8 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>Report of {} takes</source>
-      <translation>Bericht über {} Aufnahmen</translation>
+      <source>Report of {}</source>
+      <translation>Bericht über {}</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
@@ -1399,13 +1769,18 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>{} holds the chosen {} of {}.</source>
-      <translation>{} enthält die gewählten {} aus {}.</translation>
+      <source>Tags removed: {}.</source>
+      <translation>Schlagwörter entfernt: {}.</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>{} cannot be moved to the bin, so it stays where it is.</source>
-      <translation>{} lässt sich nicht in den Papierkorb legen und bleibt, wo es ist.</translation>
+      <source>Report of {} recordings</source>
+      <translation>Bericht über {} Aufnahmen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/session_files.py" />
+      <source>{} holds the chosen {} of {}.</source>
+      <translation>{} enthält die gewählten {} aus {}.</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
@@ -1494,11 +1869,6 @@
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
-      <source>Length</source>
-      <translation>Länge</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_table.py" />
       <source>Size</source>
       <translation>Größe</translation>
     </message>
@@ -1584,6 +1954,11 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
+      <source>The range {} – {} was removed.</source>
+      <translation>Der Bereich {} – {} wurde entfernt.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/transport.py" />
       <source>Position in the session</source>
       <translation>Stelle in der Sitzung</translation>
     </message>
@@ -1596,6 +1971,11 @@
       <location filename="app/panels/library/transport.py" />
       <source>Back to the live hand (Ctrl+L)</source>
       <translation>Zurück zur laufenden Hand (Strg+L)</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/transport.py" />
+      <source>A gap that was filled: not measured</source>
+      <translation>Eine gefüllte Lücke: nicht gemessen</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -1833,6 +2213,11 @@
       <translation>Die ganze Aufnahme wird gelesen…</translation>
     </message>
     <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Distances removed: {}.</source>
+      <translation>Abstände entfernt: {}.</translation>
+    </message>
+    <message>
       <location filename="app/panels/motion/table.py" />
       <source>Angles and distances</source>
       <translation>Winkel und Abstände</translation>
@@ -1891,6 +2276,11 @@
       <location filename="app/panels/note_list.py" />
       <source>Note</source>
       <translation>Notiz</translation>
+    </message>
+    <message>
+      <location filename="app/panels/note_list.py" />
+      <source>The note “{}” was deleted.</source>
+      <translation>Die Notiz „{}“ wurde gelöscht.</translation>
     </message>
     <message>
       <location filename="app/panels/record_file.py" />
@@ -2214,11 +2604,6 @@
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
-      <source>Library</source>
-      <translation>Bibliothek</translation>
-    </message>
-    <message>
-      <location filename="app/panels/start_page.py" />
       <source>All recorded sessions</source>
       <translation>Alle aufgenommenen Sitzungen</translation>
     </message>
@@ -2463,6 +2848,16 @@
       <translation>{}: Das Bild ließ sich nicht packen.</translation>
     </message>
     <message>
+      <location filename="app/storage/removed_file.py" />
+      <source>{} exists again; it is not replaced by the removed one.</source>
+      <translation>{} gibt es wieder; die entfernte Datei ersetzt sie nicht.</translation>
+    </message>
+    <message>
+      <location filename="app/storage/removed_file.py" />
+      <source>{} was not removed: {}.</source>
+      <translation>{} wurde nicht entfernt: {}.</translation>
+    </message>
+    <message>
       <location filename="app/storage/session_tags.py" />
       <source>it is too large</source>
       <translation>zu groß</translation>
@@ -2488,9 +2883,194 @@
       <translation>Die Einstellungen des Fensters sind nicht zu verwenden ({}), deshalb startet es mit eigenen. Sie bleiben erhalten in {}.</translation>
     </message>
     <message>
-      <location filename="app/storage/wearers.py" />
-      <source>The profile {} was not removed: {}.</source>
-      <translation>Das Profil {} wurde nicht entfernt: {}.</translation>
+      <location filename="app/storage/system_bin.py" />
+      <source>{} cannot be moved to the bin.</source>
+      <translation>{} kann nicht in den Papierkorb verschoben werden.</translation>
+    </message>
+    <message>
+      <location filename="app/storage/system_bin.py" />
+      <source>{} exists again, so the one in the bin stays there.</source>
+      <translation>{} gibt es wieder, daher bleibt die Datei im Papierkorb.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Reach forward and touch the object with a fingertip.</source>
+      <translation>Greifen Sie nach vorn und berühren Sie das Objekt mit einer Fingerspitze.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Close the hand, by a grasp or a pinch, to move the arm. An open palm stops it.</source>
+      <translation>Schließen Sie die Hand, mit Griff oder Kneifen, um den Arm zu bewegen. Eine offene Hand hält ihn an.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Grasp the building to move and turn it. Pinch with the middle finger and raise the hand to enlarge it, with the index finger and slide to fade the old plan. Hold the palm open to go back to the map.</source>
+      <translation>Greifen Sie das Gebäude, um es zu bewegen und zu drehen. Kneifen Sie mit dem Mittelfinger und heben Sie die Hand, um es zu vergrößern; kneifen Sie mit dem Zeigefinger und schieben Sie, um den alten Plan zu überblenden. Eine offene Hand führt zur Karte zurück.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Show a thumb up to remove the walls.</source>
+      <translation>Daumen hoch entfernt die Wände.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Hold the hand where the cameras see it.</source>
+      <translation>Halten Sie die Hand ins Blickfeld der Kameras.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Press deeper to feel it more, or slide along the surface.</source>
+      <translation>Drücken Sie tiefer, um es stärker zu spüren, oder gleiten Sie über die Oberfläche.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Touch the object from another side, or with another finger.</source>
+      <translation>Berühren Sie das Objekt von einer anderen Seite oder mit einem anderen Finger.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>The arm is stopped. Show a thumb up to go on.</source>
+      <translation>Der Arm steht. Mit Daumen hoch geht es weiter.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Move the closed hand to carry the block. Pinch again to open the gripper.</source>
+      <translation>Bewegen Sie die geschlossene Hand, um den Block zu tragen. Kneifen Sie noch einmal, um den Greifer zu öffnen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Move the hand: the arm follows. Pinch at the block to close the gripper.</source>
+      <translation>Bewegen Sie die Hand: Der Arm folgt. Kneifen Sie am Block, um den Greifer zu schließen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Point at a building with the index finger and hold still to open it.</source>
+      <translation>Zeigen Sie mit dem Zeigefinger auf ein Gebäude und halten Sie still, um es zu öffnen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Point with the index finger and push into the swarm.</source>
+      <translation>Zeigen Sie mit dem Zeigefinger und stoßen Sie in den Schwarm.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Pinch inside the swarm and move the hand to drag it.</source>
+      <translation>Kneifen Sie im Schwarm und bewegen Sie die Hand, um ihn zu ziehen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Grasp inside the swarm and pull to stretch it.</source>
+      <translation>Greifen Sie im Schwarm und ziehen Sie, um ihn zu strecken.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Make a fist to join the groups.</source>
+      <translation>Eine Faust vereint die Gruppen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Cut through the swarm with the open palm to split it.</source>
+      <translation>Schneiden Sie mit der offenen Hand durch den Schwarm, um ihn zu teilen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Sweep the open palm beside the swarm to leave a wall.</source>
+      <translation>Streichen Sie mit der offenen Hand neben dem Schwarm entlang, um eine Wand zu hinterlassen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>put down {:.0f} mm ahead and {:.0f} mm to the left of the arm's foot</source>
+      <translation>abgesetzt {:.0f} mm vor und {:.0f} mm links vom Fuß des Arms</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>nudges: {}</source>
+      <translation>Stöße: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>splits: {}</source>
+      <translation>Teilungen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>gripper closed</source>
+      <translation>Greifer geschlossen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>gripper open</source>
+      <translation>Greifer offen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Touches: {}</source>
+      <translation>Berührungen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>last: {}, {:.1f} mm deep</source>
+      <translation>zuletzt: {}, {:.1f} mm tief</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>fingertips that touch now: {}</source>
+      <translation>Fingerspitzen mit Berührung: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Moves: {}</source>
+      <translation>Bewegungen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>block lifted: {} ×</source>
+      <translation>Block gehoben: {} ×</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>marked positions: {}</source>
+      <translation>markierte Positionen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Open: {}</source>
+      <translation>Offen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>moved by {:.0f} cm, turned by {:.0f}°</source>
+      <translation>um {:.0f} cm bewegt, um {:.0f}° gedreht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>size {:.1f} ×</source>
+      <translation>Größe {:.1f} ×</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>old plan {:.0f} % visible</source>
+      <translation>alter Plan zu {:.0f} % sichtbar</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>Drones: {}</source>
+      <translation>Drohnen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>dragged by {:.0f} cm</source>
+      <translation>um {:.0f} cm gezogen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>stretched to {:.1f} ×</source>
+      <translation>auf {:.1f} × gestreckt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/application_words.py" />
+      <source>walls: {}, the last of {:.0f} cm²</source>
+      <translation>Wände: {}, die letzte mit {:.0f} cm²</translation>
     </message>
     <message>
       <location filename="app/viewmodels/applications.py" />
@@ -2524,23 +3104,23 @@
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>Spread the fingers and turn the hand before the camera: sizes settle.</source>
-      <translation>Finger spreizen und die Hand vor der Kamera drehen: Die Größen schwingen sich ein.</translation>
+      <source>Spread the fingers and turn the hand in front of the camera so that sizes settle (least certain: {}).</source>
+      <translation>Spreizen Sie die Finger und drehen Sie die Hand vor der Kamera, damit sich die Größen festigen (am unsichersten: {}).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>Bend and stretch the fingers and turn the wrist: the mounting of IMUs settles.</source>
-      <translation>Finger beugen und strecken und das Handgelenk drehen: Die Einbaulage der IMUs schwingt sich ein.</translation>
+      <source>Bend and stretch the fingers and turn the wrist so that the mounting of IMUs settles (least certain: {}).</source>
+      <translation>Beugen und strecken Sie die Finger und drehen Sie das Handgelenk, damit sich die Lage der IMUs festigt (am unsichersten: {}).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>Hold the hand still for three seconds: gyro biases settle.</source>
-      <translation>Die Hand drei Sekunden stillhalten: Der Gyro-Bias schwingt sich ein.</translation>
+      <source>Hold the hand still for three seconds so that gyro biases settle (least certain: {}).</source>
+      <translation>Halten Sie die Hand drei Sekunden still, damit sich die Gyroskop-Nullpunkte festigen (am unsichersten: {}).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>Hold the hand at several slants: accelerometer biases settle.</source>
-      <translation>Die Hand in verschiedenen Neigungen halten: Der Bias der Beschleunigungssensoren schwingt sich ein.</translation>
+      <source>Hold the hand at several slants so that accelerometer biases settle (least certain: {}).</source>
+      <translation>Halten Sie die Hand in mehreren Neigungen, damit sich die Nullpunkte der Beschleunigungssensoren festigen (am unsichersten: {}).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2598,11 +3178,6 @@
 change {}: {}</source>
       <translation>jetzt {}
 Änderung {}: {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/calibration.py" />
-      <source>{} Least so far: {}.</source>
-      <translation>{} Am wenigsten bisher: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2716,13 +3291,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>The glove was here and is silent. Is it plugged in?</source>
-      <translation>Der Handschuh war da und schweigt. Ist er eingesteckt?</translation>
+      <source>The glove does not respond. Is it plugged in?</source>
+      <translation>Der Handschuh antwortet nicht. Ist er angeschlossen?</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Look again</source>
-      <translation>Ansehen</translation>
+      <source>Search again</source>
+      <translation>Erneut suchen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2731,8 +3306,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>The camera was here and is silent. Is it plugged in?</source>
-      <translation>Die Kamera war da und schweigt. Ist sie eingesteckt?</translation>
+      <source>The camera does not respond. Is it plugged in?</source>
+      <translation>Die Kamera antwortet nicht. Ist sie angeschlossen?</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2746,13 +3321,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>the markers are clear</source>
-      <translation>die Marker sind deutlich</translation>
+      <source>Cannot be verified: this source has no exposure control. Fix the exposure at the source itself.</source>
+      <translation>Nicht überprüfbar: Diese Quelle hat keine Belichtungssteuerung. Stellen Sie die Belichtung an der Quelle selbst fest ein.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Cannot be verified: this camera has no controls. Keep the light constant.</source>
+      <translation>Nicht überprüfbar: Diese Kamera hat keine Regler. Halten Sie das Licht konstant.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Show</source>
       <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Tune colours</source>
+      <translation>Farben abstimmen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2821,23 +3406,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>this source has no exposure to be set</source>
-      <translation>diese Quelle hat keine einstellbare Belichtung</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/checklist.py" />
-      <source>this camera lets no program set it: keep the light as it is</source>
-      <translation>diese Kamera lässt sich von keinem Programm einstellen: Das Licht lassen, wie es ist</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/checklist.py" />
       <source>Lock it now</source>
       <translation>Jetzt sperren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Tune colours</source>
-      <translation>Farben abstimmen</translation>
+      <source>Reading the light…</source>
+      <translation>Licht wird gemessen…</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>the markers are clear</source>
+      <translation>die Marker sind deutlich</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Searching for markers…</source>
+      <translation>Marker werden gesucht…</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2858,6 +3443,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/checklist.py" />
       <source>Needs glove and calibrated camera.</source>
       <translation>Braucht Handschuh und kalibrierte Kamera.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>It was tracked and is not in view now.</source>
+      <translation>Sie wurde verfolgt und ist jetzt nicht im Bild.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2891,6 +3481,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
+      <source>Cannot be verified: the camera does not confirm {}.</source>
+      <translation>Nicht überprüfbar: Die Kamera bestätigt {} nicht.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
       <source>The intervals of {} overlap.</source>
       <translation>Die Bereiche von {} überlappen sich.</translation>
     </message>
@@ -2901,18 +3496,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
+      <source>{} of {} markers are not found with these colours.</source>
+      <translation>{} von {} Markern werden mit diesen Farben nicht gefunden.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
       <source>seen: {}</source>
       <translation>zu sehen: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Set-up, Glove firmware writes it.</source>
-      <translation>Einrichtung, Firmware des Handschuhs schreibt sie.</translation>
+      <source>Update it under Set-up, Glove firmware.</source>
+      <translation>Aktualisieren Sie sie unter Einrichtung, Handschuh-Firmware.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Silent: {}.</source>
-      <translation>Keine Antwort von: {}.</translation>
+      <source>Not responding: {}.</source>
+      <translation>Keine Antwort: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2971,8 +3571,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
-      <source>That is {0} by the colours so far, not {1}. Choose {0} first, or click again.</source>
-      <translation>Das ist nach den bisherigen Farben {0}, nicht {1}. Erst {0} wählen oder noch einmal klicken.</translation>
+      <source>This pixel is too grey or too dark to have a hue (saturation {}, value {}). Click the middle of a {} marker.</source>
+      <translation>Dieser Bildpunkt ist zu grau oder zu dunkel für einen Farbton (Sättigung {}, Helligkeit {}). Klicken Sie auf die Mitte eines Markers in {}.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>This looks like {0}, not {1}. Choose {0} first, or click again to take it.</source>
+      <translation>Das sieht nach {0} aus, nicht nach {1}. Wählen Sie zuerst {0}, oder klicken Sie noch einmal, um es zu übernehmen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
@@ -3180,6 +3785,451 @@ change {}: {}</source>
       <translation>Vorgegebene Schritte</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>All positions are numbers</source>
+      <translation>Alle Positionen sind Zahlen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Rotations have length 1</source>
+      <translation>Drehungen haben Länge 1</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>A hand is tracked</source>
+      <translation>Eine Hand wird verfolgt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Time never goes back</source>
+      <translation>Die Zeit läuft nie zurück</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>No record is earlier than its measurement</source>
+      <translation>Kein Eintrag ist früher als seine Messung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Regular sampling intervals</source>
+      <translation>Gleichmäßige Abtastung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>No gaps</source>
+      <translation>Keine Lücken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Plausible joint speeds</source>
+      <translation>Plausible Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>All 21 joints are present</source>
+      <translation>Alle 21 Gelenke sind vorhanden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>The same joints throughout</source>
+      <translation>Durchgehend dieselben Gelenke</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Plausible joint radii</source>
+      <translation>Plausible Gelenkradien</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Hand length, wrist to middle fingertip</source>
+      <translation>Handlänge, Handgelenk bis Mittelfingerspitze</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Constant bone lengths</source>
+      <translation>Konstante Knochenlängen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Knuckles in order</source>
+      <translation>Knöchel in der richtigen Reihenfolge</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Joints in order, from knuckle to tip</source>
+      <translation>Gelenke in der richtigen Reihenfolge, vom Knöchel zur Spitze</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Fingers bend towards the palm</source>
+      <translation>Finger beugen sich zur Handfläche</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>The wrist is within reach of the origin</source>
+      <translation>Das Handgelenk ist in Reichweite des Ursprungs</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>The wrist position is not frozen</source>
+      <translation>Die Position des Handgelenks ist nicht eingefroren</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Rotations: −z along the bones, order xyzw</source>
+      <translation>Drehungen: −z entlang der Knochen, Reihenfolge xyzw</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Wrist and joints turn together</source>
+      <translation>Handgelenk und Gelenke drehen sich gemeinsam</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Steps are labelled</source>
+      <translation>Schritte sind gekennzeichnet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Steps are complete and in order</source>
+      <translation>Schritte sind vollständig und in Reihenfolge</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Every step is recorded</source>
+      <translation>Jeder Schritt ist aufgenommen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Hand open, at the start</source>
+      <translation>Offene Hand, am Anfang</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Fist</source>
+      <translation>Faust</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Right hand grips the left fist</source>
+      <translation>Rechte Hand umfasst die linke Faust</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Left hand grips the right fist</source>
+      <translation>Linke Hand umfasst die rechte Faust</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Pinch, thumb and index finger</source>
+      <translation>Kneifen, Daumen und Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Pinch, thumb and middle finger</source>
+      <translation>Kneifen, Daumen und Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Pinch, thumb and ring finger</source>
+      <translation>Kneifen, Daumen und Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Pinch, thumb and little finger</source>
+      <translation>Kneifen, Daumen und kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Wrist turned from side to side</source>
+      <translation>Handgelenk hin und her gedreht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Hand open, at the end</source>
+      <translation>Offene Hand, am Ende</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>not reported</source>
+      <translation>nicht gemeldet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Exposure</source>
+      <translation>Belichtung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Gain</source>
+      <translation>Verstärkung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>White balance</source>
+      <translation>Weißabgleich</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>reported by the device</source>
+      <translation>vom Gerät gemeldet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>from a file</source>
+      <translation>aus einer Datei</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>confirmed by the device</source>
+      <translation>vom Gerät bestätigt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>not confirmed by the device</source>
+      <translation>vom Gerät nicht bestätigt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>not confirmed yet</source>
+      <translation>noch nicht bestätigt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Glove</source>
+      <translation>Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Motors</source>
+      <translation>Motoren</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Left glove</source>
+      <translation>Linker Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Right glove</source>
+      <translation>Rechter Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Connection</source>
+      <translation>Verbindung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Only FTDI adapters on Linux report it.</source>
+      <translation>Nur FTDI-Adapter unter Linux melden ihn.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Sample rate</source>
+      <translation>Abtastrate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Measured sample rate</source>
+      <translation>Gemessene Abtastrate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Number</source>
+      <translation>Nummer</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>IMUs</source>
+      <translation>IMUs</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>limits not reported</source>
+      <translation>Grenzen nicht gemeldet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>{}: {} in the file, {} now ({})</source>
+      <translation>{}: {} in der Datei, jetzt {} ({})</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>yes</source>
+      <translation>ja</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>no</source>
+      <translation>nein</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Glove file</source>
+      <translation>Handschuhdatei</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>USB adapter</source>
+      <translation>USB-Adapter</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Adapter's serial number</source>
+      <translation>Seriennummer des Adapters</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Latency timer</source>
+      <translation>Latenz-Timer</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Clock skew</source>
+      <translation>Uhrenabweichung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Serial number</source>
+      <translation>Seriennummer</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Firmware</source>
+      <translation>Firmware</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Protocol version</source>
+      <translation>Protokollversion</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Range of angular rate</source>
+      <translation>Messbereich der Drehrate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Range of acceleration</source>
+      <translation>Messbereich der Beschleunigung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Battery</source>
+      <translation>Batterie</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Temperature</source>
+      <translation>Temperatur</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Answers</source>
+      <translation>Antwortet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Bias of angular rate</source>
+      <translation>Nullpunkt der Drehrate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Bias of acceleration</source>
+      <translation>Nullpunkt der Beschleunigung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>in the recording</source>
+      <translation>in der Aufnahme</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Size of one image</source>
+      <translation>Größe eines Bildes</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Rate granted</source>
+      <translation>Gewährte Rate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Rate measured</source>
+      <translation>Gemessene Rate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Controls</source>
+      <translation>Regler</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>will be applied</source>
+      <translation>wird angewendet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>cannot be changed</source>
+      <translation>nicht änderbar</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>The protocol does not report whether a motor runs.</source>
+      <translation>Das Protokoll meldet nicht, ob ein Motor läuft.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Path</source>
+      <translation>Pfad</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Pixel format</source>
+      <translation>Pixelformat</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Size granted</source>
+      <translation>Gewährte Größe</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Driver</source>
+      <translation>Treiber</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>{} to {}, default {}</source>
+      <translation>{} bis {}, Vorgabe {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>{} has the values that the devices have.</source>
+      <translation>{} enthält dieselben Werte wie die Geräte.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>{}: {} differences, {} to be applied.</source>
+      <translation>{}: {} Unterschiede, {} anzuwenden.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>measured {}</source>
+      <translation>gemessen {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Device {}</source>
+      <translation>Gerät {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>now {}</source>
+      <translation>jetzt {}</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Table for spreadsheets and everything else (CSV)</source>
       <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
@@ -3275,6 +4325,96 @@ change {}: {}</source>
       <translation>Datensatz für das Lernen von Robotern (LeRobot, ein Ordner)</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>interpolated</source>
+      <translation>interpoliert</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>hidden from the camera</source>
+      <translation>für die Kamera verdeckt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>images not searched</source>
+      <translation>Bilder nicht durchsucht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>no images</source>
+      <translation>keine Bilder</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>packets missing</source>
+      <translation>Pakete fehlen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>an IMU did not answer</source>
+      <translation>eine IMU hat nicht geantwortet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>no sensor on it</source>
+      <translation>kein Sensor daran</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>nothing was recorded</source>
+      <translation>nichts wurde aufgenommen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>no estimate was computed</source>
+      <translation>keine Schätzung wurde berechnet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>unknown</source>
+      <translation>unbekannt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>Linear</source>
+      <translation>Linear</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>Cubic</source>
+      <translation>Kubisch</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>Sensors, smoothed</source>
+      <translation>Sensoren, geglättet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>hand</source>
+      <translation>Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>It cannot be filled: nothing is known on one of its sides.</source>
+      <translation>Sie kann nicht gefüllt werden: Auf einer Seite ist nichts bekannt.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>Filled {} gaps of {} by interpolation in {}; the original is unchanged.</source>
+      <translation>{} Lücken von {} durch Interpolation in {} gefüllt; das Original ist unverändert.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>hole</source>
+      <translation>Loch</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gaps.py" />
+      <source>Not filled: {}.</source>
+      <translation>Nicht gefüllt: {}.</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/gestures.py" />
       <source>pinch, index finger</source>
       <translation>Pinzettengriff, Zeigefinger</translation>
@@ -3321,7 +4461,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/gestures.py" />
-      <source>{} (unsure)</source>
+      <source>{} (low confidence)</source>
       <translation>{} (unsicher)</translation>
     </message>
     <message>
@@ -3348,6 +4488,21 @@ change {}: {}</source>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>Waiting for rest. {}</source>
       <translation>Warten auf Ruhe. {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/graphs.py" />
+      <source>This graph shows {} and {} already. Add another graph for {}.</source>
+      <translation>Dieses Diagramm zeigt schon {} und {}. Fügen Sie für {} ein weiteres hinzu.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/graphs.py" />
+      <source>counts</source>
+      <translation>Anzahlen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/graphs.py" />
+      <source>A graph has at most {} curves. Add another graph.</source>
+      <translation>Ein Diagramm hat höchstens {} Kurven. Fügen Sie ein weiteres hinzu.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
@@ -3770,6 +4925,111 @@ change {}: {}</source>
       <translation>Gelb</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>thumb, first bone</source>
+      <translation>Daumen, erster Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>thumb, second bone</source>
+      <translation>Daumen, zweiter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>thumb, third bone</source>
+      <translation>Daumen, dritter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>index finger, first bone</source>
+      <translation>Zeigefinger, erster Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>index finger, second bone</source>
+      <translation>Zeigefinger, zweiter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>index finger, third bone</source>
+      <translation>Zeigefinger, dritter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>middle finger, first bone</source>
+      <translation>Mittelfinger, erster Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>middle finger, second bone</source>
+      <translation>Mittelfinger, zweiter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>middle finger, third bone</source>
+      <translation>Mittelfinger, dritter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>ring finger, first bone</source>
+      <translation>Ringfinger, erster Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>ring finger, second bone</source>
+      <translation>Ringfinger, zweiter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>ring finger, third bone</source>
+      <translation>Ringfinger, dritter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>little finger, first bone</source>
+      <translation>kleiner Finger, erster Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>little finger, second bone</source>
+      <translation>kleiner Finger, zweiter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>little finger, third bone</source>
+      <translation>kleiner Finger, dritter Knochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>back of the hand</source>
+      <translation>Handrücken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>Chain</source>
+      <translation>Chain</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>VIST</source>
+      <translation>VIST</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>Switching</source>
+      <translation>Switching</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>Madgwick</source>
+      <translation>Madgwick</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>IMUs only</source>
+      <translation>nur IMUs</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/recent.py" />
       <source>just now</source>
       <translation>gerade eben</translation>
@@ -4100,6 +5360,216 @@ change {}: {}</source>
       <translation>{:.0f} % fehlen</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/set_up_steps.py" />
+      <source>Ready</source>
+      <translation>Bereit</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/set_up_steps.py" />
+      <source>{} of {} done</source>
+      <translation>{} von {} erledigt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/set_up_steps.py" />
+      <source>Ready, {} to check</source>
+      <translation>Bereit, {} zu prüfen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>packets each second</source>
+      <translation>Pakete pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>images each second</source>
+      <translation>Bilder pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>estimates each second</source>
+      <translation>Schätzungen pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>latency, image to estimate</source>
+      <translation>Latenz, Bild bis Schätzung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>latency, packet to estimate</source>
+      <translation>Latenz, Paket bis Schätzung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>search of both images</source>
+      <translation>Suche in beiden Bildern</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>engine's step</source>
+      <translation>Rechenschritt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>packets lost</source>
+      <translation>verlorene Pakete</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>images dropped</source>
+      <translation>ausgelassene Bilder</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>share of images missed</source>
+      <translation>Anteil verpasster Bilder</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>degree of overload</source>
+      <translation>Grad der Überlastung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>battery voltage</source>
+      <translation>Batteriespannung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>temperature of the glove</source>
+      <translation>Temperatur des Handschuhs</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>delay of the camera</source>
+      <translation>Verzögerung der Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>clock skew of the glove</source>
+      <translation>Uhrenabweichung des Handschuhs</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>latency timer of the USB adapter</source>
+      <translation>Latenz-Timer des USB-Adapters</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>markers in both images</source>
+      <translation>Marker in beiden Bildern</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>uncertainty of the heading</source>
+      <translation>Unsicherheit der Richtung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>state of tracking (0 to 3)</source>
+      <translation>Zustand des Trackings (0 bis 3)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>Joint speeds</source>
+      <translation>Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>Joint angles</source>
+      <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>of the estimate</source>
+      <translation>der Schätzung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>of the prediction</source>
+      <translation>der Vorhersage</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>Rates, latency and battery</source>
+      <translation>Raten, Latenz und Batterie</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>angular rate</source>
+      <translation>Drehrate</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>acceleration</source>
+      <translation>Beschleunigung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>blobs, left</source>
+      <translation>Farbflecken, links</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>blobs, right</source>
+      <translation>Farbflecken, rechts</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>matched markers, left</source>
+      <translation>zugeordnete Marker, links</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>matched markers, right</source>
+      <translation>zugeordnete Marker, rechts</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>matched markers, both images</source>
+      <translation>zugeordnete Marker, beide Bilder</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>norm</source>
+      <translation>Betrag</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>speed</source>
+      <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>standard deviation</source>
+      <translation>Standardabweichung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>Images</source>
+      <translation>Bilder</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>Gestures</source>
+      <translation>Gesten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>residual {}, left (RMS)</source>
+      <translation>Residuum {}, links (RMS)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>residual {}, right (RMS)</source>
+      <translation>Residuum {}, rechts (RMS)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/signals.py" />
+      <source>Keypoints</source>
+      <translation>Punkte</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/states.py" />
       <source>attention</source>
       <translation>Achtung</translation>
@@ -4151,23 +5621,28 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>3D rate</source>
-      <translation>3D-Rate</translation>
+      <source>3D view slower</source>
+      <translation>3D-Ansicht langsamer</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>overlays</source>
-      <translation>Overlays</translation>
+      <source>overlays off</source>
+      <translation>Einblendungen aus</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>wide search</source>
-      <translation>weite Suche</translation>
+      <source>full-frame search off</source>
+      <translation>Suche im ganzen Bild aus</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>images</source>
-      <translation>Bilder</translation>
+      <source>fewer images searched</source>
+      <translation>weniger Bilder durchsucht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
+      <source>As it was recorded</source>
+      <translation>Wie aufgenommen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4186,13 +5661,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Left out:</source>
-      <translation>Gespart:</translation>
+      <source>System overloaded:</source>
+      <translation>System überlastet:</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Glove</source>
-      <translation>Handschuh</translation>
+      <source>Overloaded</source>
+      <translation>Überlastet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4251,6 +5726,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
+      <source>Replay: {}</source>
+      <translation>Wiedergabe: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
       <source>{}, battery low</source>
       <translation>{}, Akku schwach</translation>
     </message>
@@ -4301,8 +5781,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Far over near</source>
-      <translation>Fern zu nah</translation>
+      <source>Distance range</source>
+      <translation>Abstandsbereich</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -4376,8 +5856,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>{:.2f} of {:.2f}</source>
-      <translation>{:.2f} von {:.2f}</translation>
+      <source>{:.2f} ({:.2f} required)</source>
+      <translation>{:.2f} ({:.2f} erforderlich)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -4471,18 +5951,28 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
+      <source>{:.0f} of {:.0f} images per second from the camera</source>
+      <translation>{:.0f} von {:.0f} Bildern pro Sekunde von der Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
       <source>{} is whole: {}.</source>
       <translation>{} ist vollständig: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>no image comes from the camera</source>
-      <translation>von der Kamera kommt kein Bild</translation>
+      <source>This recording is incomplete: {}.</source>
+      <translation>Diese Aufnahme ist unvollständig: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>no packet comes from the glove</source>
-      <translation>vom Handschuh kommt kein Paket</translation>
+      <source>no images from the camera</source>
+      <translation>keine Bilder von der Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>no data from the glove</source>
+      <translation>keine Daten vom Handschuh</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
@@ -4496,13 +5986,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>This recording lacks something: {}.</source>
-      <translation>Dieser Aufnahme fehlt etwas: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/takes.py" />
-      <source>the IMUs {} cannot be heard</source>
-      <translation>die IMUs {} schweigen</translation>
+      <source>no data from the IMUs {}</source>
+      <translation>keine Daten von den IMUs {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
@@ -4516,13 +6001,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>{:.0f} images come a second instead of {:.0f}</source>
-      <translation>{:.0f} Bilder pro Sekunde statt {:.0f}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/takes.py" />
-      <source>the IMU {} cannot be heard</source>
-      <translation>die IMU {} schweigt</translation>
+      <source>no data from the IMU {}</source>
+      <translation>keine Daten von der IMU {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
@@ -4641,11 +6121,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
-      <source>Saving the bug report</source>
-      <translation>Fehlerbericht wird gespeichert</translation>
-    </message>
-    <message>
-      <location filename="app/window/bug_reports.py" />
       <source>Glovetrack ended unexpectedly the last time.</source>
       <translation>Glovetrack wurde letztes Mal unerwartet beendet.</translation>
     </message>
@@ -4653,6 +6128,11 @@ change {}: {}</source>
       <location filename="app/window/bug_reports.py" />
       <source>Save a bug report…</source>
       <translation>Fehlerbericht speichern…</translation>
+    </message>
+    <message>
+      <location filename="app/window/bug_reports.py" />
+      <source>Saving the bug report</source>
+      <translation>Fehlerbericht wird gespeichert</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
@@ -4683,11 +6163,6 @@ change {}: {}</source>
       <location filename="app/window/countdown.py" />
       <source>Esc: not now</source>
       <translation>Esc: nicht jetzt</translation>
-    </message>
-    <message>
-      <location filename="app/window/countdown.py" />
-      <source>Recording begins in {} s</source>
-      <translation>Aufnahme beginnt in {} s</translation>
     </message>
     <message>
       <location filename="app/window/docks.py" />
@@ -4741,23 +6216,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>Name of the layout</source>
-      <translation>Name des Layouts</translation>
-    </message>
-    <message>
-      <location filename="app/window/layout_keeper.py" />
-      <source>Layout</source>
-      <translation>Layout</translation>
-    </message>
-    <message>
-      <location filename="app/window/layout_keeper.py" />
       <source>Rename a layout</source>
       <translation>Layout umbenennen</translation>
-    </message>
-    <message>
-      <location filename="app/window/layout_keeper.py" />
-      <source>Delete a layout</source>
-      <translation>Layout löschen</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
@@ -4775,6 +6235,11 @@ change {}: {}</source>
       <translation>Layout &amp;löschen…</translation>
     </message>
     <message>
+      <location filename="app/window/layout_keeper.py" />
+      <source>The layout {} was deleted.</source>
+      <translation>Die Anordnung {} wurde gelöscht.</translation>
+    </message>
+    <message>
       <location filename="app/window/layouts.py" />
       <source>Set up</source>
       <translation>Einrichten</translation>
@@ -4786,13 +6251,38 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/layouts.py" />
+      <source>Capture</source>
+      <translation>Aufnehmen</translation>
+    </message>
+    <message>
+      <location filename="app/window/layouts.py" />
+      <source>Review</source>
+      <translation>Auswerten</translation>
+    </message>
+    <message>
+      <location filename="app/window/layouts.py" />
       <source>All panels</source>
       <translation>Alle Felder</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
-      <source>Glovetrack speaks another language when it is started the next time.</source>
-      <translation>Glovetrack spricht die andere Sprache, wenn es das nächste Mal gestartet wird.</translation>
+      <source>The language changes after a restart.</source>
+      <translation>Die Sprache wechselt nach einem Neustart.</translation>
+    </message>
+    <message>
+      <location filename="app/window/main_window.py" />
+      <source>Recording begins in {} s</source>
+      <translation>Aufnahme beginnt in {} s</translation>
+    </message>
+    <message>
+      <location filename="app/window/main_window.py" />
+      <source>Pose reset in {} s</source>
+      <translation>Haltung wird in {} s zurückgesetzt</translation>
+    </message>
+    <message>
+      <location filename="app/window/main_window.py" />
+      <source>Hold the hand flat, fingers ahead</source>
+      <translation>Hand flach halten, Finger nach vorn</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
@@ -4801,13 +6291,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
-      <source>Save it for the next time…</source>
-      <translation>Für nächstes Mal speichern…</translation>
+      <source>{} – Glovetrack</source>
+      <translation>{} – Glovetrack</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
-      <source>{} – Glovetrack</source>
-      <translation>{} – Glovetrack</translation>
+      <source>Replay of {} – Glovetrack</source>
+      <translation>Wiedergabe von {} – Glovetrack</translation>
+    </message>
+    <message>
+      <location filename="app/window/main_window.py" />
+      <source>Save it for the next time…</source>
+      <translation>Für nächstes Mal speichern…</translation>
     </message>
     <message>
       <location filename="app/window/recent.py" />
@@ -4826,8 +6321,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/recent.py" />
+      <source>Checking {}</source>
+      <translation>{} wird geprüft</translation>
+    </message>
+    <message>
+      <location filename="app/window/recent.py" />
       <source>What could be read of the recording is in {}.</source>
       <translation>Was von der Aufnahme zu lesen war, steht in {}.</translation>
+    </message>
+    <message>
+      <location filename="app/window/recent.py" />
+      <source>{} Your recording {} is complete.</source>
+      <translation>{} Ihre Aufnahme {} ist vollständig.</translation>
     </message>
     <message>
       <location filename="app/window/refresher.py" />
@@ -4916,8 +6421,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/takes.py" />
-      <source>Checking {}</source>
-      <translation>{} wird geprüft</translation>
+      <source>{} is in the bin.</source>
+      <translation>{} ist im Papierkorb.</translation>
+    </message>
+    <message>
+      <location filename="app/window/takes.py" />
+      <source>{} recordings are in the bin.</source>
+      <translation>{} Aufnahmen sind im Papierkorb.</translation>
     </message>
     <message>
       <location filename="app/window/ticker.py" />
@@ -4933,11 +6443,6 @@ change {}: {}</source>
       <location filename="app/window/tool_bar.py" />
       <source>Open</source>
       <translation>Öffnen</translation>
-    </message>
-    <message>
-      <location filename="app/window/tool_bar.py" />
-      <source>Start</source>
-      <translation>Start</translation>
     </message>
     <message>
       <location filename="app/window/tool_bar.py" />
@@ -5101,6 +6606,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
+      <source>Save the &amp;wearer…</source>
+      <translation>&amp;Person speichern…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
       <source>C&amp;onformance…</source>
       <translation>K&amp;onformität…</translation>
     </message>
@@ -5128,6 +6638,16 @@ change {}: {}</source>
       <location filename="app/window/window_commands.py" />
       <source>Add a &amp;note…</source>
       <translation>&amp;Notiz hinzufügen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>R&amp;eset the pose</source>
+      <translation>Haltung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Pose reset sett&amp;ings…</source>
+      <translation>&amp;Haltung zurücksetzen: Einstellungen…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5286,21 +6806,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>Exposure</source>
-      <translation>Belichtung</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>Gain</source>
-      <translation>Verstärkung</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>White balance</source>
-      <translation>Weißabgleich</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
       <source>A video with both images side by side</source>
       <translation>Ein Video mit beiden Bildern nebeneinander</translation>
     </message>
@@ -5336,8 +6841,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>a video file, or rtsp:// or http:// of a stream</source>
-      <translation>eine Videodatei, oder rtsp:// oder http:// eines Streams</translation>
+      <source>0 (the first camera), a video file or an address</source>
+      <translation>0 (die erste Kamera), eine Videodatei oder eine Adresse</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5351,8 +6856,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>nothing, or another one for the right images</source>
-      <translation>nichts, oder ein weiterer für die rechten Bilder</translation>
+      <source>nothing, or another number or address for the right images</source>
+      <translation>nichts, oder eine andere Nummer oder Adresse für die rechten Bilder</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5411,8 +6916,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>&amp;Or from</source>
-      <translation>&amp;Oder von</translation>
+      <source>&amp;Or number, file</source>
+      <translation>&amp;Oder Nummer, Datei</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5426,8 +6931,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>◐ cannot be verified: the camera reads {}</source>
+      <translation>◐ nicht überprüfbar: die Kamera meldet {}</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>● locked at {}</source>
       <translation>● gesperrt bei {}</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>{} (simulated camera)</source>
+      <translation>{} (simulierte Kamera)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>{} (not connected)</source>
+      <translation>{} (nicht verbunden)</translation>
     </message>
     <message>
       <location filename="app/wizards/conformance/dialog.py" />
@@ -5463,11 +6983,6 @@ change {}: {}</source>
       <location filename="app/wizards/conformance/result.py" />
       <source>Verdict</source>
       <translation>Urteil</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>Part</source>
-      <translation>Teil</translation>
     </message>
     <message>
       <location filename="app/wizards/conformance/result.py" />
@@ -5631,8 +7146,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/form_dialog.py" />
-      <source>&amp;Look again</source>
-      <translation>&amp;Neu suchen</translation>
+      <source>&amp;Search again</source>
+      <translation>&amp;Erneut suchen</translation>
     </message>
     <message>
       <location filename="app/wizards/form_dialog.py" />
@@ -5658,16 +7173,6 @@ change {}: {}</source>
       <location filename="app/wizards/glove/choice.py" />
       <source>Whichever it answers at</source>
       <translation>Die, bei der er antwortet</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/choice.py" />
-      <source>Right hand</source>
-      <translation>Rechte Hand</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/choice.py" />
-      <source>Left hand</source>
-      <translation>Linke Hand</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
@@ -5701,6 +7206,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
+      <source>Simulated glove</source>
+      <translation>Simulierter Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
       <source>Other port</source>
       <translation>Anderer Anschluss</translation>
     </message>
@@ -5711,8 +7221,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
-      <source>No USB serial port is there. Plug the glove in and look again.</source>
-      <translation>Es gibt keinen seriellen USB-Anschluss. Handschuh einstecken und neu suchen.</translation>
+      <source>No glove was found on any USB port. Plug the glove in, then choose Search again. Without one, the simulated glove lets you try these pages.</source>
+      <translation>An keinem USB-Anschluss wurde ein Handschuh gefunden. Schließen Sie ihn an und wählen Sie Erneut suchen. Ohne Handschuh können Sie diese Seiten mit dem simulierten ausprobieren.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>No other glove was found on any USB port.</source>
+      <translation>An keinem USB-Anschluss wurde ein weiterer Handschuh gefunden.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>Glove in use</source>
+      <translation>Handschuh in Gebrauch</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>Glove at {}</source>
+      <translation>Handschuh an {}</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
@@ -5728,6 +7253,16 @@ change {}: {}</source>
       <location filename="app/wizards/glove/choice.py" />
       <source>{}: glove {}, {} IMUs</source>
       <translation>{}: Handschuh {}, {} IMUs</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>Glove {} at {}</source>
+      <translation>Handschuh {} an {}</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>Glove {} in use</source>
+      <translation>Handschuh {} in Gebrauch</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/feed.py" />
@@ -5751,8 +7286,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
-      <source>You are asked to move one part after the other; no click is needed.</source>
-      <translation>Sie werden gebeten, ein Teil nach dem anderen zu bewegen; klicken müssen Sie nicht.</translation>
+      <source>Press Start, then move each part as asked.</source>
+      <translation>Drücken Sie Start und bewegen Sie dann jeden Teil wie angegeben.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
@@ -5831,18 +7366,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
-      <source>Waiting for the glove's answer…</source>
-      <translation>Auf die Antwort des Handschuhs wird gewartet…</translation>
+      <source>&amp;Use these files</source>
+      <translation>Diese Dateien &amp;verwenden</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
-      <source>The glove answers.</source>
-      <translation>Der Handschuh antwortet.</translation>
+      <source>{}: {} packets per second.</source>
+      <translation>{}: {} Pakete pro Sekunde.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
-      <source>The glove answers: {} packets a second.</source>
-      <translation>Der Handschuh antwortet: {} Pakete in der Sekunde.</translation>
+      <source>{}: waiting for packets…</source>
+      <translation>{}: wartet auf Pakete…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/wizard.py" />
+      <source>{}: packets arrive.</source>
+      <translation>{}: Pakete kommen an.</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
@@ -5906,13 +7446,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
-      <source>You bend your fingers as was thought, as far as these poses tell.</source>
-      <translation>Die Finger beugen sich wie angenommen, soweit diese Posen es zeigen.</translation>
+      <source>Your fingers bend as expected.</source>
+      <translation>Ihre Finger beugen sich wie erwartet.</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
-      <source>Of you</source>
-      <translation>An Ihnen</translation>
+      <source>Measured</source>
+      <translation>Gemessen</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
@@ -5951,8 +7491,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
-      <source>The tracking thinks about it…</source>
-      <translation>Das Tracking denkt nach…</translation>
+      <source>Evaluating the poses…</source>
+      <translation>Haltungen werden ausgewertet…</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
@@ -5990,6 +7530,51 @@ change {}: {}</source>
       <translation>Die zu haltende Pose</translation>
     </message>
     <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>Pose reset</source>
+      <translation>Haltung zurücksetzen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>&amp;Beep when it is done</source>
+      <translation>&amp;Signalton danach</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>&amp;Double tap on the back of the glove</source>
+      <translation>&amp;Doppeltes Tippen auf den Handrücken</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>Two quick taps, with the hand at rest before and after</source>
+      <translation>Zwei schnelle Tipper, die Hand davor und danach in Ruhe</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>Hold the hand flat and level, fingers straight ahead. The reset aligns the finger joints with that pose, and without a camera the heading, too.</source>
+      <translation>Halten Sie die Hand flach und waagerecht, die Finger gerade nach vorn. Das Zurücksetzen richtet die Fingergelenke nach dieser Haltung aus, ohne Kamera auch die Richtung.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>&amp;Save</source>
+      <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>{} is the key of “{}”. Choose another one.</source>
+      <translation>{} ist die Taste von „{}“. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>&amp;Key</source>
+      <translation>&amp;Taste</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/pose_reset.py" />
+      <source>&amp;Countdown</source>
+      <translation>&amp;Countdown</translation>
+    </message>
+    <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>ChArUco (may be partly hidden)</source>
       <translation>ChArUco (darf teilweise verdeckt sein)</translation>
@@ -5998,11 +7583,6 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/board.py" />
       <source>Chessboard (always whole)</source>
       <translation>Schachbrett (immer ganz)</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/board.py" />
-      <source>unknown</source>
-      <translation>unbekannt</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -6381,8 +7961,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/calibration/colours_follow.py" />
-      <source>The light is not the one that the colours were made for: the colours follow it.</source>
-      <translation>Das Licht ist nicht das, für das die Farben gemacht wurden: die Farben folgen ihm.</translation>
+      <source>The light has changed; adapting the colours.</source>
+      <translation>Das Licht hat sich geändert; die Farben werden angepasst.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/colours_image.py" />
@@ -6720,6 +8300,11 @@ change {}: {}</source>
       <translation>{} und {} sind vertauscht: die Stecker tauschen oder eine Handschuhdatei mit dieser Reihenfolge wählen.</translation>
     </message>
     <message>
+      <location filename="tracker/damage.py" />
+      <source>Damaged messages in {} were left out: {}.</source>
+      <translation>Beschädigte Nachrichten in {} wurden ausgelassen: {}.</translation>
+    </message>
+    <message>
       <location filename="tracker/files.py" />
       <source>{} is not a regular file.</source>
       <translation>{} ist keine gewöhnliche Datei.</translation>
@@ -6741,6 +8326,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/files.py" />
+      <source>The folder {} is not empty; choose another one, or --force to replace files in it.</source>
+      <translation>Der Ordner {} ist nicht leer; wählen Sie einen anderen, oder --force, um Dateien darin zu ersetzen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
       <source>{} exists already; choose another name.</source>
       <translation>{} gibt es schon; einen anderen Namen wählen.</translation>
     </message>
@@ -6751,8 +8341,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/firmware/command.py" />
-      <source>It does not say HELLO yet: unplug it and plug it in again.</source>
-      <translation>Er meldet sich noch nicht mit HELLO: abziehen und neu einstecken.</translation>
+      <source>The glove does not respond yet. Unplug it, then plug it in again.</source>
+      <translation>Der Handschuh antwortet noch nicht. Ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
     </message>
     <message>
       <location filename="tracker/firmware/image.py" />
@@ -6761,8 +8351,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/firmware/versions.py" />
-      <source>The glove has firmware {}; {} comes with the program.</source>
-      <translation>Der Handschuh hat Firmware {}; {} kommt mit dem Programm.</translation>
+      <source>Firmware {} is available (installed: {}).</source>
+      <translation>Firmware {} ist verfügbar (installiert: {}).</translation>
     </message>
     <message>
       <location filename="tracker/fusion/chain/calibration/control.py" />
@@ -6785,6 +8375,16 @@ change {}: {}</source>
       <translation>{} ist kein Profil einer Person oder ist beschädigt.</translation>
     </message>
     <message>
+      <location filename="tracker/fusion/chain/engine.py" />
+      <source>The camera measures the heading.</source>
+      <translation>Die Kamera misst die Richtung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/engine.py" />
+      <source>{}not possible before the hand is tracked.</source>
+      <translation>{}nicht möglich, bevor die Hand verfolgt wird.</translation>
+    </message>
+    <message>
       <location filename="tracker/fusion/chain/guided/events.py" />
       <source>There is no guided pose {}: it is passed over.</source>
       <translation>Es gibt keine angeleitete Haltung {}: sie wird übergangen.</translation>
@@ -6793,6 +8393,16 @@ change {}: {}</source>
       <location filename="tracker/fusion/chain/guided/events.py" />
       <source>The guided pose {} neither begins nor ends: it is passed over.</source>
       <translation>Die angeleitete Haltung {} beginnt weder noch endet sie: sie wird übergangen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/inertial.py" />
+      <source>Heading corrected by {}°.</source>
+      <translation>Richtung um {}° korrigiert.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/pose_reset.py" />
+      <source>Pose reset: hand flat, fingers straight ahead.</source>
+      <translation>Haltung zurückgesetzt: Hand flach, Finger gerade nach vorn.</translation>
     </message>
     <message>
       <location filename="tracker/fusion/hybrid.py" />
@@ -6986,8 +8596,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/pipeline.py" />
+      <source>More than {} coloured patches in an image: {} were ignored so far.</source>
+      <translation>Mehr als {} farbige Flecken in einem Bild: {} wurden bisher ignoriert.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
       <source>The hand was given up: patches on it are not where the glove's markers of their hues would be. Fit the colours, or look whether two of their hues are exchanged.</source>
       <translation>Die Hand wurde aufgegeben: Flecken auf ihr liegen nicht dort, wo die Marker des Handschuhs in ihren Farben wären. Die Farben anpassen, oder nachsehen, ob zwei von ihnen vertauscht sind.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
+      <source>{}: engine {} has none. Choose engine chain or inertial.</source>
+      <translation>{}: Das Verfahren {} hat das nicht. Wählen Sie chain oder inertial.</translation>
     </message>
     <message>
       <location filename="tracker/pipeline.py" />
@@ -7151,8 +8771,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/camera_systems.py" />
-      <source>This system's cameras cannot be listed by name ({}). Enter the camera's number under Set-up, Camera: 0 is the first one.</source>
-      <translation>Die Kameras dieses Systems lassen sich nicht mit Namen auflisten ({}). Die Nummer der Kamera unter Einrichten, Kamera eingeben: 0 ist die erste.</translation>
+      <source>This system's cameras cannot be listed by name ({}). Enter the camera's number under Set-up, Camera, Or number, file: 0 is the first one.</source>
+      <translation>Die Kameras dieses Systems lassen sich nicht mit Namen auflisten ({}). Geben Sie die Nummer der Kamera unter Einrichtung, Kamera, Oder Nummer, Datei ein: 0 ist die erste.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/discovery.py" />
@@ -7390,6 +9010,21 @@ change {}: {}</source>
       <translation>Was die Sitzung über ihren Roboter sagt, ist kein JSON.</translation>
     </message>
     <message>
+      <location filename="tracker/session/edits.py" />
+      <source>{} lists {} filled gaps; at most {} are read.</source>
+      <translation>{} enthält {} gefüllte Lücken; höchstens {} werden gelesen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/edits.py" />
+      <source>{} has schema {}, not {}.</source>
+      <translation>{} hat Schema {}, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/edits.py" />
+      <source>{} is not a record of edits: {}.</source>
+      <translation>{} ist kein Protokoll von Bearbeitungen: {}.</translation>
+    </message>
+    <message>
       <location filename="tracker/session/engine_state.py" />
       <source>The state of tracking in the recording is damaged.</source>
       <translation>Der Zustand des Trackings in der Aufnahme ist beschädigt.</translation>
@@ -7601,6 +9236,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/session/images.py" />
+      <source>An image of {} is damaged.</source>
+      <translation>Ein Bild von {} ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/images.py" />
       <source>An image of {} is neither JPEG nor PNG.</source>
       <translation>Ein Bild von {} ist weder JPEG noch PNG.</translation>
     </message>
@@ -7608,11 +9248,6 @@ change {}: {}</source>
       <location filename="tracker/session/images.py" />
       <source>An image of {} claims {} by {} pixels.</source>
       <translation>Ein Bild von {} behauptet {} mal {} Bildpunkte.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/images.py" />
-      <source>An image of {} is damaged.</source>
-      <translation>Ein Bild von {} ist beschädigt.</translation>
     </message>
     <message>
       <location filename="tracker/session/mcap/container.py" />
@@ -7655,11 +9290,6 @@ change {}: {}</source>
       <translation>Es gibt keine Datei {}.</translation>
     </message>
     <message>
-      <location filename="tracker/session/mcap/recover.py" />
-      <source>{} holds nothing that can be recovered.</source>
-      <translation>{} enthält nichts, was sich retten lässt.</translation>
-    </message>
-    <message>
       <location filename="tracker/session/raw_imu.py" />
       <source>{} holds no samples of IMUs.</source>
       <translation>{} enthält keine Messwerte von IMUs.</translation>
@@ -7681,8 +9311,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/session/reader.py" />
-      <source>{}: {} is a {} glove's.</source>
-      <translation>{}: {} gehört zu einem Handschuh für {}.</translation>
+      <source>{} is a {} glove's.</source>
+      <translation>{} gehört zu einem Handschuh für {}.</translation>
     </message>
     <message>
       <location filename="tracker/session/reader.py" />
@@ -7695,9 +9325,9 @@ change {}: {}</source>
       <translation>Der Prozess des Aufnehmens {}.{} Es kann gleich wieder aufgenommen werden.</translation>
     </message>
     <message>
-      <location filename="tracker/session/ros/cdr.py" />
-      <source>A message on {} is damaged: {}.</source>
-      <translation>Eine Nachricht auf {} ist beschädigt: {}.</translation>
+      <location filename="tracker/session/recover.py" />
+      <source>{} holds nothing that can be recovered.</source>
+      <translation>{} enthält nichts, was sich retten lässt.</translation>
     </message>
     <message>
       <location filename="tracker/session/ros/cdr.py" />
