@@ -239,6 +239,7 @@ CLOCKS = {
     "tracker/sensors/discovery.py": "the default of a clock that is handed over",
     "tracker/sensors/glove_link.py": "the default of a clock that is handed over",
     "tracker/simulation/camera_device.py": "a device in real time",
+    "tracker/live/threads.py": "how long devices are waited for",
     "tracker/live/right_of_way.py": "how long a painter has waited in vain",
     "tracker/simulation/glove_device.py": "a device in real time",
     "tracker/streaming/foxglove_live.py": "stamps of the wall clock, which clients want",

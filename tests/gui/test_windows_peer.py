@@ -67,6 +67,7 @@ class System:
 @pytest.mark.parametrize(
     ("server", "own"),
     [(OWN, True), (SECOND_OWN, True), (OTHER, False), (HIDDEN, False), (0, False)],
+    ids=["this process", "another of this user", "another user's", "hidden", "none"],
 )
 def test_only_a_pipe_of_this_user_is_accepted(
     server: int, own: bool, monkeypatch: pytest.MonkeyPatch
