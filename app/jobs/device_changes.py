@@ -8,6 +8,7 @@ from pathlib import Path
 from app.engines.engine import EngineSetup
 from app.storage.settings import SettingsStore
 from app.viewmodels.device_settings import CONTROLS, DeviceValue, Value, locks_of
+from app.words import tr
 from tracker.errors import DeviceError
 from tracker.files import write_kept
 from tracker.sensors.camera_controls import locks_text
@@ -43,7 +44,7 @@ def _set_rate(setup: EngineSetup, rate_hz: int) -> None:
     try:
         setup.glove_settings.want_rate(rate_hz)
     except ValueError as error:
-        raise DeviceError(f"The glove cannot be set: {error}.") from error
+        raise DeviceError(tr("The glove cannot be set: {}.").format(error)) from error
 
 
 def save_settings(text: str, path: Path) -> None:

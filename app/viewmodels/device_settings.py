@@ -14,7 +14,7 @@ import tomli_w
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.names import spoken
-from app.words import mark, tr
+from app.words import local, mark, tr
 from tracker.messages import Calibration
 from tracker.sensors.camera_controls import Control, Locks
 from tracker.sensors.glove_report import GloveReport
@@ -228,7 +228,7 @@ def _bias(calibration: Calibration | None, segment: str, kind: str) -> str | Non
         return None
     if kind == "gyro":
         bias, sd = np.rad2deg(bias), np.rad2deg(sd)
-    return ", ".join(f"{b:.2f} ± {s:.2f}" for b, s in zip(bias, sd, strict=True))
+    return ", ".join(f"{local(b):.2f} ± {local(s):.2f}" for b, s in zip(bias, sd, strict=True))
 
 
 def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
@@ -284,9 +284,11 @@ def _control(control: Control, asked: Mapping[str, Value]) -> DeviceValue:
     if control.limits is not None:
         least, greatest, step, default = control.limits
         limits = (least, greatest, step)
-        detail = tr("{} to {}, default {}").format(f"{least:g}", f"{greatest:g}", f"{default:g}")
+        detail = tr("{} to {}, default {}").format(
+            f"{local(least):g}", f"{local(greatest):g}", f"{local(default):g}"
+        )
     if not control.locked and control.available:
-        detail = f"{tr('now {}').format(f'{control.value:g}')}; {detail}"
+        detail = f"{tr('now {}').format(f'{local(control.value):g}')}; {detail}"
     return DeviceValue(
         key, (tr("Camera"), tr("Controls"), tr(CONTROLS[control.name])),
         value if control.available else None,

@@ -82,6 +82,7 @@ NOT_SHOWN = {
     "simulated camera",  # what colours are kept by
     "none is open",  # for who reads a bug report
     "● 19 of about 9 ",  # the widest count, which a column is made for
+    "Hz",  # a unit
     "Optiboot", "old Nano", "postures asked for",  # keys
     "UDP (JSON)", "WebSocket (JSON)", "Lab Streaming Layer", "Foxglove",  # names
     "*.png *.jpg *.jpeg *.bmp *.tif", "*.yml *.yaml *.xml *.json",
@@ -104,6 +105,8 @@ def left_english(code: str) -> list[str]:
         stated = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
         if called or stated:
             passed |= {id(inner) for inner in ast.walk(node)}
+        elif isinstance(node, ast.Dict):  # what is looked up by is not shown
+            passed |= {id(key) for key in node.keys if isinstance(key, ast.Constant)}
         elif id(node) not in passed and isinstance(node, ast.JoinedStr | ast.Constant):
             texts = literals(node)
             passed |= {id(v) for v in getattr(node, "values", ()) if isinstance(v, ast.Constant)}
