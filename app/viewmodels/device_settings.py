@@ -284,9 +284,8 @@ def _control(control: Control, asked: Mapping[str, Value]) -> DeviceValue:
     if control.limits is not None:
         least, greatest, step, default = control.limits
         limits = (least, greatest, step)
-        detail = tr("{} to {}, default {}").format(
-            f"{local(least):g}", f"{local(greatest):g}", f"{local(default):g}"
-        )
+        shown = [f"{local(value):g}" for value in (least, greatest, default)]
+        detail = tr("{} to {}, default {}").format(*shown)
     if not control.locked and control.available:
         detail = f"{tr('now {}').format(f'{local(control.value):g}')}; {detail}"
     return DeviceValue(

@@ -123,6 +123,11 @@
       <translation>Nur das Verfahren chain behält die Kalibrierung einer Person: im Menü Tracking wählen.</translation>
     </message>
     <message>
+      <location filename="app/jobs/device_changes.py" />
+      <source>The glove cannot be set: {}.</source>
+      <translation>Der Handschuh kann nicht eingestellt werden: {}.</translation>
+    </message>
+    <message>
       <location filename="app/jobs/export.py" />
       <source>waiting</source>
       <translation>wartet</translation>
