@@ -73,7 +73,7 @@ def value_text(value: Value, unit: str = "") -> str:
         return tr("yes") if value else tr("no")
     if value == AUTOMATIC:
         return tr("automatic")
-    text = f"{value:.4g}" if isinstance(value, float) else str(value)
+    text = f"{local(value):.4g}" if isinstance(value, float) else str(value)
     return f"{text} {unit}".rstrip()
 
 

@@ -95,7 +95,7 @@ def test_the_table_goes_to_the_clipboard(motion):
     motion.controls.copy.click()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert len(lines) == 1 + motion.table.rowCount()
-    assert len(lines[0].split("\t")) == len(lines[1].split("\t")) == 12
+    assert len(lines[0].split("\t")) == len(lines[1].split("\t")) == 13
 
 
 def test_a_replay_shows_the_whole_take_and_a_click_jumps(window, qtbot, tmp_path, no_leaks):
