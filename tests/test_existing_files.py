@@ -37,7 +37,7 @@ NOT_WRITTEN = {
     *("--engines", "--experiments", "--lights", "--ablations", "--glove", "--hand", "--image"),
     *("--imu", "--joints", "--listen", "--live", "--motion", "--object", "--objects", "--photo"),
     *("--remote", "--remote-host", "--send", "--set", "--settings", "--stream", "--stream-host"),
-    *("--task", "--to", "--views", "--wearer", "--model"),
+    *("--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
 }
 """Those that name what is read, devices, addresses, and other text."""
 
@@ -85,6 +85,7 @@ CASES: dict[str, Words] = {
     "teleop": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "import": lambda s, f: [s.table, "-o", f / "o.mcap", "--json", f / "j.json"],
     "info": lambda s, f: [s.tracked, "--json", f / "j.json"],
+    "gaps": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "verify": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "recover": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "report": lambda s, f: [s.tracked, "-o", f / "r.html", "--json", f / "j.json"],
@@ -128,7 +129,7 @@ CASES: dict[str, Words] = {
     },
 }
 """Words of each command that writes, all its outputs in the folder ``f``."""
-ELSEWHERE = {("window", "--out"), ("rig", "folder")}
+ELSEWHERE = {("window", "--out"), ("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
 """Options whose tests are of their own, below."""
 
 
