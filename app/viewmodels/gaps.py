@@ -25,7 +25,7 @@ from tracker.session.gaps.cause import (
 )
 from tracker.session.gaps.find import HOLE, INFERRED, LOST
 from tracker.session.gaps.find import Gap as Gap
-from tracker.session.gaps.interpolate import CUBIC, LINEAR, SMOOTH
+from tracker.session.gaps.methods import CUBIC, LINEAR, SMOOTH
 
 KINDS = {
     HOLE: StateLook(GREY, "○", mark("hole")),

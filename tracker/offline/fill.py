@@ -19,7 +19,7 @@ from tracker.offline.options import TrackOptions
 from tracker.session.edits import Edit, Filled
 from tracker.session.gaps.fill import FillOptions, HandFill, Left, choose, fill_hand
 from tracker.session.gaps.find import INFERRED_LIMIT, KINDS, Gap, session_gaps
-from tracker.session.gaps.interpolate import METHODS, SMOOTH
+from tracker.session.gaps.methods import METHODS, SMOOTH
 from tracker.session.gaps.write import write_filled
 from tracker.session.hand_columns import HandColumns, read_hand
 from tracker.session.reader import SessionReader

@@ -7,7 +7,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from tests.session.gaps.hands import Swing
-from tracker.session.gaps.interpolate import CUBIC, LINEAR, Motion, Skeleton, fill_motion
+from tracker.session.gaps.interpolate import Motion, Skeleton, fill_motion
+from tracker.session.gaps.methods import CUBIC, LINEAR
 
 GAP = (40, 61)
 HAND_ROWS = slice(GAP[0] + 1, GAP[1])

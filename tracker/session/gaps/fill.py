@@ -14,7 +14,6 @@ from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 from tracker.session.edits import Filled
 from tracker.session.gaps.find import HOLE, INFERRED, LOST, Gap
 from tracker.session.gaps.interpolate import (
-    LINEAR,
     SPEED_OVER,
     Mask,
     Motion,
@@ -22,6 +21,7 @@ from tracker.session.gaps.interpolate import (
     fill_motion,
 )
 from tracker.session.gaps.merge import merged
+from tracker.session.gaps.methods import LINEAR
 from tracker.session.gaps.spread import Spread, grown
 from tracker.session.hand_columns import HandColumns
 from tracker.session.holes import LONGEST_FILLED

@@ -18,10 +18,8 @@ from tracker.geometry import so3
 from tracker.messages import Array, IntArray
 from tracker.session.description import SessionInfo
 from tracker.session.gaps.merge import merged
+from tracker.session.gaps.methods import CUBIC, LINEAR
 
-LINEAR, CUBIC, SMOOTH = "linear", "cubic", "smooth"
-METHODS = (LINEAR, CUBIC, SMOOTH)
-"""Straight lines and great arcs; with the speeds at both ends; the sensors, smoothed."""
 SPEED_OVER = 0.08  # s beside a gap from which the speed at its end is taken
 SPEED_FOR = 0.3  # s for which that speed goes on into a gap; longer, a cubic swings far out
 Mask = NDArray[np.bool_]

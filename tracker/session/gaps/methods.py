@@ -1,0 +1,7 @@
+"""How a gap can be filled. Quick to import."""
+
+from __future__ import annotations
+
+LINEAR, CUBIC, SMOOTH = "linear", "cubic", "smooth"
+METHODS = (LINEAR, CUBIC, SMOOTH)
+"""Straight lines and great arcs; with the speeds at both ends; the sensors, smoothed."""
