@@ -207,4 +207,4 @@ def test_qt_s_own_buttons_speak_it_too(speaking, code, qtbot):
 def test_a_language_is_chosen_in_the_menu_for_the_next_start(window, code):
     window.commands.actions[f"language_{code}"].trigger()
     assert window.store.value.language == code
-    assert "the next time" in window.banner.text()
+    assert "after a restart" in window.banner.text()
