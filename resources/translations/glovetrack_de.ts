@@ -6612,7 +6612,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Save the &amp;wearer…</source>
-      <translation>Person speic&amp;hern…</translation>
+      <translation>Person spe&amp;ichern…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
