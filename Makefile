@@ -1,22 +1,22 @@
-# make demo         the application on a simulated glove and camera
-# make test         linters, all tests, and beside them the type checker and import contracts, whose
-#                   words come last; tests on real recordings read data/ or the folder that
-#                   GLOVETRACK_DATA names, and are skipped without it
-# make lint         the same without the tests
-# make firmware     the glove's firmware and its simulator; prints their sizes
+# make demo         run the application with a simulated glove and camera
+# make test         linters and all tests, with the type checker and import contracts in parallel (their
+#                   output is printed last); tests on real recordings read data/ or the folder in
+#                   GLOVETRACK_DATA, and are skipped if it does not exist
+# make lint         linters, type checker and import contracts, without the tests
+# make firmware     build the glove's firmware and its simulator; prints their sizes
 # make screenshots  images of the window for the documentation
-# make translations lists the window's words for translators (resources/translations)
+# make translations list the window's texts for translators (resources/translations)
 # make docs         the documentation as a static site, build/site/index.html
-# make package      dist/glovetrack, a program that needs no Python, and packages of it
+# make package      dist/glovetrack, the program with its own Python, and packages of it
 # make wheel        dist/glovetrack-*.whl with the compiled kernels, for this Python and system
-# make bench        speed and accuracy against the goals, into bench.json; ten minutes for the app
-# make bench-peers  MediaPipe Hands for it, in an environment of its own (it wants numpy 1)
-# make kernels      compiled kernels anew, after changes to them; until then numba compiles the changed
-# make lock         requirements.lock anew, from a fresh environment
-# make clean        removes what was built and measured, and the virtual environment
+# make bench        measure speed and accuracy against the goals, into bench.json; ten minutes for the app
+# make bench-peers  install MediaPipe Hands for it in a separate environment (it requires numpy 1)
+# make kernels      recompile kernels after changes to them; until then numba compiles the changed ones
+# make lock         regenerate requirements.lock in a fresh environment
+# make clean        remove build outputs, measurements and the virtual environment
 #
-# Each sets up what it needs: .venv from requirements.lock (make demo) or requirements-test.lock, and
-# system packages (by apt-get when run by root; otherwise it prints the line to run).
+# Each target installs its requirements: .venv from requirements.lock (make demo) or
+# requirements-test.lock, and system packages (with apt-get as root; otherwise it prints the command).
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -26,10 +26,10 @@ SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
 OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
 PEERS := build/peers
-# Tests wait for processes, disks and devices: with one worker more no core is idle meanwhile.
+# Tests wait for processes, disks and devices: one extra worker keeps all cores in use.
 WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
-# Tests start hundreds of processes, and each would compile every module anew where the environment
-# forbids to keep what was compiled, as many images of containers do.
+# Tests start hundreds of processes. Many container images disable bytecode caching, in which case
+# each process would recompile every module.
 KEPT := PYTHONDONTWRITEBYTECODE=
 TYPES := $(BIN)/mypy && $(BIN)/lint-imports
 

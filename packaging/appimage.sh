@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
-# Packs the bundle that packaging/bundle.sh made as one file to run: an AppImage of type 2.
+# Packs the bundle of packaging/bundle.sh as a type 2 AppImage: one executable file.
 #
 #   packaging/appimage.sh RUNTIME [FOLDER]
 #
-# RUNTIME is the small program in front of the image, which no package registry has: runtime-x86_64
-# of github.com/AppImage/type2-runtime, downloaded or built there. FOLDER has glovetrack/ and gets
-# the file (default: dist). Needs mksquashfs, Debian's squashfs-tools.
+# RUNTIME is the small program in front of the image, which no package registry provides:
+# runtime-x86_64 of github.com/AppImage/type2-runtime, downloaded or built from its source. FOLDER
+# contains glovetrack/ and receives the file (default: dist). Requires mksquashfs (squashfs-tools).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source packaging/epoch.sh
-runtime=$(realpath "${1:?name the runtime: see packaging/README.md}") out=${2:-dist}
+runtime=$(realpath "${1:?the runtime is missing: see packaging/README.md}") out=${2:-dist}
 bundle=$out/glovetrack
 refuse() { echo "$1" >&2 && exit 1; }
 [ -x "$bundle/glovetrack" ] || refuse "$bundle is not built: run make package."
 command -v mksquashfs >/dev/null || refuse "mksquashfs is missing: apt-get install squashfs-tools"
-# The specification has these three bytes in the padding of the ELF header.
+# The specification requires these three bytes in the padding of the ELF header.
 [ "$(head -c 11 "$runtime" | tail -c 3 | od -An -tx1 | tr -d ' ')" = 414902 ] ||
-    refuse "$runtime is no AppImage runtime of type 2."
+    refuse "$runtime is not a type 2 AppImage runtime."
 
 version=$("$bundle/glovetrack" --version | cut -d' ' -f2)
 name=Glovetrack-$version-$(uname -m).AppImage
@@ -33,12 +33,12 @@ install -m644 resources/icons/glovetrack.png -t "$root/usr/share/icons/hicolor/2
 ln -s usr/share/icons/hicolor/256x256/apps/glovetrack.png "$root/.DirIcon"
 cat >>"$root/glovetrack/LICENCES.txt" <<'LICENCES'
 
-AppImage's runtime, in front of this program's files: MIT. It holds squashfuse (BSD-2-Clause),
+AppImage's runtime, in front of this program's files: MIT. It contains squashfuse (BSD-2-Clause),
 libfuse (LGPL-2.1), zstd (BSD-3-Clause), zlib (Zlib) and mimalloc (MIT); its source and theirs:
 https://github.com/AppImage/type2-runtime
 LICENCES
 nice mksquashfs "$root" "$work/image" -comp zstd -Xcompression-level 9 -b 1M -all-root -no-xattrs \
-    -noappend -no-progress -quiet >/dev/null # its dates are SOURCE_DATE_EPOCH's
+    -noappend -no-progress -quiet >/dev/null # dates come from SOURCE_DATE_EPOCH
 cat "$runtime" "$work/image" >"$out/$name"
 chmod 755 "$out/$name"
 du -m "$out/$name"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds the program without a need for Python: dist/glovetrack with the licences of all its parts.
+# Builds the program with its own Python: dist/glovetrack, with the licences of all its parts.
 #
 #   packaging/bundle.sh VENV [OUT]
 #
-# OUT is the folder that gets glovetrack/ (default: dist).
+# OUT is the folder that receives glovetrack/ (default: dist).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source packaging/epoch.sh
@@ -15,16 +15,16 @@ if ! "$python" -c 'import PyInstaller' 2>/dev/null; then
         --editable ".[packaging]"
 fi
 
-make --no-print-directory firmware >/dev/null # its image goes along
+make --no-print-directory firmware >/dev/null # its image is part of the bundle
 packaging/kernels.sh "$1"
-packaging/site.sh "$python" # Help shows it
-echo "Building $out/glovetrack (some minutes)"
+packaging/site.sh "$python" # the Help menu opens it
+echo "Building $out/glovetrack (takes several minutes)"
 nice "$python" -m PyInstaller --noconfirm --log-level ERROR \
     --distpath "$out" --workpath "$work" packaging/glovetrack.spec
 
 inside=$out/glovetrack/_internal
-# Symbol tables and debugging data make a seventh of the bundle. The libraries that auditwheel has
-# rewritten (those in *.libs folders) do not survive strip, so they are left alone.
+# Symbol tables and debugging data are one seventh of the bundle. strip breaks the libraries that
+# auditwheel has rewritten (those in *.libs folders), so they are excluded.
 if command -v strip >/dev/null; then
     find "$inside" -type f \( -name '*.so' -o -name '*.so.[0-9]*' \) ! -path '*.libs/*' \
         ! -path '*/cv2/*' -exec strip --strip-unneeded {} +

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Packs the bundle that packaging/bundle.sh made: a Debian package and a tar.gz to unpack anywhere.
+# Packs the bundle of packaging/bundle.sh as a Debian package and as a tar.gz to unpack anywhere.
 #
 #   packaging/debian.sh [FOLDER]
 #
-# FOLDER has glovetrack/ and gets both files (default: dist).
+# FOLDER contains glovetrack/ and receives both files (default: dist).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source packaging/epoch.sh
@@ -17,7 +17,7 @@ architecture=$(dpkg --print-architecture)
 name=glovetrack_${version}_$architecture
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
-chmod 755 "$root" # mktemp makes it private, and it becomes the package's /
+chmod 755 "$root" # mktemp makes it private, but it becomes the package's /
 
 echo "Packing $out/$name.deb"
 install -d "$root"/{DEBIAN,opt,usr/bin}

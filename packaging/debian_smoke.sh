@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Installs the Debian package, uses it as another user, and removes it again: nothing may stay.
+# Installs the Debian package, uses it as another user, and checks that removal leaves no files.
 #
 #   packaging/debian_smoke.sh [PACKAGE]
 #
-# Needs root on Debian or Ubuntu. With FRESH=1 before the command all of it happens in a minimal
-# Debian that debootstrap makes and that is gone afterwards (needs bubblewrap too): with nothing
-# but what the package itself asks for. FRESH=FOLDER takes a copy of one that is there. With LINTIAN=1 lintian looks at the package as well.
+# Requires root on Debian or Ubuntu. FRESH=1 runs everything in a minimal Debian with only the
+# package's dependencies; debootstrap creates it, and it is deleted afterwards (also requires
+# bubblewrap). FRESH=FOLDER uses a copy of an existing one. LINTIAN=1 also runs lintian.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 package=$(realpath "${1:-$(ls -t dist/glovetrack_*.deb | head -1)}")
@@ -32,7 +32,7 @@ trap 'rm -rf "$work"; dpkg --purge glovetrack &>/dev/null || true' EXIT
 as_user() { setpriv --reuid=nobody --regid=nogroup --clear-groups env -i HOME="$work" PATH=/usr/bin \
     QT_QPA_PLATFORM=offscreen "$@"; }
 
-expect() { # what, then a command that must succeed
+expect() { # description, then a command that must succeed
     local what=$1
     shift
     if "$@" &>"$work.log"; then echo "$what: yes"; else
@@ -42,7 +42,7 @@ expect() { # what, then a command that must succeed
     fi
 }
 
-left() { # what of the package is still about
+left() { # lists installed files of the package
     find /opt/glovetrack /usr/bin/glovetrack /usr/share/applications/glovetrack.desktop \
         /usr/share/mime/packages/glovetrack.xml /usr/lib/udev/rules.d/70-glovetrack.rules \
         /usr/share/icons/hicolor/scalable/apps/glovetrack.svg \
@@ -50,25 +50,25 @@ left() { # what of the package is still about
         -maxdepth 0 2>/dev/null
 }
 
-if [ -n "${LINTIAN:-}" ]; then # takes minutes; a program that brings its libraries is no Debian program
+if [ -n "${LINTIAN:-}" ]; then # takes minutes; bundled libraries violate Debian policy, so those tags are suppressed
     lintian --allow-root --tag-display-limit 0 --suppress-tags dir-or-file-in-opt,embedded-library \
         "$package" 2>/dev/null | grep -v shared-library-lacks-prerequisites || true
 fi
 apt-get update -qq
-expect "installs with what it needs" apt-get install -qq -y "$package"
-expect "all its files are there" test "$(left | wc -l)" -eq 9
+expect "installs with its dependencies" apt-get install -qq -y "$package"
+expect "all files are installed" test "$(left | wc -l)" -eq 9
 cd "$work" && chown nobody "$work"
-expect "the command is there" as_user glovetrack --version
-expect "also without a home" as_user env HOME=/nonexistent glovetrack --version
-expect "a session is made" as_user glovetrack simulate -o "$work/session.mcap" --duration 2 --blobs-only
-expect "and tracked" as_user glovetrack track "$work/session.mcap" -o "$work/tracked.mcap"
+expect "the command runs" as_user glovetrack --version
+expect "the command runs without a home folder" as_user env HOME=/nonexistent glovetrack --version
+expect "a session is simulated" as_user glovetrack simulate -o "$work/session.mcap" --duration 2 --blobs-only
+expect "the session is tracked" as_user glovetrack track "$work/session.mcap" -o "$work/tracked.mcap"
 expect "the demo runs" as_user glovetrack demo --headless-report 3 --out "$work/demo"
-# A glove and a camera as devices of the system: a serial line and a pipe of images.
+# A simulated glove and camera as system devices: a serial line and a pipe of images.
 mkdir -p "$work/.config/glovetrack" "$work/rig" && chown -R nobody "$work/.config" "$work/rig"
 cat >"$work/.config/glovetrack/window.json" <<JSON
 {"version": 3, "port": "$work/rig/glove", "camera": "$work/rig/camera.mjpeg", "calibration": "$work/rig/camera.yml"}
 JSON
-set -m # a process group of its own, to be ended as one
+set -m # a separate process group, so that one kill ends all its processes
 as_user glovetrack rig "$work/rig" --duration 90 &>"$work/rig.log" &
 rig=$!
 set +m
@@ -76,17 +76,17 @@ for _ in {1..300}; do [ -e "$work/rig/camera.yml" ] && break || sleep 0.1; done
 expect "devices are tracked" as_user glovetrack devices --headless-report 5 --out "$work/devices"
 kill -- -$rig && { wait $rig || true; }
 grep -E "^(rates|tracking|error)" "$work.log"
-# What the guide has a reader do so that the port may be opened.
-expect "its group is there" usermod -aG dialout nobody
-expect "devices are for who sits there" grep -q uaccess /usr/lib/udev/rules.d/70-glovetrack.rules
-expect "the manual page is one" sh -c "zcat /usr/share/man/man1/glovetrack.1.gz | grep -q '^.SH EXIT STATUS'"
-expect "the guide is in it" test -s /opt/glovetrack/_internal/resources/site/index.html
+# The guide's instructions for access to the serial port.
+expect "the group dialout exists" usermod -aG dialout nobody
+expect "the udev rule grants access to the logged-in user" grep -q uaccess /usr/lib/udev/rules.d/70-glovetrack.rules
+expect "the manual page is complete" sh -c "zcat /usr/share/man/man1/glovetrack.1.gz | grep -q '^.SH EXIT STATUS'"
+expect "the guide is included" test -s /opt/glovetrack/_internal/resources/site/index.html
 if command -v desktop-file-validate >/dev/null; then
     expect "the desktop entry is valid" desktop-file-validate /usr/share/applications/glovetrack.desktop
 fi
 if command -v update-mime-database >/dev/null; then
-    expect "sessions have their type" grep -q "glovetrack" /usr/share/mime/globs2
+    expect "the MIME type is registered" grep -q "glovetrack" /usr/share/mime/globs2
 fi
-expect "is removed" dpkg -r glovetrack
-expect "nothing stays" test -z "$(left)"
-expect "is purged" dpkg --purge glovetrack
+expect "the package is removed" dpkg -r glovetrack
+expect "no files remain" test -z "$(left)"
+expect "the package is purged" dpkg --purge glovetrack

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Makes the virtual environment and installs into it exactly what requirements.lock names, then
-# this checkout itself; with "test" what requirements-test.lock names, which is more. Without it
-# `slim.py` takes out what the program never loads.
+# Creates the virtual environment and installs exactly the packages of requirements.lock, then
+# this checkout; with "test", those of requirements-test.lock, which also include the test tools.
+# Without "test", `slim.py` removes files that the program never loads.
 #
 #   packaging/environment.sh FOLDER [test]
 #
-# PYTHON=... chooses the interpreter; otherwise the first one that is 3.11 or newer is taken.
-# Packages are installed by uv where that can be had, since it takes a fifth of pip's time.
+# PYTHON=... selects the interpreter (default: the first one found that is 3.11 or newer).
+# uv installs the packages if it is available, since it takes one fifth of pip's time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
@@ -17,16 +17,16 @@ is_new_enough() {
 
 find_python() {
     local name
-    # The lock was made for 3.11, so that comes first.
+    # The lock was created with 3.11, so try it first.
     for name in ${PYTHON:-python3.11 python3 python3.12 python3.13}; do
         if is_new_enough "$name"; then echo "$name" && return; fi
     done
-    echo "Glovetrack needs Python 3.11 or newer, and ${PYTHON:-python3} is none." >&2
+    echo "Glovetrack requires Python 3.11 or newer, but ${PYTHON:-python3} is older or missing." >&2
     echo "On Debian 12 or newer: sudo apt-get install -y python3 python3-venv" >&2
     return 1
 }
 
-require_venv() { # python; Debian keeps venv's ensurepip in a package of its own
+require_venv() { # python; on Debian, ensurepip is in a separate package
     if "$1" -c 'import ensurepip, venv' 2>/dev/null; then return; fi
     local package
     package=$("$1" -c 'import sys; print("python3.%d-venv" % sys.version_info[1])')
@@ -41,20 +41,20 @@ require_venv() { # python; Debian keeps venv's ensurepip in a package of its own
 python=$(find_python)
 require_venv "$python"
 if ! is_new_enough "$folder/bin/python"; then
-    echo "Making $folder with $("$python" --version)"
+    echo "Creating $folder with $("$python" --version)"
     "$python" -m venv --clear "$folder"
 fi
 pip() { "$folder/bin/python" -m pip --disable-pip-version-check install --quiet "$@"; }
 
-install() { # the packages of a lock file; a file with another hash than it names is refused
+install() { # the packages of a lock file; files with a different hash are rejected
     packaging/uv.sh "$folder/bin/python" install --require-hashes --requirements "$1" && return
-    echo "uv could not install them; pip tries." >&2
+    echo "uv could not install the packages; retrying with pip." >&2
     pip --require-hashes --requirement "$1"
 }
 
 lock=requirements.lock
 if [ "${2:-}" = test ]; then lock=requirements-test.lock; fi
-echo "Installing the packages of $lock"
+echo "Installing packages from $lock"
 install "$lock"
 pip --no-deps --no-build-isolation --editable .
 [ $lock != requirements.lock ] || "$folder/bin/python" packaging/slim.py

@@ -1,22 +1,22 @@
 #!/usr/bin/env bash
-# Tries `pip install .` and `pipx install .` as a user would: fresh environments outside this
-# checkout, the program run from elsewhere with nothing of this environment.
+# Tests `pip install .` and `pipx install .` as a user would run them: in fresh environments outside
+# this checkout; the program then runs in another folder with a clean environment.
 #
 #   packaging/install_smoke.sh [PYTHON]
 #
-# Downloads what the program depends on (about 700 MB each); needs some minutes.
+# Downloads the program's dependencies (about 700 MB each) and takes several minutes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 python=$(realpath -s "$(command -v "${1:-.venv/bin/python}")")
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 pip() { PIP_DISABLE_PIP_VERSION_CHECK=1 "$@"; }
-clean() { # the program and its words
+clean() { # program, arguments
     (cd "$place" && env -i HOME="$place/home" PATH=/usr/bin:/bin QT_QPA_PLATFORM=offscreen "$@")
 }
 
-try() { # what, the program
-    rm -f "$place"/*.mcap # a recording never overwrites
+try() { # description, program
+    rm -f "$place"/*.mcap # commands do not overwrite files
     echo "$1: $(clean "$2" --version)"
     clean "$2" simulate -o "$place/session.mcap" --duration 2 --blobs-only
     clean "$2" track "$place/session.mcap" -o "$place/tracked.mcap"
@@ -24,7 +24,7 @@ try() { # what, the program
 }
 
 mkdir "$place/home" "$place/source"
-# What git knows and what is not committed yet, without what a build leaves in the checkout.
+# Committed and uncommitted files, without build outputs.
 git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$place/source"
 
 "$python" -m venv "$place/pip"

@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
-# Writes requirements.lock, every package of the program, and requirements-test.lock, those of its
-# tests besides, each at its newest version that all others agree with and with the SHA-256 hashes of
-# all files that were published of that version, so that the lock serves every platform.
+# Writes requirements.lock with all packages of the program, and requirements-test.lock, which adds
+# those of the tests. Each package has its newest compatible version and the SHA-256 hashes of all
+# published files of that version, so that the lock files work on every platform.
 #
 #   packaging/lock.sh [PYTHON]
 #
-# Run the tests before committing them.
+# Run the tests before committing the lock files.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 python=${1:-python3.11}
 
-write_lock() { # file, what it is for, options
+write_lock() { # file, purpose, options
     {
         echo "# Every package of $2, at one version (Python 3.11, Linux), with the hashes of its files."
         echo "# Made by \`make lock\`; do not edit by hand."
-        # setuptools: what environment.sh builds this checkout with
+        # environment.sh builds this checkout with setuptools
         echo setuptools | packaging/uv.sh "$python" compile pyproject.toml - --upgrade \
             --generate-hashes --no-annotate --no-header --no-emit-index-url --no-emit-find-links \
             "${@:3}"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Compares two builds of one commit, folders or packages: lists what differs. Exit status 0: nothing.
+# Compares two builds of one commit (folders or packages) and lists the files that differ.
+# Exit status 0: no differences.
 #
 #   packaging/same_build.sh A B
 set -euo pipefail
@@ -13,7 +14,7 @@ sums() { # folder or file
 differing=$(diff <(sums "$1") <(sums "$2") | sed -n 's/^[<>] [0-9a-f]*  //p' | sort -u || true)
 if [ -n "$differing" ]; then
     echo "$differing"
-    echo "These differ." >&2
+    echo "These files differ." >&2
     exit 1
 fi
-echo "Both are the same, byte for byte."
+echo "Both are identical, byte for byte."

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds the documentation as a static site; a dead link within it stops the build.
+# Builds the documentation as a static site; a broken internal link stops the build.
 #
 #   packaging/site.sh PYTHON [OUT]
 #
-# mkdocs gets an environment of its own in build/docs-env: the program does not need it.
+# mkdocs is installed in a separate environment, build/docs-env, as the program does not need it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 python=$1 out=$(realpath -m "${2:-build/site}") environment=build/docs-env
@@ -14,6 +14,6 @@ if ! "$environment/bin/python" -c "import mkdocstrings" 2>/dev/null; then
         "mkdocstrings==1.0.8" "mkdocstrings-python==2.0.11"
 fi
 $environment/bin/mkdocs --quiet build --strict --clean --site-dir "$out"
-# Pages opened from a disk may read a script, but no JSON (docs/site/search_from_disk.js).
+# Pages opened from disk can load scripts, but not JSON (docs/site/search_from_disk.js).
 { printf 'window.glovetrackIndex = ' && cat "$out/search/search_index.json"; } >"$out/search/index_on_disk.js"
 echo "The documentation: $out/index.html"

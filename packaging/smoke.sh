@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Tries a built program as a stranger's machine would have it: without this checkout, without
-# Python, without a home, the program's folder read-only, the user not root.
+# Tests a built program under a new user's conditions: without this checkout, Python or a home
+# folder, with the program's folder read-only, and not as root.
 #
 #   packaging/smoke.sh [BUNDLE] [OUT]
 #
-# BUNDLE has the program (default: dist/glovetrack); OUT gets what it made, with a screenshot to look
-# at (default: build/smoke). Needs bubblewrap and Xvfb. Exit status 0: all of it worked.
+# BUNDLE contains the program (default: dist/glovetrack); OUT receives the results and a screenshot
+# (default: build/smoke). Requires bubblewrap and Xvfb. Exit status 0: all steps succeeded.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bundle=$(realpath "${1:-dist/glovetrack}") out=${2:-build/smoke}
@@ -19,10 +19,10 @@ out=$(realpath "$out")
 Xvfb -displayfd 3 -noreset -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" 3>"$out/display" &
 screen=$!
 trap 'kill $screen' EXIT
-until [ -s "$out/display" ]; do sleep 0.05; done # it takes a number that is free
+until [ -s "$out/display" ]; do sleep 0.05; done # Xvfb selects a free display number
 display=:$(cat "$out/display")
 
-within() { # runs "words" with these words, where /out is the only place to write besides HOME
+within() { # runs the command in "words" with these arguments; only /out and HOME are writable
     bwrap --unshare-all --uid 1000 --gid 1000 --die-with-parent --clearenv \
         --ro-bind /usr /usr --symlink usr/bin /bin --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
         --tmpfs /usr/local --ro-bind-try /etc/fonts /etc/fonts --ro-bind-try /etc/ld.so.cache /etc/ld.so.cache \
@@ -35,7 +35,7 @@ words=()
 inside() { words=(/opt/glovetrack/"$1") && within "${@:2}"; }
 inside_sh() { words=(/bin/bash -mc) && within "PATH=\$PATH:/opt/glovetrack; $1"; }
 
-step() { # what, then the command
+step() { # name, command
     local begun=$EPOCHREALTIME what=$1
     shift
     if ! "$@" &>"$out/$what.log"; then
@@ -46,7 +46,7 @@ step() { # what, then the command
     LC_ALL=C printf '%-12s %6.2f s\n' "$what" "$(bc <<<"$EPOCHREALTIME - $begun")"
 }
 
-opens() { # name, then the command: seconds until its window is there; the program ends again
+opens() { # name, command: prints the seconds until its window appears, then ends the program
     local begun=$EPOCHREALTIME what=$1
     shift
     "$@" &>"$out/$what.log" &
@@ -54,7 +54,7 @@ opens() { # name, then the command: seconds until its window is there; the progr
     timeout 120 xdotool search --sync --onlyvisible --name Glovetrack >/dev/null
     LC_ALL=C printf '%-12s %6.2f s\n' "$what" "$(bc <<<"$EPOCHREALTIME - $begun")"
     kill $program && { wait $program || true; }
-    for _ in {1..100}; do # until the window is gone
+    for _ in {1..100}; do # until the window has closed
         xdotool search --onlyvisible --name Glovetrack >/dev/null || break
         sleep 0.1
     done
@@ -62,7 +62,7 @@ opens() { # name, then the command: seconds until its window is there; the progr
 
 source_run() { # the same program from this checkout, for comparison
     export HOME=$out/home
-    exec .venv/bin/python -m app # so that it is this program that is killed
+    exec .venv/bin/python -m app # so that kill reaches the program
 }
 
 step site test -s "$bundle/_internal/resources/site/search/index_on_disk.js"
@@ -83,7 +83,7 @@ formats=$(inside glovetrack export --help | grep -o '{[a-z0-9.,]*}' | head -1 | 
 for format in $formats; do
     step $format inside glovetrack export demo/session.mcap --format $format -o "made.$format"
 done
-# Devices of the system's own kind: a serial line and a pipe of images, made by a second process.
+# System devices simulated by a second process: a serial line and a pipe of images.
 mkdir -p "$out/home/.config/glovetrack" "$out/rig"
 cat >"$out/home/.config/glovetrack/window.json" <<'JSON'
 {"version": 3, "port": "/out/rig/glove", "camera": "/out/rig/camera.mjpeg", "calibration": "/out/rig/camera.yml"}
@@ -99,9 +99,9 @@ step batch inside glovetrack track practice.mcap demo/session.mcap -o batch --jo
 step compare inside glovetrack compare chain.mcap vist.mcap
 
 tracked=$(sed -n 's/^tracking *\([0-9]*\) %.*/\1/p' "$out/demo.log")
-[ "$tracked" -ge 50 ] || { echo "The hand was tracked for $tracked % of the time only." >&2 && exit 1; }
-[ -s "$out/demo/window.png" ] || { echo "There is no image of the window." >&2 && exit 1; }
+[ "$tracked" -ge 50 ] || { echo "The hand was tracked for only $tracked % of the time." >&2 && exit 1; }
+[ -s "$out/demo/window.png" ] || { echo "The screenshot of the window is missing." >&2 && exit 1; }
 if grep -H "runs uncompiled" "$out"/*.log; then
-    echo "Kernels are missing in the library: its types are not those of a call" >&2 && exit 1
+    echo "The library lacks kernels for the types of some calls." >&2 && exit 1
 fi
-echo "All of it worked. The window: $out/demo/window.png"
+echo "All steps succeeded. Screenshot: $out/demo/window.png"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Looks for the system packages that Glovetrack needs and that pip cannot bring.
+# Checks for the system packages that Glovetrack needs and that pip cannot install.
 #
 #   packaging/system_libraries.sh [app] [firmware]
 #
-# Run by root on Debian or Ubuntu it installs what is missing; otherwise it prints the line to run.
-# Fails only where something essential stays missing: without the packages marked "display" the
+# As root on Debian or Ubuntu, it installs missing packages; otherwise it prints the command to run.
+# It fails only if an essential package is still missing: without the packages marked "display", the
 # application still runs off-screen.
 set -euo pipefail
-PATH=$PATH:/usr/sbin:/sbin # where ldconfig lives, for users too
+PATH=$PATH:/usr/sbin:/sbin # location of ldconfig, which is not on every user's PATH
 
 # probe                            package              needed
 app_needs='
@@ -44,7 +44,7 @@ file:/usr/include/stdio.h          libc6-dev            essential
 
 libraries=$(ldconfig -p 2>/dev/null || true)
 
-is_there() { # kind:what
+is_there() { # kind:name
     local what=${1#*:}
     case $1 in
     lib:*) [[ $libraries == *"$what "* ]] ;;
@@ -55,7 +55,7 @@ is_there() { # kind:what
     esac
 }
 
-missing() { # table, needed: one package a line
+missing() { # table, level: prints one package per line
     local probe package needed
     while read -r probe package needed; do
         if [ "$needed" = "$2" ] && ! is_there "$probe"; then echo "$package"; fi
@@ -81,7 +81,7 @@ mapfile -t lacking < <({ missing "$needs" essential; missing "$needs" display; }
 
 if [ "$(id -u)" -eq 0 ] && command -v apt-get >/dev/null; then
     echo "Installing system packages: ${lacking[*]}"
-    install "${lacking[@]}" >/dev/null || echo "apt-get could not install them." >&2
+    install "${lacking[@]}" >/dev/null || echo "apt-get could not install the packages." >&2
     libraries=$(ldconfig -p 2>/dev/null || true)
     mapfile -t lacking < <({ missing "$needs" essential; missing "$needs" display; } | sort -u)
     [ ${#lacking[@]} -eq 0 ] && exit 0
@@ -89,9 +89,9 @@ fi
 
 essential=$(missing "$needs" essential)
 if [ -n "$essential" ]; then
-    echo "System packages are missing. Run this line, then the same make command again:" >&2
+    echo "System packages are missing. Run this command, then run make again:" >&2
 else
-    echo "The window needs more system packages (off-screen work goes on without them):" >&2
+    echo "The window needs more system packages (not needed off-screen):" >&2
 fi
 echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends ${lacking[*]}" >&2
 [ -z "$essential" ]

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Runs `uv pip` for an interpreter, with the places that pip is told to look for packages.
+# Runs `uv pip` for an interpreter, with the package indexes of pip's configuration.
 #
 #   packaging/uv.sh PYTHON install|compile ...
 #
-# uv is the one on the path, or got by pip for this one use.
+# Uses uv from the PATH, or installs it with pip in a temporary folder.
 set -euo pipefail
 python=$1
 verb=$2
@@ -14,7 +14,7 @@ uv_command() {
         >/dev/null 2>&1 && echo "$tools/bin/uv"
 }
 
-pips_settings() { # as uv's options, one word a line
+pips_settings() { # pip's settings as options of uv, one argument per line
     "$python" -m pip config list | "$python" -c '
 import ast, sys
 OPTIONS = {"index-url": "--default-index", "extra-index-url": "--index", "find-links": "--find-links"}

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Makes a wheel that holds the compiled kernels, for this interpreter and this kind of machine.
+# Builds a wheel with compiled kernels for this interpreter and platform.
 #
 #   packaging/wheel.sh VENV FOLDER
 #
-# On Linux auditwheel names it by the oldest C library that will do (manylinux). A wheel for another
-# Python is made with an environment of that Python: make wheel VENV=.venv312 PYTHON=python3.12
+# On Linux, auditwheel tags it with the oldest compatible C library (manylinux). To build a wheel for
+# another Python, use an environment of that Python: make wheel VENV=.venv312 PYTHON=python3.12
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source packaging/epoch.sh

@@ -33,6 +33,6 @@ def test_equal_folders_and_files_are_told_so(tmp_path: Path) -> None:
         (tmp_path / name / "file").write_bytes(b"same")
     for paths in ((tmp_path / "a", tmp_path / "b"), (tmp_path / "a/file", tmp_path / "b/file")):
         said = compare(*paths)
-        assert (said.returncode, said.stdout) == (0, "Both are the same, byte for byte.\n")
+        assert (said.returncode, said.stdout) == (0, "Both are identical, byte for byte.\n")
     (tmp_path / "b" / "file").write_bytes(b"other")
     assert compare(tmp_path / "a/file", tmp_path / "b/file").returncode == 1
