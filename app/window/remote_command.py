@@ -101,7 +101,7 @@ def _parser() -> argparse.ArgumentParser:
         parents=[common],
         help="report contact with an object that another program simulates or measures",
     )
-    contact.add_argument("finger", choices=tuple(CHAINS), help="finger in contact")
+    contact.add_argument("finger", choices=tuple(CHAINS), help="finger that touches the object")
     contact.add_argument(
         "--strength",
         type=float,

@@ -197,7 +197,7 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_crop(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, metavar="IN")
+    parser.add_argument("source", type=Path, metavar="IN", help="session file")
     parser.add_argument("-o", "--out", type=Path, required=True, help="the new session")
     parser.add_argument(
         "--start",
@@ -229,7 +229,7 @@ def _crop(args: argparse.Namespace) -> int:
 
 
 def _add_light(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", type=Path, metavar="FILE")
+    parser.add_argument("file", type=Path, metavar="FILE", help="session with images")
     parser.add_argument(
         "--colours", default="", help="colour profile name or file (default: the session's profile)"
     )

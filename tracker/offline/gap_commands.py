@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 def add_gap_commands(commands: Any) -> None:
     """Add both."""
     gaps = commands.add_parser("gaps", help="list where and why a hand is not measured")
-    gaps.add_argument("source", type=Path, metavar="SESSION")
+    gaps.add_argument("source", type=Path, metavar="SESSION", help="session file")
     _add_limit(gaps)
     add_json(gaps)
     gaps.set_defaults(func=_gaps)
     fill = commands.add_parser(
         "fill", help="interpolate gaps of a session and save the result as a new session"
     )
-    fill.add_argument("source", type=Path, metavar="SESSION")
+    fill.add_argument("source", type=Path, metavar="SESSION", help="session file")
     fill.add_argument("-o", "--out", type=Path, required=True, help="the new session")
     fill.add_argument(
         "--max-gap", type=float, default=0.2, metavar="S", help="longest gap to fill (default: 0.2)"

@@ -12,8 +12,8 @@ from tracker.terminal import add_json, check_json, finish
 def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Its arguments."""
     command = subparsers.add_parser("align", help="find the time offset between two recordings")
-    command.add_argument("first", type=Path, metavar="A")
-    command.add_argument("second", type=Path, metavar="B")
+    command.add_argument("first", type=Path, metavar="A", help="reference session")
+    command.add_argument("second", type=Path, metavar="B", help="session to align with A")
     command.add_argument(
         "--by",
         choices=("clock", "movement"),

@@ -24,9 +24,15 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     ):
         command = subparsers.add_parser(name, help=text)
         if name == "verify":
-            command.add_argument("files", type=Path, nargs="+", metavar="FILE")
+            command.add_argument(
+                "files",
+                type=Path,
+                nargs="+",
+                metavar="FILE",
+                help="sessions or folders of sessions",
+            )
         else:
-            command.add_argument("file", type=Path, metavar="FILE")
+            command.add_argument("file", type=Path, metavar="FILE", help="session file")
         if name == "info":
             command.add_argument(
                 "--latency",
@@ -47,8 +53,8 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     command = subparsers.add_parser(
         "compare", help="list the differences between two trackings of a session"
     )
-    command.add_argument("first", type=Path, metavar="A")
-    command.add_argument("second", type=Path, metavar="B")
+    command.add_argument("first", type=Path, metavar="A", help="session A")
+    command.add_argument("second", type=Path, metavar="B", help="session B, compared with A")
     command.add_argument("--figure", type=Path, metavar="PNG", help="plot the differences")
     command.add_argument(
         "--align",
@@ -184,7 +190,9 @@ def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command = subparsers.add_parser(
         "report", help="summarize recordings in one HTML page and one table"
     )
-    command.add_argument("sessions", type=Path, nargs="+", metavar="SESSION")
+    command.add_argument(
+        "sessions", type=Path, nargs="+", metavar="SESSION", help="sessions or folders of sessions"
+    )
     command.add_argument(
         "-o",
         "--output",

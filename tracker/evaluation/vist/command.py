@@ -111,7 +111,7 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
         metavar="N",
         help="number of worker processes (default: 1)",
     )
-    p.add_argument("--quick", action="store_true", help="two participants, 20 s each")
+    p.add_argument("--quick", action="store_true", help="two participants, 21 s each")
     p.add_argument(
         "--keep",
         type=Path,
