@@ -213,8 +213,10 @@ def test_on_a_narrow_panel_buttons_are_below_their_reasons(listed, rig, qtbot):
     rig.sd = 5.0
     refreshed(listed)
     panel = listed.checklist
+    area = panel.parentWidget().parentWidget()  # it scrolls, and sets the panel's width
     row = next(r for r in panel._rows if r._name.text() == "Calibration settled")
-    for width in (900, 330, 900):
-        panel.resize(width, 600)
-        qtbot.waitUntil(lambda: row._reason.width() > 150, timeout=10_000)
+    below = lambda: row._button.geometry().top() >= row._reason.geometry().bottom()  # noqa: E731
+    for width, expected in ((900, False), (350, True), (900, False)):
+        area.setFixedWidth(width)
+        qtbot.waitUntil(lambda want=expected: below() == want, timeout=10_000)
         assert row._reason.width() > 150
