@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -90,6 +91,46 @@ class Hand:
         first, last = np.searchsorted(self.t, [start, stop])
         rows = np.arange(first, last)
         return Hand(self.side, self._series.rows(rows), self._zero_ns)
+
+
+class OnlyHand(ABC):
+    """What a recording of one hand offers of it directly; of both hands each property raises
+    ConfigError."""
+
+    @property
+    @abstractmethod
+    def hand(self) -> Hand:
+        """The only hand."""
+
+    @property
+    def t(self) -> Array:
+        """(N,) s of the only hand's estimates."""
+        return self.hand.t
+
+    @property
+    def t_unix_ns(self) -> IntArray:
+        """(N,) ns since 1970 of the only hand's estimates."""
+        return self.hand.t_unix_ns
+
+    @property
+    def keypoints(self) -> Columns:
+        """See `Hand.keypoints`, of the only hand."""
+        return self.hand.keypoints
+
+    @property
+    def angles(self) -> Columns:
+        """See `Hand.angles`, of the only hand."""
+        return self.hand.angles
+
+    @property
+    def sd(self) -> Columns:
+        """See `Hand.sd`, of the only hand."""
+        return self.hand.sd
+
+    @property
+    def valid(self) -> Columns:
+        """See `Hand.valid`, of the only hand."""
+        return self.hand.valid
 
 
 class ImuSamples:

@@ -182,3 +182,25 @@ def test_a_difference_is_located(simulated: glovetrack.Recording) -> None:
     found = chain.compare(vist)
     assert not found["identical"] and 0.0 <= found["first_difference_s"] < 1.0
     assert vist.track().compare(vist)["first_difference_s"] is None
+
+
+def test_a_slice_is_compared_and_exported_as_a_slice(
+    live: glovetrack.Recording, tmp_path: Path
+) -> None:
+    part = live[1.0:2.0]
+    found = part.compare(live)
+    assert found["estimates"][0] == found["compared"] == pytest.approx(len(part.t), abs=3)
+    assert found["estimates"][1] == len(live.t)
+    done = part.export("csv", tmp_path / "part.csv")
+    assert done["rows"] == pytest.approx(len(part.t), abs=3)
+
+
+def test_nothing_is_left_where_tracking_fails(
+    live: glovetrack.Recording, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with pytest.raises(glovetrack.ConfigError):
+        live.track(engine="none")
+    with pytest.raises(glovetrack.ConfigError):
+        glovetrack.simulate(duration=-1.0)
+    assert list(tmp_path.iterdir()) == []

@@ -30,8 +30,11 @@ def crop(
     stop: float | None = None,
     progress: Callable[[float], None] = lambda share: None,
     force: bool = False,
+    with_state: bool = True,
 ) -> dict[str, Any]:
     """Copy ``start`` to ``stop``, s from the session's first measurement; returns what was done.
+
+    Without ``with_state`` it is quick, and tracked again the part begins without knowledge.
 
     The new file is there whole or not at all; ``source`` stays. ``engine_state`` in the result says
     whether the part can be tracked again bit for bit. Raises ConfigError for a part that is none.
@@ -39,7 +42,7 @@ def crop(
     check_target(out, force, [source])
     with SessionReader(source) as reader:
         begin, end = _span(reader, start, stop)
-        state = _state(reader, begin, progress) if start > 0 else None
+        state = _state(reader, begin, progress) if start > 0 and with_state else None
         with whole_file(out, force, [source]) as part:
             copy_part(reader, part, (begin if start > 0 else 0, end), ExportOptions(), state)
     progress(1.0)
