@@ -97,7 +97,7 @@ clean:
 	rm -rf build dist demo bench bench.json $(VENV) *.egg-info
 	rm -rf .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
 	rm -f tracker/kernels/_compiled* tracker/kernels/_dispatch*
-	find app glovetrack tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
+	find app extensions glovetrack tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
 
 SET_UP := pyproject.toml packaging/environment.sh packaging/system_libraries.sh \
 	tracker/kernels/build.py tracker/kernels/aot.py tracker/kernels/dispatch.c

@@ -2,7 +2,7 @@
 
 import os
 
-from tracker.numeric_threads import limit_this_process
+from tracker.base.numeric_threads import limit_this_process
 
 # pyqtgraph and superqt must both pick the one binding that is installed.
 os.environ.setdefault("QT_API", "pyside6")

@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from glovetrack.hands import Hand, ImuSamples
     from glovetrack.live import Estimate, LiveTracker
     from glovetrack.recording import Image, RecordedEvent, Recording, open, simulate
-    from tracker.errors import ConfigError, DeviceError, FileError, GlovetrackError
+    from tracker.base.errors import ConfigError, DeviceError, FileError, GlovetrackError
     from tracker.offline.options import TrackOptions
     from tracker.offline.simulate import SimulateOptions
     from tracker.session.export.options import ExportOptions
 else:
-    from tracker.errors import ConfigError, DeviceError, FileError, GlovetrackError
+    from tracker.base.errors import ConfigError, DeviceError, FileError, GlovetrackError
 
 from tracker import __version__
 

@@ -5,9 +5,9 @@ answers ``step(hand: HandSample) -> Step`` with what is drawn and what has happe
 ``docs/applications.md``.
 """
 
-from tracker.applications.drawing import Drawing, Line, Mesh, Points, Text
-from tracker.applications.hand import HandSample
-from tracker.applications.interface import (
+from extensions.applications.drawing import Drawing, Line, Mesh, Points, Text
+from extensions.applications.hand import HandSample
+from extensions.applications.interface import (
     Application,
     Happening,
     JointCommand,

@@ -4,7 +4,7 @@ A `CameraDriver` lists cameras and opens one as an `ImageInput`, which gives a `
 time; see ``docs/camera-plugins.md``. Trouble with a device is a `DeviceError` in words.
 """
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera_plugins import CameraDriver
 from tracker.sensors.image_input import CaptureFormat, ImageInput, Pair
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracker import library
-from tracker.errors import ConfigError, DeviceError
+from tracker.base.errors import ConfigError, DeviceError
+from tracker.glove import library
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.sensors.glove_link import GloveLink, LinkParams

@@ -11,7 +11,9 @@
 The same messages in the same order give the same estimates, bit for bit.
 """
 
-from tracker.library import load
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import ENGINES, Settings
+from tracker.glove.library import load
 from tracker.messages import (
     BlobFrame,
     Blobs,
@@ -25,10 +27,8 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
-from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
-from tracker.settings import ENGINES, Settings
 from tracker.vision.rig import StereoRig
 
 __all__ = [

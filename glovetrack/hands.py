@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glovetrack.columns import Columns, frame
-from tracker.clock import NS
+from tracker.base.clock import NS
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.series import EstimateSeries
 

@@ -15,23 +15,23 @@ import numpy as np
 
 from glovetrack.devices import Devices, Worn, glove_devices, simulated_devices, with_camera
 from glovetrack.recording import RecordedEvent
-from tracker import library
-from tracker.channels import Backlog, Closed
-from tracker.clock import ClockAnchor, monotonic
-from tracker.config import to_toml
-from tracker.errors import ConfigError
+from tracker.base.channels import Backlog, Closed
+from tracker.base.clock import ClockAnchor, monotonic
+from tracker.base.config import to_toml
+from tracker.base.errors import ConfigError
+from tracker.base.numeric_threads import one_blas_thread
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import OneHand, TwoHands
+from tracker.glove import library
 from tracker.live.runner import LiveTracker as Runner
 from tracker.messages import Array, Tracking, Validity
 from tracker.messages import Estimate as Message
-from tracker.numeric_threads import one_blas_thread
-from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.writer import SessionRecorder
-from tracker.settings import Settings
 from tracker.streaming.attach import attach
 from tracker.streaming.params import StreamParams, open_for_hands
 from tracker.streaming.params import Worn as StreamedHand
-from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.detector import Detector
 

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 
 from glovetrack.hands import Hand, ImuSamples, OnlyHand
 from glovetrack.session_file import SessionFile, Window
-from tracker.clock import NS
-from tracker.errors import ConfigError
+from tracker.base.clock import NS
+from tracker.base.errors import ConfigError
+from tracker.base.numeric_threads import one_blas_thread
 from tracker.messages import Event, StereoFrame
-from tracker.numeric_threads import one_blas_thread
 from tracker.offline.options import TrackOptions
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries, recorded_series, series_of

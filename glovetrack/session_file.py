@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.clock import NS
-from tracker.errors import ConfigError
+from tracker.base.clock import NS
+from tracker.base.errors import ConfigError
 from tracker.messages import Array
 from tracker.session.raw_imu import RawImu, read_raw_imu
 from tracker.session.reader import SessionReader

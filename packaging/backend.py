@@ -1,11 +1,10 @@
 """The build backend: setuptools', but a wheel claims one name.
 
 The public package `glovetrack` is the same in this tree and in a wheel. Its implementation is in
-`app`, `tracker` and `resources` here. Installed under these names they would collide with others in
-a shared environment, so a wheel has them as `glovetrack.app`, `glovetrack.tracker` and
-`glovetrack.resources`: the tree is copied with that layout, its import statements name the packages
-by their full names, and setuptools makes the wheel of the copy. `README.md` beside this file says
-why the lines are rewritten.
+`app`, `extensions`, `tracker` and `resources` here. Installed under these names they would collide
+with others in a shared environment, so a wheel has them as `glovetrack.app` and so on: the tree is
+copied with that layout, its import statements name the packages by their full names, and
+setuptools makes the wheel of the copy. `README.md` beside this file says why they are rewritten.
 Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
 Compiled kernels that lie in the tree travel along, and make it a wheel for this kind of machine
 (`packaging/wheel.sh` sees to them); without them it is one for every machine. An editable install,
@@ -46,7 +45,10 @@ __all__ = [
 ]
 
 NAME = "glovetrack"
-PACKAGES = ("app", "tracker", "resources")
+PACKAGES = ("app", "extensions", "tracker", "resources")
+FOUND = 'include = ["app*", "extensions*", "glovetrack*", "resources*", "tracker*"]'
+NOT_INSTALLED = ("tests", "docs")
+"""Folders of an extension that stay in the source tree."""
 FOR_ONE_PLATFORM = """from setuptools import Distribution, setup
 
 
@@ -83,6 +85,9 @@ def stage(source: Path, target: Path) -> None:
     shutil.copytree(source / NAME, target / NAME, ignore=hidden)
     for package in PACKAGES:
         shutil.copytree(source / package, target / NAME / package, ignore=hidden)
+    for extension in (target / NAME / "extensions").iterdir():
+        for part in NOT_INSTALLED:
+            shutil.rmtree(extension / part, ignore_errors=True)
     for sources in ("src", "simulator"):  # the images are what a user needs
         shutil.rmtree(target / NAME / "resources" / "firmware" / sources)
     shutil.copytree(source / "docs" / "guide", target / NAME / "resources" / "guide")
@@ -124,7 +129,7 @@ def installed_project(text: str) -> str:
             'build-backend = "setuptools.build_meta"'
         ),
         f'{NAME} = "app.': f'{NAME} = "{NAME}.app.',
-        'include = ["app*", "glovetrack*", "resources*", "tracker*"]': f'include = ["{NAME}*"]',
+        FOUND: f'include = ["{NAME}*"]',
         **{f"\n{p} = [": f'\n"{NAME}.{p}" = [' for p in PACKAGES},
     }
     for old, new in changes.items():

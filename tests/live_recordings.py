@@ -18,7 +18,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.session.recover import needs_recovery
 from tracker.streaming.remote.client import ask
 

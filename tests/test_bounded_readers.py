@@ -9,15 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from tracker import library
-from tracker.applications.touch.meshes import load_mesh
-from tracker.conformance.take import read_labels
-from tracker.errors import GlovetrackError
+from extensions.applications.touch.meshes import load_mesh
+from extensions.conformance.isaac.reader import read_records
+from extensions.conformance.take import read_labels
+from tracker.base.errors import GlovetrackError
 from tracker.firmware.image import read_image
 from tracker.fusion.chain.calibration.profile_file import read_wearer
 from tracker.fusion.chain.layout import ChainLayout
+from tracker.glove import library
 from tracker.hand.files import load_hand
-from tracker.isaac.reader import read_records
 from tracker.offline.imports.run import import_imus
 from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.zed_files import load_zed

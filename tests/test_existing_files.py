@@ -20,7 +20,7 @@ import tracker.cli
 from app.window import remote_command, start
 from app.window.report_files import check_report, report_paths
 from tests.gui.environments import without_screen
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.offline import colours as offline_colours
 from tracker.offline.colours_fit import ColourCheck, SessionFit
 from tracker.session.export.options import FOLDERS, FORMATS

@@ -179,26 +179,26 @@ THREADS = {
     "app/platform/tasks.py": "jobs of the window",
     "app/wizards/glove/feed.py": "reads the glove that is being set up",
     "app/wizards/stereo/board_watcher.py": "looks for the board beside the window",
-    "tracker/child.py": "cameras, gloves, recorder, robot and a driver on trial are processes",
+    "tracker/base/child.py": "cameras, gloves, recorder, robot and a driver on trial are processes",
     "tracker/kernels/build.py": "compiles parts side by side, ahead of time",
-    "tracker/live/applications.py": "an application sees every estimate and holds up none",
+    "extensions/applications/live.py": "an application sees every estimate and holds up none",
     "tracker/live/recording.py": "the disk's own",
     "tracker/live/reference.py": "a second engine, never in the way of the first",
     "tracker/live/threads.py": "devices, vision and engine",
     "tracker/offline/detection.py": "searches images ahead of the filter",
-    "tracker/robot/process.py": "hears the robot, which is a process of its own",
+    "extensions/robot/process.py": "hears the robot, which is a process of its own",
     "tracker/session/mcap/sync.py": "writing does not wait for the disk",
     "tracker/session/recording/child.py": "reads the pipe while it writes the file",
     "tracker/session/recording/compression.py": "images, beside the writer",
     "tracker/simulation/drawn_ahead.py": "packets are made before they are due",
-    "tracker/simulation/vehicles.py": "the simulated vehicles fly beside who steers them",
+    "extensions/applications/swarm/simulated_vehicles.py": "simulated vehicles fly by themselves",
     "tracker/simulation/glove_device.py": "the simulated glove has a chip of its own",
     "tracker/streaming/attach.py": "looks at the latest estimate",
     "tracker/streaming/remote/lsl_markers.py": "reads markers of other programs",
     "tracker/streaming/remote/doors.py": "stamps requests as they arrive",
     "tracker/streaming/server_thread.py": "the event loop of a server",
     "tracker/streaming/streams.py": "one for each output, which may hang",
-    "tracker/workers.py": "many sessions on all cores",
+    "tracker/base/workers.py": "many sessions on all cores",
 }
 """Who starts threads or processes, and what for."""
 
@@ -227,14 +227,14 @@ CLOCKS = {
     "app/window/ticker.py": "when the window was last drawn",
     "app/wizards/glove/feed.py": "waits for packets",
     "app/wizards/stereo/solving.py": "the date of a calibration",
-    "tracker/clock.py": "the host's clock, to be handed over",
+    "tracker/base/clock.py": "the host's clock, to be handed over",
     "glovetrack/devices.py": "begins now",
     "glovetrack/live.py": "anchors a session to the wall clock",
-    "tracker/evaluation/inertial/cost.py": "measures",
-    "tracker/evaluation/vist/run.py": "how long is left",
-    "tracker/evaluation/vist/trial.py": "measures",
-    "tracker/streaming/isaac.py": "the default of a clock that is handed over",
-    "tracker/terminal.py": "how often progress is printed",
+    "extensions/evaluation/inertial/cost.py": "measures",
+    "extensions/evaluation/vist/run.py": "how long is left",
+    "extensions/evaluation/vist/trial.py": "measures",
+    "extensions/conformance/stream.py": "the default of a clock that is handed over",
+    "tracker/base/terminal.py": "how often progress is printed",
     "tracker/offline/track.py": "measures",
     "tracker/sensors/discovery.py": "the default of a clock that is handed over",
     "tracker/sensors/glove_link.py": "the default of a clock that is handed over",
@@ -245,7 +245,7 @@ CLOCKS = {
     "tracker/streaming/foxglove_live.py": "stamps of the wall clock, which clients want",
     "tracker/streaming/streams.py": "how many a second were sent, for display",
     "tracker/streaming/lsl.py": "the default of a clock that is handed over",
-    "tracker/workers.py": "how long is left",
+    "tracker/base/workers.py": "how long is left",
 }
 """Who reads a clock, and what for. Filters never do: a session read back gives the same states."""
 
@@ -282,8 +282,8 @@ def reads_clocks(names: set[str]) -> bool:
 def test_threads_and_clocks_are_where_they_are_said_to_be(
     does: Callable[[set[str]], bool], known: dict[str, str]
 ) -> None:
-    folders = [ROOT / name for name in ("app", "glovetrack", "tracker")]
-    files = [p for folder in folders for p in sorted(folder.rglob("*.py"))]
+    folders = [ROOT / name for name in ("app", "extensions", "glovetrack", "tracker")]
+    files = [p for f in folders for p in sorted(f.rglob("*.py")) if "tests" not in p.parts]
     found = {p.relative_to(ROOT).as_posix() for p in files if does(names_used(p))}
     assert found == set(known)
 
@@ -320,8 +320,8 @@ def test_links_of_a_readme_lead_somewhere(name: str) -> None:
 def test_the_architecture_page_names_every_part() -> None:
     """Each folder and module directly below the packages, and each path on the page exists."""
     page = (ROOT / "docs" / "architecture.md").read_text("utf-8")
-    named = set(re.findall(r"`((?:app|glovetrack|tracker)/[\w/.]*?)/?`", page))
-    for package in ("app", "tracker"):
+    named = set(re.findall(r"`((?:app|extensions|glovetrack|tracker)/[\w/.]*?)/?`", page))
+    for package in ("app", "extensions", "tracker"):
         for path in sorted((ROOT / package).iterdir()):
             if path.name in {"__init__.py", "__pycache__", "py.typed"}:
                 continue

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
-from tracker.files import whole_file
+from tracker.base.files import whole_file
+from tracker.base.shared_memory import forget_name, new_memory
 from tracker.kernels import kept
-from tracker.shared_memory import forget_name, new_memory
 from tracker.simulation.rig_camera import ImagePipe
 
 pytestmark = pytest.mark.skipif(

@@ -5,7 +5,8 @@ Conventions, the same in every module
 Units
     SI and radians. A value in any other unit says so in its name (``_deg``, ``_mm``, ``_px``).
 Time
-    ``t`` is seconds on the host's monotonic clock, a whole number of nanoseconds (`tracker.clock`).
+    ``t`` is seconds on the host's monotonic clock, a whole number of nanoseconds
+    (`tracker.base.clock`).
 Arrays
     Rows are samples: N points are (N, 3).
 Pixels

@@ -12,10 +12,10 @@ import sys
 from collections.abc import Sequence
 
 from tracker import __version__
-from tracker.damage import gather, sentences
-from tracker.errors import GlovetrackError
-from tracker.files import disk_error
-from tracker.terminal import printable, stopped_by_signals, words_on_standard_output
+from tracker.base.damage import gather, sentences
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import disk_error
+from tracker.base.terminal import printable, stopped_by_signals, words_on_standard_output
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -40,13 +40,13 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from tracker.conformance.command import add_commands as add_conformance
-    from tracker.evaluation.commands import add_commands as add_evaluation
+    from extensions.applications.command import add_commands as add_apps
+    from extensions.conformance.command import add_commands as add_conformance
+    from extensions.evaluation.commands import add_commands as add_evaluation
+    from extensions.sheets.command import add_commands as add_sheets
     from tracker.firmware.command import add_commands as add_firmware
-    from tracker.offline.application_command import add_commands as add_apps
     from tracker.offline.commands import add_commands as add_offline
     from tracker.session.commands import add_commands as add_session
-    from tracker.sheets.command import add_commands as add_sheets
 
     parser = argparse.ArgumentParser(
         prog="glovetrack",

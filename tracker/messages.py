@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.records import record
+from tracker.base.records import record
 
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from app.storage.settings import AppSettings
 from app.words import tr
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
 from tracker.sensors.image_input import (

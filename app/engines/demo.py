@@ -17,25 +17,25 @@ from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.words import tr
-from tracker import library
-from tracker.applications.sinks import all_sinks
-from tracker.clock import ClockAnchor
-from tracker.config import to_toml
-from tracker.errors import DeviceError
+from extensions.applications.sinks import all_sinks
+from tracker.base.clock import ClockAnchor
+from tracker.base.config import to_toml
+from tracker.base.errors import DeviceError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import OneHand, TwoHands
+from tracker.glove import library
 from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
-from tracker.pipeline import Pipeline
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.recording.process import RecorderProcesses
-from tracker.settings import Settings
 from tracker.simulation.camera_device import DemoCamera
 from tracker.simulation.demo import DemoSpec, WornTexts, asked_for, build_scene, hands_of
 from tracker.simulation.glove_process import GloveProcess
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.shows import shown_application
 from tracker.simulation.truth_recorder import Prepare, WithTruth
-from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig

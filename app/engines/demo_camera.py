@@ -83,7 +83,7 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
 
 
 def _texts(side: str) -> WornTexts:
-    from tracker import library
+    from tracker.glove import library
     from tracker.simulation.demo import WornTexts
 
     hand, glove = FILES[side]

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from app.engines.guide import PoseGuide
-from tracker.applications.stage import ApplicationStage
-from tracker.clock import ClockAnchor
+from extensions.applications.stage import ApplicationStage
+from tracker.base.clock import ClockAnchor
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

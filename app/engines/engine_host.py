@@ -18,7 +18,7 @@ from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
 from app.words import told
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.fusion.engine import Engine
 from tracker.messages import Message
 from tracker.vision.colours import ColourProfile

@@ -9,8 +9,8 @@ from app.platform.tasks import JobProgress
 from app.storage.bound_gloves import as_bound, bound, bound_of, ports_of
 from app.storage.settings import AppSettings
 from app.words import tr
-from tracker import library
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports

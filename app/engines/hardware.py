@@ -18,22 +18,22 @@ from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings
 from app.words import told, tr
-from tracker import library
-from tracker.applications.sinks import all_sinks
+from extensions.applications.sinks import all_sinks
+from tracker.base.clock import ClockAnchor
+from tracker.base.config import to_toml
+from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.calibration.stereo.files import ImportForm, load_rig
-from tracker.clock import ClockAnchor
-from tracker.config import to_toml
-from tracker.errors import DeviceError, GlovetrackError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import OneHand, TwoHands
 from tracker.firmware.versions import advice
+from tracker.glove import library
 from tracker.live.runner import LiveTracker
-from tracker.pipeline import Pipeline
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.sources import CameraSource, GloveSource, NoCamera, NoGlove
 from tracker.session.description import SessionInfo, of_hands
 from tracker.session.recording.process import RecorderProcesses
-from tracker.settings import Settings
-from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig

@@ -8,7 +8,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 from tracker.session.notes import numbered
 
 

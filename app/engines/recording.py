@@ -14,9 +14,9 @@ from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
 from app.words import tr
-from tracker.clock import monotonic
-from tracker.config import to_toml
-from tracker.errors import GlovetrackError
+from tracker.base.clock import monotonic
+from tracker.base.config import to_toml
+from tracker.base.errors import GlovetrackError
 from tracker.live.recording import Recorder
 from tracker.messages import Calibration, EngineState, Event, Message, Status
 from tracker.session.description import SessionInfo

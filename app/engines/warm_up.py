@@ -7,10 +7,10 @@ from app.widgets.view3d.raster.scene import RasterScene
 from app.widgets.view3d.scene import BodyLook
 from app.widgets.view3d.shapes import ball
 from tracker import kernels
+from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, ImuSample
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.detector import Detector, detect_frame

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.words import tr
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile

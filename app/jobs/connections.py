@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from app.storage.settings import SettingsStore
-from tracker.config import from_dict
+from tracker.base.config import from_dict
 
 _log = logging.getLogger(__name__)
 P = TypeVar("P")

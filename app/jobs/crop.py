@@ -21,7 +21,7 @@ def crop_job(source: Path, part: tuple[float, float]) -> Job:
 
 
 def _crop(source: Path, part: tuple[float, float], progress: Callable[..., None]) -> Path:
-    from tracker.files import free_path
+    from tracker.base.files import free_path
     from tracker.offline.crop import crop
 
     out = free_path(source.with_name(f"{source.stem}_crop{source.suffix}"))

@@ -9,10 +9,10 @@ from app.engines.engine import EngineSetup
 from app.storage.settings import SettingsStore
 from app.viewmodels.device_settings import CONTROLS, DeviceValue, Value, locks_of
 from app.words import tr
-from tracker.errors import DeviceError
-from tracker.files import write_kept
+from tracker.base.errors import DeviceError
+from tracker.base.files import write_kept
+from tracker.base.toml_reader import read_text
 from tracker.sensors.camera_controls import locks_text
-from tracker.toml_reader import read_text
 
 
 def apply_changes(

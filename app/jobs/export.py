@@ -13,7 +13,7 @@ from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
 from app.words import mark
-from tracker.files import free_path
+from tracker.base.files import free_path
 from tracker.session.export.options import ExportOptions
 
 WAITING = StateLook(IDLE.colour, "◌", mark("waiting"))

@@ -9,7 +9,7 @@ from pathlib import Path
 from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.gaps import FilledSession, Gap, SessionGaps
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 
 
 def list_gaps_job(path: Path, limit: float) -> Job:
@@ -52,7 +52,7 @@ def _fill(
     limit: float,
     progress: Callable[..., None],
 ) -> FilledSession:
-    from tracker.files import free_path
+    from tracker.base.files import free_path
     from tracker.offline.fill import fill
     from tracker.session.gaps.fill import FillOptions
     from tracker.session.gaps.find import KINDS

@@ -9,7 +9,7 @@ from app.platform.tasks import Job, JobProgress
 from app.viewmodels.compare import Comparison
 from app.viewmodels.names import engine_name
 from app.words import tr
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.offline.options import TrackOptions
 
 TRACKING_SHARE = 0.9  # of the bar; the rest is the comparison
@@ -87,7 +87,7 @@ def free_name(source: Path, engine: str) -> Path:
 
     Raises FileError where nothing can be written there.
     """
-    from tracker.files import free_path
+    from tracker.base.files import free_path
 
     if not source.parent.is_dir():
         raise FileError(tr("The folder {} is not there any more.").format(source.parent))

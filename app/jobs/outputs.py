@@ -20,7 +20,7 @@ from app.jobs.connections import Connections, remembered
 from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
-from tracker.files import free_path
+from tracker.base.files import free_path
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.haptics import HapticPublisher, Sphere

@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.engines.engine_host import EngineHost
 from app.viewmodels.recording import RecordingPlan, duration_text
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 from tracker.hand.names import CHAINS
 from tracker.messages import Event
 from tracker.streaming.remote.contacts import ContactBook, motor_of

@@ -10,7 +10,7 @@ from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import HandTake, TakeReport
 from app.words import told
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 
 def check_job(path: Path) -> Job:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from app.platform.tasks import JobProgress
 from app.words import tr
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.session.motion import Take, read_take
 from tracker.session.reader import SessionReader
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.two_takes import TwoTakes, read_take
 from app.words import tr
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 
 
 def two_takes_job(first: Path, second: Path) -> Job:

@@ -34,7 +34,7 @@ from app.viewmodels.recording import (
     size_text,
 )
 from app.widgets.measures import APART
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 
 
 class RecordingPanel(Panel):

@@ -11,9 +11,9 @@ from typing import Any
 
 from app.platform.tasks import Cancelled, JobProgress
 from app.words import tr
-from tracker.child import start_child
-from tracker.damage import gather, merged, pass_on
-from tracker.errors import GlovetrackError
+from tracker.base.child import start_child
+from tracker.base.damage import gather, merged, pass_on
+from tracker.base.errors import GlovetrackError
 
 Work = Callable[[Callable[..., None]], Any]
 STEP = 0.01  # of the work: as often it tells how far it is, and hears whether it is wanted

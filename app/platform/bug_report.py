@@ -21,9 +21,9 @@ from app.platform.licences import parts
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import __version__
-from tracker.clock import NS
-from tracker.errors import GlovetrackError
-from tracker.files import disk_error
+from tracker.base.clock import NS
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import disk_error
 from tracker.messages import Event, StereoFrame
 
 EXCERPT_S = 10.0

@@ -8,7 +8,7 @@ from multiprocessing.process import BaseProcess
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 
-from tracker.child import start_child
+from tracker.base.child import start_child
 
 SOFTWARE = (
     "llvmpipe",

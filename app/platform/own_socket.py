@@ -25,8 +25,8 @@ from pathlib import Path
 import platformdirs
 
 from app.platform.windows_peer import is_own_pipe
-from tracker.errors import GlovetrackError
-from tracker.files import disk_error
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import disk_error
 
 WINDOWS = sys.platform == "win32"
 LONGEST_PATH = 100  # bytes; Linux takes 107, macOS 103

@@ -23,7 +23,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtNetwork import QLocalServer, QLocalSocket
 
 from app.platform.own_socket import ForeignSocket, addresses, check_peer
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.streaming.remote.request import is_reply
 
 WAIT_MS = 2000

@@ -10,8 +10,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.words import tr
-from tracker.damage import gather, sentences
-from tracker.errors import GlovetrackError
+from tracker.base.damage import gather, sentences
+from tracker.base.errors import GlovetrackError
 
 _log = logging.getLogger(__name__)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.storage.colour_store import ColourStore
-from tracker.errors import GlovetrackError
-from tracker.files import slug
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import slug
 from tracker.vision.colours import ColourProfile
 
 DELAY_MS = 400

@@ -5,8 +5,8 @@ from __future__ import annotations
 import logging
 from pathlib import Path
 
-from tracker.errors import GlovetrackError
-from tracker.files import slug, write_kept
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import slug, write_kept
 from tracker.vision.colours import ColourProfile, load_profile, profile_to_toml
 
 _log = logging.getLogger(__name__)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from app.storage.removed_file import RemovedFile, remove_file
 from app.words import tr
-from tracker.errors import FileError
-from tracker.files import write_kept
+from tracker.base.errors import FileError
+from tracker.base.files import write_kept
 
 Image = NDArray[np.uint8]
 MOST = 24

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.words import tr
-from tracker.errors import FileError
-from tracker.files import write_kept
+from tracker.base.errors import FileError
+from tracker.base.files import write_kept
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from app.words import tr
-from tracker.errors import FileError
-from tracker.files import disk_error, write_whole
+from tracker.base.errors import FileError
+from tracker.base.files import disk_error, write_whole
 
 SUFFIX = ".tags.json"
 MOST_BYTES = 65536

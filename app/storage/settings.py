@@ -19,8 +19,8 @@ from typing import Any
 import platformdirs
 
 from app.words import tr
-from tracker.config import UNKNOWN, from_dict
-from tracker.files import free_path, write_kept
+from tracker.base.config import UNKNOWN, from_dict
+from tracker.base.files import free_path, write_kept
 
 VERSION = 3
 _log = logging.getLogger(__name__)
@@ -79,7 +79,7 @@ class AppSettings:
     streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
     remote: dict[str, Any] = field(default_factory=dict)  # of `RemoteParams`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
-    robot: dict[str, Any] = field(default_factory=dict)  # of `tracker.robot.settings`
+    robot: dict[str, Any] = field(default_factory=dict)  # of `extensions.robot.settings`
     robot_port: int = 0  # of its states by UDP; 0: they are not sent
     board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 

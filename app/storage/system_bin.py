@@ -11,8 +11,8 @@ from PySide6.QtCore import QFile
 
 from app.storage.session_tags import tags_path
 from app.words import tr
-from tracker.errors import FileError
-from tracker.files import disk_error
+from tracker.base.errors import FileError
+from tracker.base.files import disk_error
 
 
 @dataclass(frozen=True)

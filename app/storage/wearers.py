@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from app.storage.removed_file import RemovedFile, remove_file
-from tracker.errors import FileError
-from tracker.files import kept_name
+from tracker.base.errors import FileError
+from tracker.base.files import kept_name
+from tracker.base.toml_reader import read_text
 from tracker.fusion.chain.calibration.profile_file import (
     WearerFile,
     is_for,
@@ -15,7 +16,6 @@ from tracker.fusion.chain.calibration.profile_file import (
     write_wearer,
 )
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.toml_reader import read_text
 
 SUFFIX = ".toml"
 

@@ -28,8 +28,8 @@ from PySide6.QtWidgets import QApplication
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.engine import RecordingRequest
 from app.platform.process_tuning import tune_process
-from tracker.files import check_target, write_whole
-from tracker.terminal import add_force
+from tracker.base.files import check_target, write_whole
+from tracker.base.terminal import add_force
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow

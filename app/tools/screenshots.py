@@ -21,10 +21,10 @@ from app.engines.engine import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
 from app.tools.screenshots_set_up import take_set_up
-from app.tools.sheets import take_sheets
 from app.window.headless_report import START_TIMEOUT, wait_until
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
+from extensions.sheets.pictures import take_sheets
 from tracker.messages import Tracking
 
 SETTLE = 6.0  # s of tracking before the first image

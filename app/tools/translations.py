@@ -17,7 +17,7 @@ from pathlib import Path
 
 from app.platform.engine_sentences import ENGINE, LEAST, own
 from app.platform.translation import CONTEXT, place
-from tracker.settings import ENGINES
+from tracker.engine.settings import ENGINES
 
 ROOT = Path(__file__).resolve().parents[1]
 ENGINE_ROOT = ROOT.parent / "tracker"
@@ -131,7 +131,7 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
         for text, _line in words_in(path.read_text("utf-8")):
             found.setdefault(text, path.relative_to(root.parent).as_posix())
     for title in ENGINES.values():  # the one table of the engine that menus show
-        found.setdefault(title, "tracker/settings.py")
+        found.setdefault(title, "tracker/engine/settings.py")
     for text, inside in engine_sentences().items():
         found.setdefault(text, inside)
     return found

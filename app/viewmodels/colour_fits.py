@@ -10,12 +10,12 @@ from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_images import Image
 from app.viewmodels.names import spoken
 from app.words import tr
+from tracker.base.errors import ConfigError
 from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
 from tracker.calibration.colours_image import learn_image
 from tracker.calibration.colours_learn import ColourSamples, learn
 from tracker.calibration.colours_sample import KnownMarkers, known_sides, samples_of
-from tracker.errors import ConfigError
 from tracker.messages import Tracking
 from tracker.vision.colours import ColourProfile
 

@@ -9,8 +9,8 @@ from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_fits import Fit, FitWork
 from app.words import tr
+from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.calibration.colours_fit import FoundHue
-from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import ImuSample, StereoFrame
 from tracker.vision.colours import ColourProfile
 

@@ -27,12 +27,12 @@ from app.viewmodels.colours import HueRow, blob_counts, expected_counts, hue_row
 from app.viewmodels.names import spoken
 from app.widgets.image_shapes import Ring
 from app.words import tr
-from tracker import library
+from tracker.base.errors import ConfigError
+from tracker.base.files import write_kept
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.calibration.colours_learn import taught
-from tracker.errors import ConfigError
-from tracker.files import write_kept
+from tracker.glove import library
 from tracker.messages import Array, Blobs
 from tracker.vision.colours import (
     ColourProfile,

@@ -15,10 +15,10 @@ from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.names import spoken
 from app.words import local, mark, tr
+from tracker.base.toml_reader import parse_toml
 from tracker.messages import Calibration
 from tracker.sensors.camera_controls import Control, Locks
 from tracker.sensors.glove_report import GloveReport
-from tracker.toml_reader import parse_toml
 
 Value = str | float | int | bool | None
 AUTOMATIC = "automatic"

@@ -10,7 +10,7 @@ from app.viewmodels.names import spoken
 from app.viewmodels.recording import position_text
 from app.viewmodels.states import BLUE, GREY, ORANGE, VERMILLION, StateLook
 from app.words import mark, tr
-from tracker.clock import NS
+from tracker.base.clock import NS
 from tracker.session.edits import Filled
 from tracker.session.gaps.cause import (
     NO_IMAGES,

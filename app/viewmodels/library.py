@@ -15,7 +15,7 @@ from app.viewmodels.recording import duration_text, size_text
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
 from app.viewmodels.takes import packets_lost
 from app.words import mark, told, tr
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.session.glance import Quality, quality, thumbnail
 from tracker.session.reader import SessionReader
 

@@ -12,7 +12,7 @@ from app.engines.engine import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.take_names import USUAL, check_template, take_path
 from app.words import decimal, local, tr
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import StereoFrame
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader

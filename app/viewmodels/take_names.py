@@ -11,8 +11,8 @@ from datetime import datetime
 from pathlib import Path
 
 from app.words import tr
-from tracker.errors import ConfigError
-from tracker.files import free_path, name_part
+from tracker.base.errors import ConfigError
+from tracker.base.files import free_path, name_part
 
 USUAL = "{participant}_{task}_{date}_{time}"
 FIELDS = ("participant", "task", "date", "time", "n")

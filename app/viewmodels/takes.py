@@ -13,8 +13,8 @@ from app.storage.session_tags import move_tags
 from app.viewmodels.names import spoken
 from app.viewmodels.recording import duration_text
 from app.words import local, tr
-from tracker.errors import FileError
-from tracker.files import name_part
+from tracker.base.errors import FileError
+from tracker.base.files import name_part
 from tracker.messages import ImuSample, Status
 
 SILENT = 1.0  # s without a word after which a device or an IMU is called silent

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from app.words import local, tr
-from tracker.clock import NS
-from tracker.errors import FileError
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
 from tracker.messages import Array, Estimate, Validity
 from tracker.session.align import (
     Alignment,

@@ -25,8 +25,8 @@ from app.viewmodels.log import words_of
 from app.window.main_window import MainWindow
 from app.window.pauses import keep_pauses_short
 from app.window.report_files import make_room
-from tracker.errors import FileError, GlovetrackError
-from tracker.files import write_whole
+from tracker.base.errors import FileError, GlovetrackError
+from tracker.base.files import write_whole
 from tracker.messages import Array, Event, Tracking
 from tracker.streaming.params import StreamParams
 

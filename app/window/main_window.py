@@ -16,8 +16,6 @@ from app.jobs.outputs import Outputs
 from app.jobs.pose_reset import PoseReset
 from app.jobs.record_key import RecordKey
 from app.jobs.remote import RemoteControl
-from app.jobs.robot import RobotLink
-from app.panels.applications.panel import ApplicationsPanel
 from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
@@ -30,7 +28,6 @@ from app.panels.log import LogPanel
 from app.panels.motion.panel import MotionPanel
 from app.panels.panel import Panel
 from app.panels.recording import RecordingPanel
-from app.panels.robot.panel import RobotPanel
 from app.panels.sensors import SensorsPanel
 from app.panels.start_page import StartPage
 from app.panels.streams import StreamsPanel
@@ -61,6 +58,9 @@ from app.window.ticker import Ticker
 from app.window.tool_bar import ToolBar
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
 from app.words import told
+from extensions.applications.window.panel import ApplicationsPanel
+from extensions.robot.window.job import RobotLink
+from extensions.robot.window.panel import RobotPanel
 from tracker.fusion.chain.pose_reset import RESET_SAID
 from tracker.messages import Event
 

@@ -9,12 +9,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from app.platform.single_instance import NOT_A_WINDOW, ask
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
+from tracker.base.terminal import add_json, check_json, finish, printable
 from tracker.hand.names import CHAINS
 from tracker.streaming.remote.client import ask as ask_over_udp
 from tracker.streaming.remote.params import RemoteParams
 from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
-from tracker.terminal import add_json, check_json, finish, printable
 
 NOBODY = "No window is open. Open one with `glovetrack`."
 _NOT_SAID = ("json", "force", "to")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tracker.files import check_target, disk_error
+from tracker.base.files import check_target, disk_error
 from tracker.session.description import SIDES
 
 

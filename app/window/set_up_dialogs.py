@@ -14,12 +14,12 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.window import theme
-from tracker import library
+from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.still import StillPose
-from tracker.errors import ConfigError, GlovetrackError
 from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
 from tracker.fusion.engine import Engine
+from tracker.glove import library
 from tracker.sensors.camera_controls import Locks, locks_text
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.image_input import CameraName
@@ -185,7 +185,7 @@ class SetUpDialogs(QObject):
         setup = self._host.setup
         if self._raise("conformance") or not self.can_conform or setup is None:
             return
-        from app.wizards.conformance.dialog import ConformanceDialog
+        from extensions.conformance.window.guide.dialog import ConformanceDialog
 
         scene = theme.colours(self._store.value.theme).scene
         dialog = ConformanceDialog(self._host, setup, self._store, self._tasks, scene, self._window)

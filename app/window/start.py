@@ -20,12 +20,12 @@ from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
 from resources import folder
 from tracker import __version__
-from tracker.errors import ConfigError, GlovetrackError
+from tracker.base.errors import ConfigError, GlovetrackError
+from tracker.base.toml_reader import read_text
 from tracker.sensors.protocol import BAUDS
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 from tracker.streaming.publisher import JOINT_SETS
 from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
-from tracker.toml_reader import read_text
 
 if TYPE_CHECKING:
     from app.platform.crash import CrashWatch

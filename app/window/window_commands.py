@@ -30,7 +30,7 @@ from app.window.sources import Sources
 from app.window.status_bar import StatusBar
 from app.window.takes import Takes
 from app.words import tr
-from tracker.settings import ENGINES
+from tracker.engine.settings import ENGINES
 
 
 class Window(Protocol):

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.wizards.form_dialog import FormDialog, beside, filler
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.firmware.flash import BOOTLOADERS, FlashJob, flash
 from tracker.firmware.image import BAUDS, shipped_image, version_text
 from tracker.firmware.versions import advice, greeting

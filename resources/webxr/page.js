@@ -1,5 +1,5 @@
 // The tracked hand and what its application draws, in a headset's browser or in any other.
-// Messages are those of tracker/applications/page.py: OpenXR's axes (y up, -z forward), m.
+// Messages are those of extensions/applications/page.py: OpenXR's axes (y up, -z forward), m.
 import * as THREE from "./three.module.min.js";
 
 const CHAINS = [

@@ -21,7 +21,7 @@ from tests.benchmarks.rows import BenchRow
 from tests.benchmarks.schedule import schedule_rows
 from tests.benchmarks.vision import bench_vision
 from tests.benchmarks.window import app_rows
-from tracker.errors import FileError, GlovetrackError
+from tracker.base.errors import FileError, GlovetrackError
 
 ROUNDS, QUICK_ROUNDS = 9, 3
 Group = Callable[[int], list[BenchRow]]

@@ -15,13 +15,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.messages import Array, Blobs, Estimate, ImuSample, StereoFrame, Validity
 from tracker.offline.track import make_detector
-from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
-from tracker.settings import Settings
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import detect_frame
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tests.benchmarks.peers_fusion import dense_covariance, dense_joseph
 from tests.benchmarks.rows import BenchRow, interleaved, row
-from tracker import GRAVITY, library
+from tracker import GRAVITY
 from tracker.fusion import kalman
 from tracker.fusion.chain import propagate
 from tracker.fusion.chain.layout import ChainLayout
@@ -21,6 +21,7 @@ from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.state import blank_state
 from tracker.fusion.vist.state import initial_covariance as vist_covariance
+from tracker.glove import library
 from tracker.messages import Array, ImuSample
 
 DT = 0.01

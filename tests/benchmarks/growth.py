@@ -24,11 +24,11 @@ from tests.benchmarks.growth_gloves import with_fingers, with_imus, with_markers
 from tests.benchmarks.growth_time import tracked_for
 from tests.benchmarks.rows import Call, interleaved
 from tests.benchmarks.schedule import feed
-from tracker import library
+from tracker.engine.pipeline import Pipeline
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.messages import Array, BlobFrame, ImuSample, Message
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.simulation.random_postures import RandomPostures

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 import psutil
 
-from tracker import library
+from tracker.engine.pipeline import Pipeline
+from tracker.glove import library
 from tracker.messages import BlobFrame, ImuSample, Message
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

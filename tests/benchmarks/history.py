@@ -19,7 +19,7 @@ from typing import Any
 
 import tracker
 from tests.benchmarks.rows import BenchRow
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 
 
 @dataclass(frozen=True)

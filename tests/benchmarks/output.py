@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from tests.benchmarks.history import Run, change
 from tests.benchmarks.rows import BenchRow
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 
 REACHED, MISSED, NEUTRAL = "#2f7d4f", "#c8553d", "#6b7280"
 _LIMIT = re.compile(r"(<= |>= )?(peer [+-] )?(\d[\d.e+-]*)( s)?")

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import tracker
 from tests.benchmarks.schedule import make_second, pipeline_call
-from tracker.settings import ENGINES
+from tracker.engine.settings import ENGINES
 
 ROOT = Path(tracker.__file__).parents[1]
 

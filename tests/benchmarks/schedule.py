@@ -25,10 +25,10 @@ from tests.benchmarks.peers_fusion import (
 )
 from tests.benchmarks.peers_vision import PlainOpenCv
 from tests.benchmarks.rows import BenchRow, Call, interleaved, row
-from tracker import library
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.glove import library
 from tracker.messages import Array, BlobFrame, ImuSample, StereoFrame
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import ColourProfile, parse_profile

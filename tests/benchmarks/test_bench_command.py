@@ -13,7 +13,7 @@ from tests.benchmarks import profile as bench_profile
 from tests.benchmarks.fusion import difference, update_case, update_rows
 from tests.benchmarks.peers_fusion import dense_joseph
 from tests.benchmarks.rows import BenchRow, row
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 
 KEYS = {"name", "value", "unit", "peer", "peer_value", "ratio", "goal"}
 

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_fit import (
     FitParams,
     add_pixel,
@@ -15,7 +16,6 @@ from tracker.calibration.colours_fit import (
     remove_pixel,
     room_clashes,
 )
-from tracker.errors import GlovetrackError
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 
 CLOTH = {"red": 0, "yellow": 28, "green": 65, "blue": 110}

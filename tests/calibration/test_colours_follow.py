@@ -7,10 +7,10 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker import library
 from tracker.calibration.colours_follow import APART, KEPT, ColourFollower
 from tracker.calibration.colours_learn import learn
 from tracker.calibration.colours_sample import KnownMarkers, samples_of
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame, Tracking
 from tracker.vision.colours import ColourProfile, parse_profile

@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_fit import clashes
 from tracker.calibration.colours_image import (
     Pick,
@@ -13,7 +14,6 @@ from tracker.calibration.colours_image import (
     learn_image,
     learn_picked,
 )
-from tracker.errors import GlovetrackError
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
 

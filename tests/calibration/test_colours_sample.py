@@ -5,9 +5,9 @@ from dataclasses import replace
 import cv2
 import numpy as np
 
-from tracker import library
 from tracker.calibration.colours_learn import SMOOTHING_PX, learn
 from tracker.calibration.colours_sample import KnownMarkers, samples_of
+from tracker.glove import library
 from tracker.vision.colours import parse_profile, profile_to_toml
 from tracker.vision.detector import Detector
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from tracker import library
 from tracker.calibration.colours_learn import taught
+from tracker.glove import library
 from tracker.vision.colours import (
     LEARNED_CELLS,
     ROOM,

@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tracker.base.errors import ConfigError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import Extrinsics, extrinsics_of, rig_problems
 from tracker.calibration.stereo.collect import Answer, Collector
@@ -18,7 +19,6 @@ from tracker.calibration.stereo.files import load_rig, save_calibration
 from tracker.calibration.stereo.solve import Solution, SolveParams, solve
 from tracker.calibration.stereo.verify import verify
 from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
-from tracker.errors import ConfigError
 from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one

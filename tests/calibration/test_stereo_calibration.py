@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tracker.base.errors import ConfigError, FileError
 from tracker.calibration.stereo.board import (
     MARGIN,
     BoardSpec,
@@ -30,7 +31,6 @@ from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibrat
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve, view_errors
 from tracker.calibration.stereo.verify import verify
 from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
-from tracker.errors import ConfigError, FileError
 from tracker.geometry import so3
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
 from tracker.simulation.board_images import BoardPose, BoardRenderer, TrueRig, board_poses

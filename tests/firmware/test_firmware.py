@@ -7,7 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from glove_oracle import (
+from numpy.typing import NDArray
+
+from tests.firmware.glove_oracle import (
     ASK_HELLO,
     ERROR,
     HAPTIC,
@@ -25,7 +27,6 @@ from glove_oracle import (
     samples,
     simulated_glove,
 )
-from numpy.typing import NDArray
 
 GRAVITY = 9.80665
 ACCEL_LSB = 16 * GRAVITY / 32768  # of the ranges that HELLO tells

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from bootloader import Bootloader
 
+from tests.firmware.bootloader import Bootloader
+from tracker.base.errors import ConfigError
 from tracker.cli import main
-from tracker.errors import ConfigError
 from tracker.firmware.flash import FlashError, FlashJob, flash
 from tracker.firmware.image import BAUDS, FirmwareImage, read_image, shipped_image
 from tracker.firmware.versions import advice, is_old

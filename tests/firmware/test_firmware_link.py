@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
 
+from tests.firmware.glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, serial_port

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from tests.fusion.test_chain_engine import feed, simulation
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.bundle import solver
 from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
 from tracker.fusion.chain.bundle.rows import KeyframeRows
@@ -20,8 +22,6 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.wearer import Wearer
 

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from tests.fusion.test_chain_engine import errors, feed, simulation
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.calibration import control
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance
 from tracker.fusion.chain.state import initial_state
-from tracker.pipeline import Pipeline
 from tracker.session.engine_state import pack, unpack
 
 FIELDS = ("scale", "mounting", "gyro_bias", "accel_bias")

@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterable
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking, Validity
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import ImuSample
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

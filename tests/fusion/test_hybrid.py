@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from tests.fusion.test_chain_engine import errors, feed, times
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Validity
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

@@ -6,19 +6,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracker.config import to_toml
-from tracker.errors import ConfigError, FileError
+from tracker.base.config import to_toml
+from tracker.base.errors import ConfigError, FileError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, ImuSample, Tracking, Validity
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build
 from tracker.offline.track import track
-from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

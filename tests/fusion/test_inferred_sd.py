@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from tests.fusion.test_late_data import Message, feed, starved
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.shown import MEASURED_SD
 from tracker.fusion.chain.state import initial_state
@@ -22,9 +24,7 @@ from tracker.fusion.vist.state import blank_state
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking, Validity
-from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
-from tracker.settings import Settings
 from tracker.simulation.postures import posture
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.time import timeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking, Validity
-from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.fusion.chain.calibration.measured import RULER_SD, measured_profile
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams

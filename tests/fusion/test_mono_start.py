@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.start.mono_start import best_position
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking, Validity
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

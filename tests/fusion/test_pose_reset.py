@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracker.config import to_toml
+from tracker.base.config import to_toml
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.pose_reset import bends, flat_rows, heading, reset_event
@@ -20,11 +22,9 @@ from tracker.messages import Array, Estimate, Event, ImuSample
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build
 from tracker.offline.track import track
-from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
-from tracker.settings import Settings
 from tracker.simulation.asked import Asked, AskedMotion
 from tracker.simulation.guided import HeldHand, HoldParams
 from tracker.simulation.random_postures import RandomPostures

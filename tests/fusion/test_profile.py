@@ -3,10 +3,10 @@
 import numpy as np
 
 from tests.fusion.test_chain_engine import errors, feed, simulation, times
+from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.pipeline import Pipeline
 
 
 def test_a_known_wearer_starts_better(hand: HandModel, glove: GloveModel) -> None:

@@ -7,7 +7,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.engine import ChainEngine

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, ImuSample, Tracking, Validity
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.calibration.size import as_unsure, size_sd
@@ -16,7 +17,6 @@ from tracker.fusion.chain.profile import WearerProfile
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import ANOTHER, Pipeline
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams, MatchParams
 from tracker.fusion.chain.pixels import SeenBlobs
@@ -24,7 +25,6 @@ from tracker.fusion.chain.tracking import (
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking, Validity
-from tracker.pipeline import ANOTHER, Pipeline
 from tracker.simulation.random_postures import RandomPostures, leaving
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import ideal_rig

@@ -46,7 +46,7 @@ def followed(target: str) -> list[str]:
     if target in ("container", "records", "messages"):
         return ["tracker.session"]
     if target == "state":
-        return ["tracker.session", "tracker.records", "json"]
+        return ["tracker.session", "tracker.base.records", "json"]
     if target in ("decoder", "link"):
         return ["tracker.sensors"]
     return ["tracker", "tomllib"]

@@ -9,17 +9,17 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker import library
-from tracker.config import to_toml
+from tracker.base.config import to_toml
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.glove import library
 from tracker.messages import BlobFrame, Event, ImuSample, Message, Status, Tracking
-from tracker.pipeline import Pipeline
 from tracker.sensors import cobs
 from tracker.sensors.protocol import GloveStatus, Hello, Samples, encode
 from tracker.session.description import SessionInfo
 from tracker.session.mcap.container import McapOutput
 from tracker.session.mcap.input import McapInput
 from tracker.session.writer import RecorderParams, SessionRecorder
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

@@ -18,11 +18,12 @@ import numpy as np
 import zstandard
 
 from tests.fuzz.examples import STAMP, begun, topics_of
-from tracker import library
-from tracker.clock import ClockAnchor
-from tracker.config import from_toml
-from tracker.errors import GlovetrackError
+from tracker.base.clock import ClockAnchor
+from tracker.base.config import from_toml
+from tracker.base.errors import GlovetrackError
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.engine import ChainEngine  # registers what it keeps  # noqa: F401
+from tracker.glove import library
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.messages import ImuSample
@@ -39,7 +40,6 @@ from tracker.session.mcap.container import McapOutput
 from tracker.session.reader import SessionReader
 from tracker.session.recover import recover
 from tracker.session.verify import verify
-from tracker.settings import Settings
 from tracker.vision.colours import parse_profile
 from tracker.vision.rig import ideal_rig
 

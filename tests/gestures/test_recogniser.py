@@ -8,11 +8,11 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tests.applications.hands import estimates
-from tracker import library
-from tracker.evaluation.gestures.score import as_estimate, score
+from extensions.applications.tests.hands import estimates
+from extensions.evaluation.gestures.score import as_estimate, score
 from tracker.gestures.recogniser import KIND, GestureRecogniser, gesture_event
 from tracker.gestures.values import PINCHES
+from tracker.glove import library
 from tracker.messages import Estimate, Tracking, Validity
 from tracker.simulation.gestures import pinch
 from tracker.simulation.postures import posture

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
-from tracker.errors import FileError
+from tests.fixtures import RESOURCES
+from tracker.base.errors import FileError
 from tracker.glove.files import parse_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

@@ -10,11 +10,11 @@ import threading
 import time
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
-from patience import patient
 
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.patience import patient
 
 
 @pytest.fixture

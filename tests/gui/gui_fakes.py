@@ -11,7 +11,7 @@ import numpy as np
 
 from app.engines.engine import EngineSetup, ReferenceHand
 from resources import folder
-from tracker.clock import ClockAnchor
+from tracker.base.clock import ClockAnchor
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.live.history import SearchedImage

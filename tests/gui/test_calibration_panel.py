@@ -4,21 +4,21 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from PySide6.QtWidgets import QFileDialog
 
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
 from app.window.start import _parser
-from tracker.errors import GlovetrackError
-from tracker.files import kept_name
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from tracker.base.errors import GlovetrackError
+from tracker.base.files import kept_name
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.calibration.profile_file import WearerFile, write_wearer
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
 from tracker.messages import Array, Event
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 
 
 def chain() -> ChainEngine:

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from app.wizards.camera import CameraSetup
-from tests.conftest import ROOT
+from tests.fixtures import ROOT
 
 EXAMPLE = ROOT / "docs" / "examples" / "glovetrack-folder-camera"
 

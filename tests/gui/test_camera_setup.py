@@ -9,7 +9,6 @@ from types import SimpleNamespace
 import cv2
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models, scripted_setup
 from PySide6.QtWidgets import QLabel
 
 from app.engines.camera_choice import by_name, by_names, choose
@@ -17,10 +16,11 @@ from app.storage.settings import AppSettings
 from app.viewmodels.checklist import steps
 from app.viewmodels.states import WARN
 from app.wizards.camera import CameraSetup
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tracker.base.errors import DeviceError
 from tracker.calibration.still import StillImu, StillPose
-from tracker.errors import DeviceError
+from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.engine import ChainEngine
-from tracker.pipeline import Pipeline
 from tracker.sensors.camera_controls import (
     PROPERTIES,
     CameraReport,

@@ -4,7 +4,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtWidgets import QPushButton, QWidget
 
@@ -14,6 +13,7 @@ from app.viewmodels.camera_overlay import DIM, EDGE_PX, Layers, overlay
 from app.viewmodels.colours import hue_colours
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.image_shapes import Cross, Ring
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from tracker.messages import CameraPose, Shed
 
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
 
 from app.viewmodels.states import GOOD, IDLE, WARN
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
 from tracker.calibration.light_meter import Advice, LightMeter
 from tracker.messages import Status, Tracking
 

@@ -5,14 +5,14 @@ from functools import partial
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
 from tests.benchmarks.desk import detection, folder, load
-from tracker import library
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_image import Pick, learn_picked
-from tracker.errors import GlovetrackError
+from tracker.glove import library
 from tracker.messages import ImuSample, Status, Tracking
 from tracker.vision.colours import parse_profile
 

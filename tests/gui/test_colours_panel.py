@@ -8,7 +8,6 @@ from types import SimpleNamespace
 import cv2
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QFileDialog
@@ -23,6 +22,7 @@ from app.viewmodels.colours import hue_colours, seen_rows
 from app.viewmodels.states import GOOD, WARN
 from app.widgets.hue_range import HueRangeSlider
 from app.window.main_window import MainWindow
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.light_meter import LightMeter
 from tracker.messages import Tracking

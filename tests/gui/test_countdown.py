@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 
 import pytest
-from gui_fakes import scripted_setup
 from PySide6.QtCore import Qt
 
 from app.jobs import record_key
 from app.storage.settings import SettingsStore
 from app.window.countdown import Countdown
+from tests.gui.gui_fakes import scripted_setup
 
 TICK_MS = 150
 

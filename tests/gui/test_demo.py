@@ -7,13 +7,13 @@ from unittest.mock import ANY
 
 import numpy as np
 import pytest
-from gui_fakes import models
 
 from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
-from app.viewmodels.conformance import Cue, Phase
 from app.window.headless_report import KEYPOINTS, wait_until
+from extensions.conformance.window.view_model import Cue, Phase
+from tests.gui.gui_fakes import models
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery

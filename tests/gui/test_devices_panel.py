@@ -5,14 +5,14 @@ from __future__ import annotations
 import dataclasses
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.viewmodels.device_settings import AUTOMATIC, Confirmed, differences, to_file
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.toml_reader import parse_toml
 from tracker.sensors.camera_controls import CameraReport, Control, Locks
 from tracker.sensors.glove_report import GloveReport
 from tracker.sensors.serial_line import UsbPort
 from tracker.sensors.v4l2 import Limits
-from tracker.toml_reader import parse_toml
 
 RATE = "glove_right.rate_hz"
 REPORT = GloveReport(

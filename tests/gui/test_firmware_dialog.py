@@ -7,10 +7,10 @@ import threading
 from dataclasses import replace
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.wizards.firmware import FirmwareSetup
 from tests.firmware.bootloader import Bootloader
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.firmware.flash import FlashError, FlashJob
 from tracker.firmware.image import shipped_image, version_text
 from tracker.sensors.discovery import PortReport

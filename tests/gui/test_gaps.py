@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from app.panels.library.gap_page import CAUSE, KIND, LENGTH, START
 from app.viewmodels.gaps import INTERPOLATED, KINDS
 from tests.offline.test_fill import without_estimates
-from tracker.files import sha256
+from tracker.base.files import sha256
 from tracker.messages import Tracking, Validity
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate

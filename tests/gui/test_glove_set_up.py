@@ -5,10 +5,9 @@ from __future__ import annotations
 import threading
 from dataclasses import replace
 
-from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
-
 from app.storage.bound_gloves import BoundGlove, bound, with_bound
 from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.wiggles import Wiggle, wiggling_wearer

@@ -9,7 +9,7 @@ from app.engines.found_gloves import find_worn
 from app.storage.settings import AppSettings
 from app.window.start import _parser
 from app.wizards.glove.choice import ChoicePage
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.discovery import PortReport
 from tracker.sensors.protocol import BAUDS, Hello
 

@@ -9,7 +9,6 @@ import time
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 from app.engines.replay.engine import open_replay
 from app.viewmodels.graphs import MOST_CURVES, Graph
 from app.window.main_window import MainWindow
+from tests.gui.gui_fakes import ScriptedEngine, models
 from tracker import GRAVITY
 from tracker.messages import BlobFrame, ImuSample
 from tracker.offline.options import TrackOptions

@@ -5,13 +5,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from PySide6.QtCore import Qt
 
 from app.engines.guide import WearersGuide
 from app.viewmodels.guided import Phase
 from app.viewmodels.guided_hand import DrawnHand
-from tracker.errors import GlovetrackError
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from tracker.base.errors import GlovetrackError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import KIND, began, ended
 from tracker.fusion.chain.params import ChainParams

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models, scripted_setup
 
 from app.panels.hand.view_chooser import PROVEN, ViewChooser
 from app.platform.graphics import is_card
@@ -17,10 +16,11 @@ from app.platform.tasks import TaskOwner
 from app.viewmodels.hand_scene import TRAIL_POINTS, followed
 from app.widgets.view3d.view_3d import View3D
 from app.window.main_window import MainWindow
-from tracker.errors import ConfigError
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tracker.base.errors import ConfigError
+from tracker.engine.settings import ENGINES
 from tracker.kernels import are_compiled
 from tracker.messages import Tracking
-from tracker.settings import ENGINES
 
 ROOT = Path(__file__).parents[2]
 
@@ -259,7 +259,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
-from gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from app.panels.hand.panel import HandPanel
 from app.window.headless_report import wait_until
 from app.engines.engine_host import EngineHost

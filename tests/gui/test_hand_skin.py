@@ -6,7 +6,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import models
 
 from app.viewmodels.hand_ground import Ground
 from app.viewmodels.hand_skin import HandSkin, scales
@@ -16,6 +15,7 @@ from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
 from app.widgets.view3d.scene import GroundLines
 from app.widgets.view3d.shapes import Surface
+from tests.gui.gui_fakes import models
 from tracker.messages import Calibration, Validity
 
 WIDTH, HEIGHT = 160, 120

@@ -15,7 +15,7 @@ from app.storage.bound_gloves import BoundGlove, with_bound
 from app.storage.settings import AppSettings
 from app.viewmodels.camera_overlay import Layers, overlay
 from app.viewmodels.colours import hue_colours
-from tracker import library
+from tracker.glove import library
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track

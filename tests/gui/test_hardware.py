@@ -7,7 +7,6 @@ import time
 import cv2
 import numpy as np
 import pytest
-from gui_fakes import frame_and_blobs, models, simulation
 
 from app.engines.engine import RecordingRequest
 from app.viewmodels.checklist import steps
@@ -16,6 +15,7 @@ from app.viewmodels.states import IDLE
 from app.wizards.camera import CameraSetup
 from app.wizards.glove.choice import SESSION
 from app.wizards.stereo.image_choices import image_choices
+from tests.gui.gui_fakes import frame_and_blobs, models, simulation
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration

@@ -4,7 +4,6 @@ import re
 from dataclasses import replace
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import QUrl
 from PySide6.QtGui import QDesktopServices
 
@@ -14,6 +13,7 @@ from app.viewmodels.status import tracking_look
 from app.widgets.chip import Chip
 from app.window.dialogs import Dialogs
 from app.window.help import GuideDialog, KeysDialog, key_of, plain
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.messages import Status, Tracking
 
 

@@ -1,7 +1,6 @@
 """Keys, banner and first size: what people press and where things stand."""
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication
@@ -9,6 +8,7 @@ from PySide6.QtWidgets import QApplication
 from app.viewmodels.colour_tuning import factory_colours
 from app.window.keys import is_single
 from app.window.screen import fit_to_screen
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 
 @pytest.fixture

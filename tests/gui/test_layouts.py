@@ -1,12 +1,12 @@
 """Layouts: one for each job, those with a name, and shares that hold on any screen."""
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QToolButton
 
 from app.window.layouts import JOBS, job_of, shares_of
 from app.window.main_window import MainWindow
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.offline.simulate import SimulateOptions, simulate
 
 SMALL, LARGE = (1366, 768), (1920, 1080)

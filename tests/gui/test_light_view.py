@@ -4,13 +4,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.viewmodels.checklist import steps
 from app.viewmodels.light import EVERY, KEPT, LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN
-from tracker import library
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.calibration.light_meter import Advice, LightMeter
+from tracker.glove import library
 from tracker.vision.colours import parse_profile
 
 PROFILE = parse_profile(library.text("colours", library.DEFAULT_COLOURS))

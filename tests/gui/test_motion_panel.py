@@ -6,12 +6,12 @@ import csv
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QGuiApplication
 
 from app.engines.replay.engine import open_replay
 from app.panels.motion.table import BAR, RANGE, SHARE, VALUE
+from tests.gui.gui_fakes import ScriptedEngine
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track

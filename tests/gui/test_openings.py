@@ -6,7 +6,7 @@ import pytest
 
 from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 
 class Port:

@@ -8,15 +8,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 
 from app.jobs.connections import remembered
 from app.jobs.outputs import HAPTICS, HapticRule
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
-from tracker.errors import FileError
-from tracker.isaac.reader import read_records
+from extensions.conformance.isaac.reader import read_records
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.errors import FileError
 from tracker.streaming.params import STREAMS, StreamParams
 
 

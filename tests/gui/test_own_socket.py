@@ -16,7 +16,7 @@ from app.platform import own_socket
 from app.platform.own_socket import ForeignSocket, addresses
 from app.platform.single_instance import Instance, ask, hand_over
 from app.window.remote_command import main as remote
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.streaming.remote.request import Reply, is_reply
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="sockets of Unix")

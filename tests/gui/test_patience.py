@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from tracker.child import start_child
+from tracker.base.child import start_child
 
 
 def work(pipe) -> None:

@@ -5,13 +5,13 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import QPoint, QRect
 
 from app.engines.engine import RecordingRequest
 from app.jobs.plugged import Newcomers, PlugWatch, plugged_in
 from app.storage.settings import AppSettings
-from tracker.errors import DeviceError, FileError
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.errors import DeviceError, FileError
 
 
 def test_what_comes_is_told_once_it_has_settled_and_again_after_it_was_gone():

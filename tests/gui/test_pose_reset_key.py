@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QLineEdit
@@ -14,7 +13,8 @@ from PySide6.QtWidgets import QDialog, QLineEdit
 from app.engines.demo_camera import DemoChoice
 from app.window.countdown import Countdown
 from app.window.help import KeysDialog
-from tracker import library
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.glove import library
 from tracker.messages import Event, ImuSample
 from tracker.offline.track import track
 from tracker.session.compare import compare

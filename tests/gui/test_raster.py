@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.panels.hand.bodies import HandBodies
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
 from app.widgets.view3d.scene import BodyLook, Grid
 from app.widgets.view3d.shapes import Block, Capsule, Disc, Shape, ball, polyline
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 WIDTH, HEIGHT = 160, 120
 FOCAL = 0.5 * HEIGHT / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2))

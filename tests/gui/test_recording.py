@@ -5,7 +5,6 @@ import threading
 from datetime import datetime
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog
@@ -24,8 +23,9 @@ from app.viewmodels.recording import (
     size_text,
 )
 from app.viewmodels.take_names import take_path
-from tracker.clock import monotonic
-from tracker.errors import FileError
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.clock import monotonic
+from tracker.base.errors import FileError
 from tracker.messages import Event
 from tracker.session.notes import standing
 

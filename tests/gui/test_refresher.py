@@ -4,7 +4,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
@@ -14,6 +13,7 @@ from app.platform.tasks import TaskOwner
 from app.widgets.image_shapes import Cross
 from app.widgets.image_view import ImageView
 from app.window.refresher import SPARING, Refresher
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.messages import Shed
 
 TICK = 0.005

@@ -15,7 +15,6 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from gui_fakes import scripted_setup
 from PySide6.QtNetwork import QLocalSocket
 from pythonosc.osc_message import OscMessage
 from pythonosc.osc_message_builder import OscMessageBuilder
@@ -25,7 +24,8 @@ from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore
 from app.window.remote_command import main
-from tracker.clock import monotonic
+from tests.gui.gui_fakes import scripted_setup
+from tracker.base.clock import monotonic
 from tracker.streaming.remote.client import ask as ask_over_udp
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -285,7 +285,7 @@ def test_the_windows_own_socket_takes_requests_and_still_takes_sessions(window, 
 FIRST = """
 import sys
 sys.path.insert(0, {tests!r})
-from gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from app.window.main_window import MainWindow
 from app.window.sources import Sources
 

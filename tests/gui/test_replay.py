@@ -6,8 +6,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from damaged_sessions import cut_message, spoilt
-from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 
 from app.engines.hand_looks import HandLooks
 from app.engines.replay.engine import ReplayEngine, open_replay
@@ -21,6 +19,8 @@ from app.engines.snapshot import Snapshot
 from app.panels.library.transport import TransportBar
 from app.viewmodels.hand_scene import HandSceneModel
 from app.viewmodels.log import KINDS, EventLog, words_of
+from tests.damaged_sessions import cut_message, spoilt
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 from tracker.geometry import so3
 from tracker.messages import (
     BlobFrame,

@@ -6,7 +6,7 @@ import pytest
 
 from app.engines.replay.colours import ColoursOfFile
 from app.engines.replay.engine import open_replay
-from tracker import library
+from tracker.glove import library
 from tracker.live.colours import KIND
 from tracker.messages import Event
 from tracker.offline.simulate import SimulateOptions, simulate

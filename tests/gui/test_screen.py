@@ -8,11 +8,11 @@ import threading
 from pathlib import Path
 
 import pytest
-from environments import without_screen
 from PySide6.QtWidgets import QWidget
 
 from app.platform.screens import answers, has_screen
 from app.window.start import ENDS, close_when_told
+from tests.gui.environments import without_screen
 
 ROOT = Path(__file__).resolve().parents[2]
 

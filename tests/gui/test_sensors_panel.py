@@ -4,11 +4,11 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models
 from PySide6.QtCore import QEvent, QPointF
 from PySide6.QtWidgets import QApplication
 
 from app.viewmodels.sensors import glove_figures, link_tip
+from tests.gui.gui_fakes import ScriptedEngine, models
 from tracker import GRAVITY
 from tracker.messages import Status, Tracking
 from tracker.sensors.decoder import LinkCounters

@@ -8,7 +8,6 @@ from functools import lru_cache
 import cv2
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 
 from app.viewmodels.stereo import split_fresh
@@ -23,9 +22,10 @@ from app.wizards.stereo.image_choices import (
 )
 from app.wizards.stereo.import_form import ImportFormDialog
 from app.wizards.stereo.wizard import BOARD, CHECK, RESULT, VIEWS, StereoWizard
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.errors import DeviceError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.files import load_rig, save_calibration
-from tracker.errors import DeviceError
 from tracker.geometry import so3
 from tracker.sensors.image_input import CameraName
 from tracker.sensors.stereo_calibration import Intrinsics

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from gui_fakes import ScriptedEngine, scripted_setup
-
 from app.viewmodels.gestures import WORDS, ShownGestures
-from tests.applications.hands import estimates
+from extensions.applications.tests.hands import estimates
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.gestures.values import GESTURES
 from tracker.simulation.scripted import Key
 

@@ -6,7 +6,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, models, scripted_setup
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.graphs import (
@@ -20,6 +19,7 @@ from app.viewmodels.graphs import (
 )
 from app.viewmodels.signal_curves import LiveCurves
 from app.viewmodels.signals import angle_signal, imu_signals, signals
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tracker import GRAVITY
 from tracker.messages import Status, Tracking
 

@@ -1,7 +1,6 @@
 """Small screens and large scales: panels give way, then scroll, and nothing is cut off."""
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QTabBar, QToolButton, QVBoxLayout, QWidget
 
@@ -9,6 +8,7 @@ from app.panels.colours.panel import TWO_COLUMNS
 from app.widgets.scrolled import Scrolled
 from app.window.main_window import SMALLEST
 from app.window.tool_bar import ToolBar
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
 

@@ -12,7 +12,8 @@ from tracker.kernels import are_compiled
 ROOT = Path(__file__).parents[2]
 LATER = {
     *("scipy", "superqt", "qtpy", "vtkmodules", "pyvista", "matplotlib", "h5py", "mujoco"),
-    *("tracker.pipeline", "tracker.live.runner", "tracker.simulation.scenario", "app.engines.demo"),
+    *("tracker.engine.pipeline", "tracker.live.runner", "tracker.simulation.scenario"),
+    "app.engines.demo",
 }
 """Loaded when they are used: each takes a tenth of a second, or several."""
 

@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from environments import without_screen
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.__main__ import main
-from tracker.errors import GlovetrackError
+from tests.gui.environments import without_screen
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.errors import GlovetrackError
 from tracker.streaming.params import StreamParams, with_streams
 from tracker.streaming.remote.client import ask
 from tracker.streaming.remote.request import is_reply

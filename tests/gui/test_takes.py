@@ -7,7 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QInputDialog
@@ -29,19 +28,20 @@ from app.viewmodels.takes import (
     report_text,
 )
 from resources import folder
-from tracker import library
-from tracker.clock import ClockAnchor, seconds
-from tracker.errors import FileError
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
+from tracker.base.clock import ClockAnchor, seconds
+from tracker.base.errors import FileError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.two_hands import OneHand, Sided
+from tracker.glove import library
 from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Estimate, Status, StereoFrame, Tracking
-from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo, of_hands
 from tracker.session.glance import Quality, quality, session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import RecorderParams, SessionRecorder
-from tracker.two_hands import OneHand, Sided
 from tracker.vision.detector import Detector
 
 ENGINE_START = ClockAnchor(1_760_000_000_000_000_000, 7_000_000_000)

@@ -7,11 +7,11 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from damaged_sessions import cut_message, spoilt
 
 from app.platform.aside import aside
 from app.platform.tasks import JobProgress, TaskOwner
-from tracker.errors import FileError, GlovetrackError
+from tests.damaged_sessions import cut_message, spoilt
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.messages import ImuSample
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.session.reader import SessionReader

@@ -6,13 +6,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.engines.snapshot import Snapshot
 from app.panels.hand.tip_rings import LIMIT, TipRings
 from app.viewmodels.hand_scene import HandScene, HandSceneModel
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 SIZE = 400
 FOCAL = 0.5 * SIZE / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2))

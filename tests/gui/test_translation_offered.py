@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterator
 
 import pytest
-from gui_fakes import scripted_setup
 from PySide6.QtCore import QTranslator
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
@@ -27,6 +26,7 @@ from app.platform.translation import CONTEXT, ENGLISH, Catalogue, install, langu
 from app.tools.translations import read
 from app.window.main_window import MainWindow
 from app.wizards.camera import LockBox
+from tests.gui.gui_fakes import scripted_setup
 
 OFFERED = [code for code in languages() if code != ENGLISH]
 

@@ -6,7 +6,6 @@ import tomllib
 import cv2
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
@@ -26,7 +25,9 @@ from app.viewmodels.status import fields, tracking_look
 from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
 from resources import folder
-from tracker import library, settings
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
+from tracker.engine import settings
+from tracker.glove import library
 from tracker.messages import Status, Tracking, Validity
 from tracker.sensors.link_figures import LinkFigures
 from tracker.vision.lenses import with_one_camera

@@ -6,12 +6,12 @@ import dataclasses
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup, simulation
 
 from app.engines.engine import EngineSetup
-from tracker import library
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, simulation
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
+from tracker.glove import library
 
 FILES = {"right": ("vist-small", "reference-right"), "left": ("vist-small-left", "reference-left")}
 

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, SlowJob, frame_and_blobs, models, scripted_setup
 from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QToolTip
@@ -16,6 +15,7 @@ from app.viewmodels.camera_overlay import project
 from app.viewmodels.states import IDLE
 from app.widgets.command_palette import CommandPalette, rank
 from app.window.main_window import MainWindow
+from tests.gui.gui_fakes import ScriptedEngine, SlowJob, frame_and_blobs, models, scripted_setup
 from tracker.messages import Event, Status, Tracking
 
 

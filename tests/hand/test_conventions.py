@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tracker.geometry import so3
 from tracker.hand.conventions import MANO, MEDIAPIPE, to_mano, to_mediapipe, to_operator
 from tracker.hand.files import load_hand

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
-from tracker.errors import FileError
+from tests.fixtures import RESOURCES
+from tracker.base.errors import FileError
 from tracker.hand.files import load_hand, parse_hand
 from tracker.hand.model import HandModel
 

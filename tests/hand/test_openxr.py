@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
 from tracker.hand.openxr import JOINTS, OpenXrHand, joint_radii, openxr_joints, to_openxr

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tracker import GRAVITY
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.geometry import so3
 from tracker.glove.files import load_glove
 from tracker.hand.files import load_hand

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from extensions.evaluation.inertial.errors import MPU9250, draw
+from extensions.evaluation.inertial.motion import HORIZONTAL, MOVING, VERTICAL, Condition, grasp
 from tracker import GRAVITY
-from tracker.evaluation.inertial.errors import MPU9250, draw
-from tracker.evaluation.inertial.motion import HORIZONTAL, MOVING, VERTICAL, Condition, grasp
 from tracker.inertial.finger import Finger
 from tracker.inertial.gravity import Gravity
 from tracker.inertial.integration import Integration

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from kernel_twins import DONE, Compared, Twins, _copy, _guard, _guard_of, assert_same
 
+from tests.kernel_twins import DONE, Compared, Twins, _copy, _guard, _guard_of, assert_same
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Vector, Written
 

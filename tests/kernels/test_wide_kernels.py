@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tracker.glove.library import texts
 from tracker.kernels import library, parts
-from tracker.library import texts
 from tracker.simulation import render
 from tracker.simulation.demo import DemoSpec, build
 from tracker.vision import search

@@ -6,12 +6,12 @@ from functools import partial
 
 import pytest
 
-from tracker import library
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.two_hands import TwoHands
+from tracker.glove import library
 from tracker.live.exchange_watch import ExchangeWatch
 from tracker.messages import BlobFrame, ImuSample
-from tracker.pipeline import Pipeline
 from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
-from tracker.two_hands import TwoHands
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 

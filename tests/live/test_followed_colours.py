@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from tracker import library
-from tracker.channels import Closed
+from tracker.base.channels import Closed
+from tracker.glove import library
 from tracker.live.colours import KIND, FollowedColours
 from tracker.live.journal import Journal
 from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking

@@ -8,10 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.test_two_hands import simulated, two
-from tracker.clock import ClockAnchor
-from tracker.config import to_toml
-from tracker.library import text
+from tests.engine.test_two_hands import simulated, two
+from tracker.base.clock import ClockAnchor
+from tracker.base.config import to_toml
+from tracker.engine.two_hands import Sided
+from tracker.glove.library import text
 from tracker.live.inbox import DetectedFrame, GuidedCommand
 from tracker.live.journal import Journal
 from tracker.live.loop import LiveLoop
@@ -24,7 +25,6 @@ from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
 from tracker.simulation.two_hands import Sided as Simulated
 from tracker.simulation.two_hands import TwoHandsSimulation
-from tracker.two_hands import Sided
 
 SIDES = ("left", "right")
 FILES = {

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from tests.live.test_runner import Tape, sim
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.engine.pipeline import NO_PACKETS, PACKETS_AGAIN, SILENCE, Pipeline
+from tracker.engine.two_hands import OneHand, Sided
 from tracker.live.inbox import DetectedFrame, EngineCommand, Inbox
 from tracker.live.journal import Journal
 from tracker.live.loop import ArrivalOrder, LiveLoop
@@ -25,9 +27,7 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
-from tracker.pipeline import NO_PACKETS, PACKETS_AGAIN, SILENCE, Pipeline
 from tracker.simulation.scenario import Simulation
-from tracker.two_hands import OneHand, Sided
 
 __all__ = ["sim"]  # a fixture
 

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import time
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tests.live.test_runner import Camera, Glove, Stream, profile, sim
-from tracker.clock import ClockAnchor
-from tracker.config import to_toml
+from tracker.base.clock import ClockAnchor
+from tracker.base.config import to_toml
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.two_hands import OneHand
 from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
 from tracker.offline.track import track
-from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
 from tracker.session.description import SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.recording.process import RecorderProcesses
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.scenario import Simulation
-from tracker.two_hands import OneHand
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 

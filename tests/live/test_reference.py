@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from tests.live.test_runner import live, profile, sim
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import OneHand, Sided
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.live.reference import ReferenceEngine
 from tracker.messages import BlobFrame, ImuSample
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
-from tracker.two_hands import OneHand, Sided
 
 __all__ = ["profile", "sim"]  # fixtures
 

@@ -9,8 +9,10 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
-from tracker.errors import FileError
+from tests.fixtures import RESOURCES
+from tracker.base.errors import FileError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.two_hands import OneHand
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.runner import PATIENCE, LiveTracker
@@ -24,10 +26,8 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
 )
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.two_hands import OneHand
 from tracker.vision.colours import ColourProfile, load_profile
 from tracker.vision.detector import Detector
 

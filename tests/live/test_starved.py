@@ -12,9 +12,11 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tests.fusion.test_late_data import judged, longest, rows
 from tests.live.test_runner import Tape
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.two_hands import OneHand
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.load import BEGINS, ENDS
@@ -29,10 +31,8 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
 )
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.two_hands import OneHand
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector
 

@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.live.recording import RecordingThread
 from tracker.live.threads import ThreadGroup
 from tracker.messages import Event, Message

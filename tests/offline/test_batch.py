@@ -5,8 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from tracker.base.errors import ConfigError, DeviceError, FileError
+from tracker.base.workers import WorkersAsked, dask_workers
 from tracker.cli import main
-from tracker.errors import ConfigError, DeviceError, FileError
 from tracker.messages import Estimate
 from tracker.offline.batch import Job, plan, table, track_all
 from tracker.offline.options import TrackOptions
@@ -14,7 +15,6 @@ from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
-from tracker.workers import WorkersAsked, dask_workers
 
 
 @pytest.fixture(scope="module")
@@ -107,7 +107,7 @@ def test_a_cluster_does_the_same_work(folder: Path, tmp_path: Path) -> None:
 
 def test_a_cluster_that_is_not_there_is_told_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")
-    monkeypatch.setattr("tracker.workers.DASK_PATIENCE", 0.5)
+    monkeypatch.setattr("tracker.base.workers.DASK_PATIENCE", 0.5)
     with pytest.raises(DeviceError, match="No Dask scheduler"), dask_workers("127.0.0.1:9"):
         pass
 

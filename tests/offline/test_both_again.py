@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from extensions.movement.report.command import TrackReport
 from resources import folder
-from tracker.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.options import TrackOptions
-from tracker.offline.report import TrackReport
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.reader import SessionReader

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from rosbags.highlevel import AnyReader
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.engine.pipeline import Pipeline
 from tracker.messages import CameraImuSample, Estimate, ImuSample
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build, simulate
 from tracker.offline.track import track
-from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 
 OPTIONS = SimulateOptions(seed=4, duration=2.5, fps=20.0, images=False, camera="head-imu")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
-from tracker.errors import ConfigError, FileError
 from tracker.messages import BlobFrame, Estimate, ImuSample
 from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions

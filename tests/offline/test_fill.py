@@ -12,9 +12,9 @@ import ezc3d
 import numpy as np
 import pytest
 
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import sha256
 from tracker.cli import main
-from tracker.errors import ConfigError, FileError
-from tracker.files import sha256
 from tracker.messages import Estimate, Tracking, Validity
 from tracker.offline.fill import Signature, fill
 from tracker.offline.options import TrackOptions

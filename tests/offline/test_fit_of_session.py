@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.desk import detection, folder, load, tracked
-from tracker import library
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_image import learn_image
-from tracker.errors import GlovetrackError
+from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
 from tracker.offline.colours import check_session, fit_session
 from tracker.offline.colours_fit import Sensed, Worn, fit_messages

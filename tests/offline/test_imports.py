@@ -10,8 +10,8 @@ import pytest
 from scipy.io import loadmat, savemat
 from scipy.spatial.transform import Rotation
 
+from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
-from tracker.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.imports.run import ImportOptions, import_imus
 from tracker.offline.imports.together import at_instants

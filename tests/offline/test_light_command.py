@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.offline.commands import add_commands
 from tracker.offline.simulate import SimulateOptions, simulate
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.base.errors import FileError
 from tracker.cli import main
-from tracker.errors import FileError
 from tracker.messages import Estimate, StereoFrame
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate

@@ -7,18 +7,18 @@ from pathlib import Path
 import pytest
 
 from tracker import __version__
+from tracker.base.config import to_toml
+from tracker.base.errors import ConfigError
 from tracker.cli import main
-from tracker.config import to_toml
-from tracker.errors import ConfigError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.messages import BlobFrame, EngineState, Event, ImuSample
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.simulate import SimulateOptions, build, simulate
 from tracker.offline.track import track
-from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
-from tracker.settings import Settings
 
 BEGIN = 0.8  # s
 OLD = "[chain.constraint]\nthumb_abduction = 0.3\n[warp]\nspeed = 9\n"

@@ -9,9 +9,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tracker import library
-from tracker.clock import ClockAnchor
-from tracker.errors import GlovetrackError
+from tracker.base.clock import ClockAnchor
+from tracker.base.errors import GlovetrackError
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, StereoFrame, Tracking

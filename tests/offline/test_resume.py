@@ -6,13 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracker.config import to_toml
-from tracker.errors import FileError
+from tracker.base.config import to_toml
+from tracker.base.errors import FileError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.messages import BlobFrame, CameraPose, EngineState, Estimate, ImuSample
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.offline.track import track
-from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
 from tracker.session.description import SessionInfo
 from tracker.session.engine_state import MEDIA_TYPE, NAME
@@ -20,7 +21,6 @@ from tracker.session.mcap.container import McapOutput
 from tracker.session.reader import SessionReader
 from tracker.session.recover import recover
 from tracker.session.writer import SessionRecorder
-from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import StereoRig
 

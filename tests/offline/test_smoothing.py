@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from tracker.cli import main
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, IntArray
 from tracker.offline import smooth
 from tracker.offline.simulate import SimulateOptions, build
 from tracker.offline.smooth import Smoother
 from tracker.offline.smooth_chain import Forgotten, Step, Update
-from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo
 from tracker.session.reader import SessionReader
-from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
 
 Messages = list[ImuSample | BlobFrame]

@@ -8,12 +8,12 @@ from functools import reduce
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
 from tracker.online import pair_offset
 from tracker.online.pair_offset import PairOffset
-from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.vision.lenses import with_one_camera

@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
 from tracker.online.rig_watch import SHIFTS, RigWatch, leaders, row_votes
-from tracker.pipeline import Pipeline
 from tracker.simulation.extras import Distractors
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation

@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -21,8 +23,6 @@ from tracker.online.time_offset import (
     _RootView,
     rigid,
 )
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

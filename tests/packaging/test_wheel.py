@@ -15,7 +15,7 @@ from types import SimpleNamespace
 
 import pytest
 
-import tracker.pipeline  # noqa: F401  (its kernels are to be known)
+import tracker.engine.pipeline  # noqa: F401  (its kernels are to be known)
 from tracker.kernels import parts
 from tracker.kernels.decorator import are_compiled
 
@@ -42,7 +42,15 @@ def tracked(*folders: str) -> list[str]:
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
     source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("wheel")
     for name in tracked(
-        *("app", "glovetrack", "tracker", "resources", "docs/guide", "packaging/backend.py"),
+        *(
+            "app",
+            "extensions",
+            "glovetrack",
+            "tracker",
+            "resources",
+            "docs/guide",
+            "packaging/backend.py",
+        ),
         *("pyproject.toml", "README.md", "LICENSE"),
     ):
         (source / name).parent.mkdir(parents=True, exist_ok=True)
@@ -57,7 +65,8 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
 
 
 def test_it_has_every_module_and_every_resource(wheel: zipfile.ZipFile) -> None:
-    wanted = {n for n in tracked("app", "tracker") if n.endswith(".py")}
+    wanted = {n for n in tracked("app", "extensions", "tracker") if n.endswith(".py")}
+    wanted -= {n for n in wanted if n.split("/")[2:3] == ["tests"]}
     wanted |= {n for n in tracked("resources") if n.endswith(KINDS)}
     assert {f"glovetrack/{n}" for n in wanted} <= set(wheel.namelist())
     assert set(tracked("glovetrack")) <= set(wheel.namelist()), "the public package"
@@ -84,7 +93,7 @@ def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -
     wheel.extractall(tmp_path / "site")
     (tmp_path / "app.py").write_text("OWN = True\n")
     code = (
-        "import sys, app, glovetrack; from glovetrack.tracker.settings import *; "
+        "import sys, app, glovetrack; from glovetrack.tracker.engine.settings import *; "
         "import glovetrack.tracker.cli as cli; assert app.OWN; "
         "assert not {'tracker', 'resources'} & set(sys.modules); "
         "print(glovetrack.__version__); cli.main(['simulate', '--help'])"
@@ -144,8 +153,8 @@ def spelled(path: Path) -> list[str]:
 
 def test_no_module_is_named_in_a_string() -> None:
     """In a wheel it has another name: for half a day no installed program could export."""
-    folders = ("app", "glovetrack", "tracker", "resources")
-    files = [ROOT / n for n in tracked(*folders) if n.endswith(".py")]
+    folders = ("app", "extensions", "glovetrack", "tracker", "resources")
+    files = [ROOT / n for n in tracked(*folders) if n.endswith(".py") and "/tests/" not in n]
     assert {path.name: names for path in files if (names := spelled(path))} == {}
 
 
@@ -159,7 +168,7 @@ def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
     build += "backend.stage(Path.cwd(), target); backend.add_kernels(Path.cwd(), target)"
     subprocess.run([sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True)
     code = (
-        "import glovetrack.tracker.pipeline; from glovetrack.tracker import kernels; "
+        "import glovetrack.tracker.engine.pipeline; from glovetrack.tracker import kernels; "
         "from glovetrack.tracker.kernels import decorator; "
         "assert kernels.are_compiled(); print(len(decorator._library()._entries))"
     )

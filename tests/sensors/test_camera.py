@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.image_input import (
     AT_ONCE,

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera_controls import (
     ABSENT,
     ControlledInput,

@@ -13,8 +13,8 @@ import pytest
 
 from app.engines.camera_choice import choose
 from app.storage.settings import AppSettings
-from tests.conftest import ROOT
-from tracker.errors import DeviceError
+from tests.fixtures import ROOT
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.camera_plugins import all_cameras, open_plugin, plugin_cameras
 from tracker.sensors.image_input import CaptureFormat

@@ -10,7 +10,7 @@ import pytest
 
 from app.engines.camera_choice import choose
 from app.storage.settings import AppSettings
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera_controls import ControlledInput
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.camera_systems import (

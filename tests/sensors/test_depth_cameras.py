@@ -12,14 +12,15 @@ import cv2
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tests.live.test_runner import Camera, Glove, Stream, Tape, run_to_the_end
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.two_hands import OneHand
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Estimate, Event, StereoFrame, Tracking
-from tracker.pipeline import Pipeline
 from tracker.sensors.camera import CameraParams, StereoCamera
 from tracker.sensors.camera_plugins import open_plugin
 from tracker.sensors.image_input import CaptureFormat, Image, Pair
@@ -27,7 +28,6 @@ from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.virtual_camera import VirtualCamera
-from tracker.two_hands import OneHand
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from extensions.evaluation.faults.drill import FAULTS, DrillParams, DrillReport, drill
 from tracker.cli import main
-from tracker.evaluation.faults.drill import FAULTS, DrillParams, DrillReport, drill
 
 QUICK = DrillParams(fps=15.0, shortest=0.1, longest=0.7, rest_longest=0.3)
 

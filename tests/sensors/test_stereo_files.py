@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError
 from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.zed_files import find_zed_file, load_zed
 from tracker.vision.rig import StereoRig

@@ -17,19 +17,20 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker import GRAVITY, library
+from tracker import GRAVITY
+from tracker.base.records import RECORDS
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import TwoHandsKept
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import BundleParams
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraImuSample, ImuSample
-from tracker.pipeline import Pipeline
-from tracker.records import RECORDS
 from tracker.session.engine_state import pack
-from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.two_hands import TwoHandsKept
 
 DATA = Path(__file__).parent / "data"
 NAMES = DATA / "engine_state_names.txt"

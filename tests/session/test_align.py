@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
+from tracker.base.errors import FileError
 from tracker.cli import main
-from tracker.errors import FileError
 from tracker.messages import Estimate, ImuSample
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track

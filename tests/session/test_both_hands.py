@@ -9,9 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from extensions.conformance.isaac.reader import read_records
+from extensions.conformance.run import read_take
+from extensions.movement.report.measure import tell_hands
 from tracker.cli import main
-from tracker.conformance.run import read_take
-from tracker.isaac.reader import read_records
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
 from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions
@@ -19,7 +20,6 @@ from tracker.offline.simulate import SimulateOptions, build_both, simulate
 from tracker.offline.track import track
 from tracker.session.compare import compare, truth_error_mm
 from tracker.session.reader import SessionReader
-from tracker.session.report.measure import tell_hands
 from tracker.session.verify import is_ok, verify
 
 OPTIONS = SimulateOptions(hands="both", seed=3, duration=3.0, fps=30.0, images=False)

@@ -9,8 +9,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from damaged_sessions import Spoil, cut_message, spoilt
 
+from tests.damaged_sessions import Spoil, cut_message, spoilt
 from tracker.cli import main
 from tracker.messages import Estimate, ImuSample, StereoFrame
 from tracker.offline.options import TrackOptions

@@ -17,7 +17,7 @@ READ = """
 import sys
 from pathlib import Path
 from tracker.session.reader import SessionReader
-assert "tracker.pipeline" not in sys.modules, "it was imported without being asked for"
+assert "tracker.engine.pipeline" not in sys.modules, "it was imported without being asked for"
 with SessionReader(Path(sys.argv[1])) as session:
     print([state.engine for state in session.engine_states()])
 """
@@ -28,7 +28,7 @@ for name in sys.argv[1:]:
     import_module(name)
 from tracker.session.engine_parts import register_all
 register_all()
-from tracker.records import RECORDS
+from tracker.base.records import RECORDS
 print(*RECORDS)
 """
 

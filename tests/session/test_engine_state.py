@@ -19,15 +19,15 @@ from tests.session.engine_state_samples import (
     simulation,
     untouched,
 )
-from tracker.errors import FileError
+from tracker.base.errors import FileError
+from tracker.base.records import RECORDS
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import ENGINES, Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraPose, Estimate, ImuSample
-from tracker.pipeline import Pipeline
-from tracker.records import RECORDS
 from tracker.session.engine_state import MOST_BYTES, MOST_TEXT, VERSION, pack, unpack
 from tracker.session.state_check import mismatch
-from tracker.settings import ENGINES, Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
@@ -197,7 +197,7 @@ def test_a_filter_without_images_goes_on_from_its_bytes(
 
 @pytest.mark.parametrize("sample", SAMPLES)
 def test_a_state_of_another_day_is_still_read(sample: str) -> None:
-    """If this fails, a record or a field has lost its name: see `tracker.records`."""
+    """If this fails, a record or a field has lost its name: see `tracker.base.records`."""
     path = DATA / f"engine_state_{sample}.bin"
     said = json.loads(path.with_suffix(".json").read_text())
     engine, state = unpack(path.read_bytes())

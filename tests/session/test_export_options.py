@@ -15,8 +15,8 @@ from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
 
+from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
-from tracker.errors import ConfigError, FileError
 from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.messages import CameraPose, Estimate, Event, ImuSample, Validity
 from tracker.session.export.axes import AXES

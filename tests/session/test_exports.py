@@ -17,9 +17,9 @@ import yourdfpy
 from pygltflib import GLTF2
 from scipy.spatial.transform import Rotation
 
+from extensions.conformance.isaac.reader import read_records
+from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
-from tracker.errors import ConfigError, FileError
-from tracker.isaac.reader import read_records
 from tracker.messages import CameraPose, Estimate, Event, ImuSample
 from tracker.session.export.axes import AXES
 from tracker.session.export.load import load_series
@@ -356,7 +356,7 @@ def test_foreign_sessions_are_grouped_by_instant(tmp_path: Path, session_info, m
 
 
 def test_isaacs_record_has_every_estimate_with_its_stamps(tracked, tmp_path: Path) -> None:
-    """That NVIDIA's replay opens such files is tested in tests/isaac."""
+    """That NVIDIA's replay opens such files is tested in extensions/conformance/tests."""
     path, estimates = tracked
     export(path, "isaac", tmp_path / "take.mcap")
     found = list(read_records(tmp_path / "take.mcap"))

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.errors import ConfigError
-from tracker.files import DiskError
+from tracker.base.errors import ConfigError
+from tracker.base.files import DiskError
 from tracker.messages import CameraPose, Estimate
 from tracker.session.description import SessionInfo
 from tracker.session.export import film

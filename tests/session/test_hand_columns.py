@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.session.export.series import recorded_series
 from tracker.session.hand_columns import NumberRows, read_hand
 from tracker.session.reader import SessionReader

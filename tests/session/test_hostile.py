@@ -11,8 +11,8 @@ import lz4.frame
 import numpy as np
 import pytest
 
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.cli import main
-from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Event
 from tracker.session.mcap.container import McapOutput
 from tracker.session.mcap.input import McapInput

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import Validity
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate

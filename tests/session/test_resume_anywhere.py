@@ -19,6 +19,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.cloth_masks import cloth_of, looked_at
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import ENGINES, Settings
+from tracker.engine.two_hands import OneHand, Sided, TwoHands
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import began, ended
@@ -26,12 +29,9 @@ from tracker.fusion.chain.params import BundleParams
 from tracker.fusion.chain.pose_reset import reset_event
 from tracker.messages import BlobFrame, Blobs, CameraImuSample, Estimate, Event, ImuSample, Message
 from tracker.offline.simulate import SimulateOptions, build, build_both
-from tracker.pipeline import Pipeline
 from tracker.session.engine_state import pack, unpack
 from tracker.session.state_check import require_match
-from tracker.settings import ENGINES, Settings
 from tracker.simulation.scenario import Simulation
-from tracker.two_hands import OneHand, Sided, TwoHands
 from tracker.vision.rig import StereoRig
 
 DURATION, FPS = 3.0, 20.0

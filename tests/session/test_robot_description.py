@@ -8,7 +8,7 @@ import numpy as np
 import yourdfpy
 from mcap_ros2.reader import read_ros2_messages
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tests.session.conftest import ANCHOR
 from tracker.geometry import so3
 from tracker.session.description import describe

@@ -11,7 +11,7 @@ from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
 from tests.session.conftest import at
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import RobotMemory, RobotModel, RobotState
 from tracker.session.decode_robot import read_robot, robot_model, robot_names
 from tracker.session.export.mcap import copy_part

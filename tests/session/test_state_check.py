@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from tests.session.engine_state_samples import simulation, small_glove, tracked, untouched
-from tracker.errors import FileError
+from tracker.base.errors import FileError
+from tracker.base.records import RECORDS, Record
+from tracker.engine.pipeline import PipelineKept
 from tracker.fusion.chain.tip_bends import TipBendsKept
 from tracker.messages import Blobs
-from tracker.pipeline import PipelineKept
-from tracker.records import RECORDS, Record
 from tracker.session.engine_state import pack, unpack
 from tracker.session.state_check import mismatch, require_match
 

@@ -17,8 +17,8 @@ from mcap.writer import Writer
 
 from tests.session.conftest import START
 from tests.session.kill_drill import drill
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.cli import main
-from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Estimate, ImuSample
 from tracker.session.compare import compare
 from tracker.session.mcap import disk
@@ -176,7 +176,7 @@ def test_a_file_that_is_made_fits_on_a_disk_too_full_to_record_on(
 ) -> None:
     """A recording needs room for what is to come; a tracked file is small, and made again."""
     left = SimpleNamespace(total=10**12, used=10**12, free=50 * 10**6)
-    monkeypatch.setattr("tracker.files.shutil.disk_usage", lambda folder: left)
+    monkeypatch.setattr("tracker.base.files.shutil.disk_usage", lambda folder: left)
     with pytest.raises(FileError) as caught:
         SessionRecorder(tmp_path / "recorded.mcap", session_info)
     said = str(caught.value)

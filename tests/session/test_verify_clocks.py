@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tracker.clock import NS
+from tracker.base.clock import NS
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered

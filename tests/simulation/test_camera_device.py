@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build
 

@@ -8,8 +8,8 @@ import desk_scores
 import numpy as np
 import pytest
 
-from tracker import library
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.simulation.demo import DemoSpec, build

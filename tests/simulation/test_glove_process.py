@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from tracker import library
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
+from tracker.glove import library
 from tracker.messages import Event, ImuSample
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.simulation.demo import DemoSpec, build

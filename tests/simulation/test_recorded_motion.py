@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.conftest import DATA
-from tracker.errors import FileError
+from tests.fixtures import DATA
+from tracker.base.errors import FileError
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.simulation.motion import Motion

@@ -9,11 +9,11 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker import library
+from tracker.base.errors import FileError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.views import BoardFinder
 from tracker.cli import main
-from tracker.errors import FileError
+from tracker.glove import library
 from tracker.offline.simulate import GLOVES
 from tracker.sensors.discovery import find_gloves
 from tracker.sensors.image_input import CaptureFormat, Image, StreamInput, TwoCameraInput

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

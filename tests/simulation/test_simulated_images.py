@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

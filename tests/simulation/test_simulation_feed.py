@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tracker.clock import nanoseconds, seconds
+from tracker.base.clock import nanoseconds, seconds
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, ImuSample, StereoFrame

@@ -12,8 +12,8 @@ try:
 except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
-from tracker.clock import monotonic
-from tracker.errors import ConfigError
+from tracker.base.clock import monotonic
+from tracker.base.errors import ConfigError
 from tracker.streaming.remote.lsl_markers import MarkerDoor
 from tracker.streaming.remote.params import RemoteParams, open_door, with_doors
 from tracker.streaming.remote.request import Reply, Request

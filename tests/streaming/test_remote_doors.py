@@ -16,7 +16,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 from tracker.streaming.publisher import StreamError
 from tracker.streaming.remote.client import ask
 from tracker.streaming.remote.doors import (

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.streaming.osc_decode import message
 from tracker.streaming.osc_encode import message as osc_message
 from tracker.streaming.remote import osc

@@ -7,7 +7,7 @@ import socket
 
 import pytest
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tests.live.test_runner import Tape, live, run_to_the_end
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

@@ -10,9 +10,9 @@ import pytest
 
 pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
 
-from tracker.config import from_toml, to_toml
-from tracker.errors import ConfigError
-from tracker.settings import Settings
+from tracker.base.config import from_toml, to_toml
+from tracker.base.errors import ConfigError
+from tracker.engine.settings import Settings
 from tracker.streaming.osc import DEFAULT_PORT as VMC_PORT
 from tracker.streaming.params import STREAMS, StreamParams, open_publishers, with_streams
 from tracker.streaming.publisher import StreamError

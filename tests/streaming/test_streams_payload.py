@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from tests.applications.hands import GLOVE, HAND, estimates
+from extensions.applications.tests.hands import GLOVE, HAND, estimates
 from tracker.gestures.values import GESTURES
 from tracker.messages import Tracking
 from tracker.simulation.scripted import Key

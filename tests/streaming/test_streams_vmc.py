@@ -12,7 +12,7 @@ from pythonosc.osc_bundle import OscBundle
 from pythonosc.osc_message import OscMessage
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import RESOURCES
+from tests.fixtures import RESOURCES
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Tracking

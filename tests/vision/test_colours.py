@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import resources
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.vision.colours import (
     ColourProfile,
     HueRange,

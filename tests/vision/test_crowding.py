@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.engine.pipeline import Pipeline
 from tracker.messages import BlobFrame, Blobs, ImuSample, Tracking
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 from tracker.vision.crowding import MOST_BLOBS, thinned
 

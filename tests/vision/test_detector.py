@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from tests.vision.hue_classes import all_classes
-from tracker.errors import ConfigError, GlovetrackError
+from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.messages import CameraPose, StereoFrame
 from tracker.vision.colours import ColourProfile, HueRange, ShapeLimits
 from tracker.vision.components import Scan, axes, fill, hull, moments, run_buffer

@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.base.errors import ConfigError
 from tracker.cli import main
-from tracker.errors import ConfigError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.messages import BlobFrame, Blobs
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
 from tracker.vision.lenses import one_camera_rig, through
 from tracker.vision.rig import ideal_rig
 

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 
 Image = NDArray[np.uint8]

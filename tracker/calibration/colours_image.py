@@ -14,10 +14,10 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_fit import FoundHue, Image, fit_samples, parted
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import KnownMarkers, calmed, core_pixels, samples_of
-from tracker.errors import GlovetrackError
 from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from tracker.terminal import add_json, finish
+from tracker.base.terminal import add_json, finish
 
 
 def add_commands(commands: Any) -> None:

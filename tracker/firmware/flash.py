@@ -12,7 +12,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.firmware.image import FirmwareImage
 
 BOOTLOADERS = {"Optiboot": 115_200, "old Nano": 57_600}

@@ -11,8 +11,8 @@ from importlib.resources import as_file
 from pathlib import Path
 
 import resources
-from tracker.errors import ConfigError, FileError
-from tracker.files import read_bounded
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import read_bounded
 
 MAGIC = b"GLOVEIMG"
 BAUDS = (250_000, 115_200)

@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.base.records import record
 from tracker.fusion.chain.engine import ChainEngine, ChainKept
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
@@ -42,7 +43,6 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 FINGER_SD = 0.01  # m of a finger's markers, by the finger's two IMUs alone

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.engine import ChainEngine

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel, Imu, Keypoint, Marker
 from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
-from tracker.toml_reader import TomlTable, read_text, read_toml
 
 
 def load_glove(path: Path, hand: HandModel) -> GloveModel:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
+from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
 from tracker.hand.model import HandModel, Joint, Segment, Synergy
 from tracker.hand.names import AXES, FIST, LENGTH_ALONG, SEGMENTS, STIFF
-from tracker.toml_reader import TomlTable, read_text, read_toml
 
 ROOT = "dorsum"
 

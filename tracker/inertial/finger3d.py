@@ -11,7 +11,8 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.base.records import record
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.inertial.finger3d_plane import PlaneFinger, PlaneKept
@@ -19,7 +20,6 @@ from tracker.inertial.finger3d_quaternion import QuaternionFinger, QuaternionKep
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry
 from tracker.inertial.madgwick import ADAPTIVE, MadgwickParams
 from tracker.messages import Array
-from tracker.records import record
 
 VARIANTS = ("switching", "switching_offset", "learned", "madgwick", "madgwick_adaptive")
 

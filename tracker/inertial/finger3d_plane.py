@@ -12,6 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from tracker import GRAVITY
+from tracker.base.records import record
 from tracker.geometry import so3
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, force_at
 from tracker.inertial.learned import Learned
@@ -19,7 +20,6 @@ from tracker.inertial.learned_kernel import LearnedState
 from tracker.inertial.plane import ComplexArray, Levers, in_plane, runge_kutta
 from tracker.inertial.switching import Switching, SwitchingParams, SwitchingState
 from tracker.messages import Array
-from tracker.records import record
 
 OFFSET = 60e-3 * GRAVITY  # m/s², zero-g tolerance of an MPU-9250
 

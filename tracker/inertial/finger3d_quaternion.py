@@ -12,12 +12,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.geometry import so3
 from tracker.inertial.descent import NORMAL_B, descend, integrate_rates
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, chain_accelerations, force_at
 from tracker.inertial.madgwick import MadgwickParams
 from tracker.messages import Array
-from tracker.records import record
 
 
 @record("finger.moment", shapes={"gyro": "2 3", "accel": "2 3"})

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector
 from tracker.messages import Array
-from tracker.records import record
 
 
 @dataclass(frozen=True, eq=False)

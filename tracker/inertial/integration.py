@@ -6,12 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.inertial.planar import PlanarReadings, WithState, start_angles
 from tracker.inertial.plane import SENSORS, ComplexArray, runge_kutta
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector, Written
 from tracker.messages import Array
-from tracker.records import record
 
 
 @record("finger.integration", shapes={"theta": "2", "rate": "2 2", "samples": "1"})

@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.inertial.plane import SENSORS, Levers, kinematic, runge_kutta
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
-from tracker.records import record
 
 SIZE = 4  # θ, b_g, b_x (along), b_z (palmar)
 

@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.inertial.integration import IntegrationState, integrate
 from tracker.inertial.planar import PlanarReadings, WithState
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, gravity_angle
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
 from tracker.messages import Array
-from tracker.records import record
 
 
 @dataclass(frozen=True)

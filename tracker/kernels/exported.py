@@ -54,6 +54,8 @@ def _sources(root: Path) -> Iterator[tuple[str, bytes]]:
         folder = root / package.removeprefix(INSTALLED_IN)
         for path in sorted(folder.rglob("*.py")):
             parts = path.relative_to(root).with_suffix("").parts
+            if "tests" in parts:
+                continue
             module = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
             yield f"{INSTALLED_IN}{module}", path.read_bytes()
 

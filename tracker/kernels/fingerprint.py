@@ -15,7 +15,7 @@ import numpy as np
 
 from tracker.kernels.signature import INSTALLED_IN, signature
 
-OURS = (f"{INSTALLED_IN}app", f"{INSTALLED_IN}tracker")
+OURS = tuple(f"{INSTALLED_IN}{name}" for name in ("app", "extensions", "tracker"))
 Function = Callable[..., Any]
 
 

@@ -24,7 +24,7 @@ and add, which rounds once where others round twice: results are the same on all
 WIDE_FEATURES = "+avx2"
 DIVIDED = ("tracker_fusion", "tracker_simulation")
 NOT_FOR_THE_DEMO = (
-    "tracker_applications",
+    "extensions_applications",
     "tracker_fusion_vist",
     "tracker_inertial",
     "tracker_simulation_desk",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from tracker.base.channels import Latest
 from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
-from tracker.channels import Latest
 from tracker.live.frame_results import ShownFrame
 from tracker.live.journal import Journal
 from tracker.live.vision import Vision

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tracker.channels import Latest
+from tracker.base.channels import Latest
+from tracker.engine.two_hands import Sided
 from tracker.live.inbox import Inbox
 from tracker.live.journal import Journal
 from tracker.live.telemetry import Telemetry
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
-from tracker.two_hands import Sided
 
 WAIT = 0.05  # s that a step waits for its device
 

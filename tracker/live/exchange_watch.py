@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from tracker.engine.side_watch import ENOUGH, PATIENCE, SURE, TRIAL, sees
+from tracker.engine.two_hands import SIDES, TwoHands
 from tracker.glove.mirror import OTHER
 from tracker.messages import BlobFrame, ImuSample, Tracking
-from tracker.side_watch import ENOUGH, PATIENCE, SURE, TRIAL, sees
-from tracker.two_hands import SIDES, TwoHands
 
 
 class ExchangeWatch:

@@ -8,10 +8,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tracker.applications.stage import ApplicationStage
+from extensions.applications.live import ApplicationThread
+from extensions.applications.stage import ApplicationStage
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.side_watch import SideWatch
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.gestures.recogniser import GestureRecogniser
-from tracker.live.applications import ApplicationThread
 from tracker.live.frame_results import FrameResults, ShownFrame
 from tracker.live.history import History
 from tracker.live.imu_history import ImuHistory
@@ -19,8 +21,6 @@ from tracker.live.journal import Journal
 from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
 from tracker.messages import Calibration, Estimate, FrameResult, Status, Tracking
-from tracker.pipeline import Pipeline
-from tracker.side_watch import SideWatch
 from tracker.vision.region_prediction import RegionPrediction
 
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched

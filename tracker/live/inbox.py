@@ -12,10 +12,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeVar
 
-from tracker.channels import Closed
+from tracker.base.channels import Closed
+from tracker.engine.two_hands import Sided
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, StereoFrame
-from tracker.two_hands import Sided
 
 T = TypeVar("T")
 SIZE = 4096  # 40 s of packets

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from tracker.channels import Fifo
+from tracker.base.channels import Fifo
 from tracker.live.recording import Recorder, RecordingThread
 from tracker.messages import Event, Message
 

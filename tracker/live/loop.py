@@ -11,8 +11,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
-from tracker.clock import nanoseconds, next_instant, seconds
-from tracker.errors import GlovetrackError
+from tracker.base.clock import nanoseconds, next_instant, seconds
+from tracker.base.errors import GlovetrackError
+from tracker.engine.pipeline import SILENCE
+from tracker.engine.two_hands import Hands, Sided, TwoHands
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
 from tracker.gestures.recogniser import gesture_event
@@ -35,8 +37,6 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.online.colour_watch import ColourWatch
-from tracker.pipeline import SILENCE
-from tracker.two_hands import Hands, Sided, TwoHands
 from tracker.vision.region_prediction import RegionPrediction, together
 from tracker.vision.rig import StereoRig
 

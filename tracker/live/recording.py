@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Protocol
 
-from tracker.channels import Closed, Fifo
-from tracker.errors import GlovetrackError
+from tracker.base.channels import Closed, Fifo
+from tracker.base.errors import GlovetrackError
 from tracker.messages import Message, StereoFrame
 
 _log = logging.getLogger(__name__)

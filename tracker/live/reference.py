@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import threading
 
-from tracker.channels import Closed, Fifo
-from tracker.errors import GlovetrackError
+from tracker.base.channels import Closed, Fifo
+from tracker.base.errors import GlovetrackError
+from tracker.engine.two_hands import Hands, Sided
 from tracker.messages import BlobFrame, Estimate
-from tracker.two_hands import Hands, Sided
 
 WAIT = 0.05  # s that the thread waits before it looks whether it should end
 MOST_WAITING = 500  # messages, 4 s: a machine too slow for two engines loses some here

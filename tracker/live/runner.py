@@ -11,9 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from tracker.applications.stage import ApplicationStage
+from extensions.applications.stage import ApplicationStage
+from tracker.base.clock import monotonic
 from tracker.calibration.colours_follow import ColourFollower
-from tracker.clock import monotonic
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import Hands
 from tracker.fusion.engine import Engine
 from tracker.live.colours import FollowedColours
 from tracker.live.devices import CameraReader, GloveReader
@@ -36,11 +39,8 @@ from tracker.messages import (
     Message,
     Status,
 )
-from tracker.pipeline import Pipeline
 from tracker.sensors.sources import CameraSource, GloveSource
 from tracker.session.description import MAIN
-from tracker.settings import Settings
-from tracker.two_hands import Hands
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 

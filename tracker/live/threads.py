@@ -7,9 +7,9 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 
-from tracker.channels import Closed
-from tracker.errors import GlovetrackError
-from tracker.urgency import run_soon
+from tracker.base.channels import Closed
+from tracker.base.errors import GlovetrackError
+from tracker.base.urgency import run_soon
 
 _log = logging.getLogger(__name__)
 

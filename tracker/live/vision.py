@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from tracker.channels import Latest
+from tracker.base.channels import Latest
 from tracker.live.inbox import DetectedFrame, Inbox
 from tracker.live.loop import LiveLoop
 from tracker.messages import Shed, StereoFrame

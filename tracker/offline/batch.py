@@ -7,13 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tracker.errors import ConfigError
-from tracker.files import make_folder
-from tracker.offline.options import TrackOptions
-from tracker.offline.report import TrackReport
-from tracker.offline.track import track
-from tracker.session.glance import sessions_in
-from tracker.workers import (
+from extensions.movement.report.command import TrackReport
+from tracker.base.errors import ConfigError
+from tracker.base.files import make_folder
+from tracker.base.workers import (
     ALL_CORES,
     Outcome,
     WorkersAsked,
@@ -22,6 +19,9 @@ from tracker.workers import (
     some_workers,
     usable_cores,
 )
+from tracker.offline.options import TrackOptions
+from tracker.offline.track import track
+from tracker.session.glance import sessions_in
 
 HEAD = ("session", "duration", "mean error", "tracked", "seconds", "")
 

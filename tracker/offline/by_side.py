@@ -6,14 +6,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tracker import library
-from tracker.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import keep as keep_worn
+from tracker.glove import library
 from tracker.offline.options import TrackOptions
 from tracker.session.description import COLOURS, GLOVE, HAND, SIDES, SessionInfo, of_side
 from tracker.session.export.run import path_of_side
-from tracker.toml_reader import parse_toml, read_text
 from tracker.vision.colours import parse_profile
 
 

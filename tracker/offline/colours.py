@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from tracker import library
-from tracker.errors import FileError
-from tracker.files import check_target, write_kept
+from tracker.base.errors import FileError
+from tracker.base.files import check_target, write_kept
+from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
 from tracker.offline.colours_fit import (
     ColourCheck,

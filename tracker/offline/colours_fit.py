@@ -14,11 +14,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker import library
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_fit import clashes
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
-from tracker.errors import GlovetrackError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.side_watch import other_side_words
+from tracker.glove import library
 from tracker.glove.mirror import mirrored_glove, mirrored_hand
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -31,9 +34,6 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
 )
-from tracker.pipeline import Pipeline
-from tracker.settings import Settings
-from tracker.side_watch import other_side_words
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams, detect_frame
 from tracker.vision.rig import StereoRig

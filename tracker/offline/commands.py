@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tracker.errors import GlovetrackError
+from extensions.robot.teleop_command import add_teleop
+from tracker.base.errors import GlovetrackError
+from tracker.base.terminal import add_force, add_json, check_json, finish, progress_line
 from tracker.offline.gap_commands import add_gap_commands
 from tracker.offline.imports.command import add_import
 from tracker.offline.rig_command import add_rig
-from tracker.offline.teleop_command import add_teleop
-from tracker.terminal import add_force, add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from tracker.offline.batch import Job
@@ -344,8 +344,8 @@ def _track(args: argparse.Namespace) -> int:
 
 
 def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOptions) -> int:
+    from tracker.base.workers import WorkersAsked
     from tracker.offline.batch import table, to_json, track_all
-    from tracker.workers import WorkersAsked
 
     progress = progress_line(f"tracking {len(jobs)} sessions")
     files = [path for job in jobs for path in (job.source, job.out)]

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from tracker.clock import NS
-from tracker.errors import ConfigError, GlovetrackError
-from tracker.files import check_target, whole_file
+from tracker.base.clock import NS
+from tracker.base.errors import ConfigError, GlovetrackError
+from tracker.base.files import check_target, whole_file
 from tracker.messages import ImuSample
 from tracker.offline.track import state_at
 from tracker.session import engine_state

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 from tracker import __version__
-from tracker.errors import ConfigError, FileError
-from tracker.files import check_target, sha256, whole_file
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import check_target, sha256, whole_file
 from tracker.offline.options import TrackOptions
 from tracker.session.edits import Edit, Filled
 from tracker.session.gaps.fill import FillOptions, HandFill, Left, choose, fill_hand

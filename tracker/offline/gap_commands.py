@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tracker.errors import FileError
-from tracker.terminal import add_json, check_json, finish, progress_line
+from tracker.base.errors import FileError
+from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from tracker.session.gaps.find import Gap
@@ -110,8 +110,8 @@ def _fill(args: argparse.Namespace) -> int:
 
 def read_gaps(path: Path) -> Sequence[Gap]:
     """A list that `gaps --json` wrote. Raises FileError for another file."""
+    from tracker.base.toml_reader import read_text
     from tracker.session.gaps.find import Gap
-    from tracker.toml_reader import read_text
 
     names = Gap.__dataclass_fields__
     try:

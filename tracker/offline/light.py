@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker import library
+from tracker.base.errors import FileError
 from tracker.calibration.light_meter import LightMeter, LightReading
-from tracker.errors import FileError
+from tracker.glove import library
 from tracker.messages import StereoFrame
 from tracker.session.description import COLOURS
 from tracker.session.reader import SessionReader

@@ -16,7 +16,7 @@ class TrackOptions:
     glove: str = ""
     colours: str = ""
     with_sensors: bool = False
-    settings: str = ""  # path of a TOML file of `tracker.settings.Settings`, or `USUAL`
+    settings: str = ""  # path of a TOML file of `tracker.engine.settings.Settings`, or `USUAL`
     smooth: bool = False  # estimates that know the whole session
     guided: bool = True  # learn from guided poses that the session holds
     wearer: str = ""  # path of a wearer's profile

@@ -11,8 +11,8 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
-from tracker.errors import GlovetrackError
 from tracker.messages import BlobFrame, Event, FrameResult, ImuSample, StereoFrame, Tracking
 from tracker.offline.colours_fit import Sensed, Worn, fit_messages
 from tracker.offline.detection import AHEAD, detected

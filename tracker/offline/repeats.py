@@ -8,8 +8,8 @@ from typing import TypeVar
 
 import numpy as np
 
+from tracker.engine.two_hands import Sided
 from tracker.messages import ImuSample
-from tracker.two_hands import Sided
 
 REMEMBERED = 1024  # packets of a glove, 10 s at 100 Hz
 T = TypeVar("T")

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracker.files import write_whole
-from tracker.terminal import add_force
+from tracker.base.files import write_whole
+from tracker.base.terminal import add_force
 
 if TYPE_CHECKING:
     from tracker.simulation.demo import DemoSpec
@@ -95,7 +95,7 @@ def _rig(args: argparse.Namespace) -> int:
 
 
 def _spec(args: argparse.Namespace) -> DemoSpec:
-    from tracker import library
+    from tracker.glove import library
     from tracker.offline.simulate import GLOVES
     from tracker.simulation.demo import DemoSpec, WornTexts
 

@@ -9,6 +9,10 @@ from typing import Protocol
 
 import numpy as np
 
+from extensions.movement.report.command import Counter, StatusClock, TrackReport, TruthCheck
+from tracker.engine.pipeline import ANOTHER, Pipeline
+from tracker.engine.side_watch import SideWatch
+from tracker.engine.two_hands import Sided
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.engine import Engine
@@ -25,17 +29,13 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.offline.own_colours import OwnColours
-from tracker.offline.report import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.online.colour_watch import ColourWatch
-from tracker.pipeline import ANOTHER, Pipeline
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
 from tracker.session.state_check import require_match
 from tracker.session.writer import SessionRecorder
-from tracker.side_watch import SideWatch
-from tracker.two_hands import Sided
 from tracker.vision.rig import StereoRig
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker import library
-from tracker.clock import ClockAnchor
-from tracker.errors import ConfigError
-from tracker.files import check_target
+from tracker.base.clock import ClockAnchor
+from tracker.base.errors import ConfigError
+from tracker.base.files import check_target
 from tracker.geometry import so3
+from tracker.glove import library
 from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
 from tracker.session.description import SessionInfo, describe
 from tracker.session.writer import RecorderParams, new_session

@@ -14,7 +14,8 @@ from typing import IO, Any
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import GuidedSaid, guided_of
 from tracker.fusion.chain.layout import ChainLayout
@@ -22,7 +23,6 @@ from tracker.fusion.chain.pose_reset import is_reset
 from tracker.messages import BlobFrame, Calibration, Estimate, Event, ImuSample, Tracking
 from tracker.offline.smooth_chain import ChainTape, smoothing_params
 from tracker.session.description import SessionInfo
-from tracker.settings import Settings
 
 BLOCK_S = 4.0  # s; a tape takes some 25 MB a second
 

@@ -7,6 +7,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
+from tracker.engine.pipeline import Pipeline, PipelineKept
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import Sided
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -15,10 +18,7 @@ from tracker.offline.runs import Fed, Output, arrival
 from tracker.offline.smooth import Message, Shelf, Smoother
 from tracker.offline.two_hands import TwoHandsRun
 from tracker.online.camera_tilt import CameraTilt
-from tracker.pipeline import Pipeline, PipelineKept
 from tracker.session.images import PackedFrame
-from tracker.settings import Settings
-from tracker.two_hands import Sided
 from tracker.vision.rig import StereoRig
 
 

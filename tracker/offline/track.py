@@ -11,13 +11,20 @@ from typing import Any
 
 import numpy as np
 
-from tracker import __version__, library
-from tracker.config import from_dict, from_toml, to_toml
-from tracker.errors import ConfigError, FileError
-from tracker.files import check_target, sha256
+from extensions.movement.report.command import TrackReport, TruthCheck
+from tracker import __version__
+from tracker.base.config import from_dict, from_toml, to_toml
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import check_target, sha256
+from tracker.base.toml_reader import parse_toml, read_text
+from tracker.base.workers import usable_cores
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings
+from tracker.engine.two_hands import TwoHands
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import measure, put_on
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -34,7 +41,6 @@ from tracker.offline.detection import detected
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.repeats import Repeats
-from tracker.offline.report import TrackReport, TruthCheck
 from tracker.offline.runs import (
     Fed,
     LiveRun,
@@ -50,19 +56,14 @@ from tracker.offline.smooth import Smoother
 from tracker.offline.smooth_two import GivingPipeline, SmoothTwoRun
 from tracker.offline.two_hands import TwoHandsRun, with_other
 from tracker.online.camera_tilt import CameraTilt
-from tracker.pipeline import Pipeline
 from tracker.session.arithmetic import arithmetic
 from tracker.session.description import COLOURS, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 from tracker.session.writer import new_session
-from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
-from tracker.toml_reader import parse_toml, read_text
-from tracker.two_hands import TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
-from tracker.workers import usable_cores
 
 MOST_NAMED = 8
 """Settings that a sentence names."""

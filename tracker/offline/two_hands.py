@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tracker.engine.two_hands import Sided, TwoHands
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, CameraImuSample, EngineState, Event, ImuSample, Tracking
 from tracker.offline.own_colours import OwnColours
@@ -16,7 +17,6 @@ from tracker.offline.runs import CALIBRATION_PERIOD, Fed, Output, arrival
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 from tracker.session.state_check import require_match
-from tracker.two_hands import Sided, TwoHands
 from tracker.vision.rig import StereoRig
 
 

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker import GRAVITY
+from tracker.base.records import record
 from tracker.geometry import so3
 from tracker.messages import Array, CameraImuSample, CameraPose
-from tracker.records import record
 
 UP = np.array([0.0, 0.0, 1.0])
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, replace
 
+from tracker.base.records import record
 from tracker.messages import BlobFrame, FrameResult, ImuSample
 from tracker.online.time_offset import Offset, TimeOffset, TimeOffsetKept
-from tracker.records import record
 
 WAITING = 64  # images that may be under way
 

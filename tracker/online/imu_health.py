@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Written
 from tracker.messages import Array, ImuSample, IntArray
-from tracker.records import record
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
 

@@ -19,11 +19,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntMatrix, IntVector
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, FrameResult, IntArray
 from tracker.online.time_offset import Offset
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 WAITING = 60  # images under way at most

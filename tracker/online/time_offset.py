@@ -22,13 +22,13 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
+from tracker.base.records import record
 from tracker.geometry.kernels import exp3, log3, mul3, nearest_rotation, rotate, rotate_back, tmul3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, BlobFrame, FrameResult, ImuSample
-from tracker.records import record
 from tracker.vision.rig import StereoIntrinsics, StereoRig, triangulated
 
 FLAT = 1e-6  # m², for markers on one line

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.clock import monotonic, nanoseconds, seconds
-from tracker.errors import DeviceError
+from tracker.base.clock import monotonic, nanoseconds, seconds
+from tracker.base.errors import DeviceError
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.image_input import Image, ImageInput, Pair
 from tracker.sensors.image_watch import ImageWatch, WatchParams

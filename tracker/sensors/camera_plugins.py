@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.image_input import CameraName, CaptureFormat, ImageInput, list_cameras
 
 GROUP = "glovetrack.cameras"

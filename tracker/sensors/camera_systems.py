@@ -13,7 +13,7 @@ from typing import Protocol
 
 import cv2
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 
 LINUX, WINDOWS, MACOS = "linux", "win32", "darwin"  # as `sys.platform` begins
 

@@ -17,7 +17,7 @@ import numpy as np
 import serial
 
 from tracker import GRAVITY
-from tracker.clock import nanoseconds, seconds
+from tracker.base.clock import nanoseconds, seconds
 from tracker.messages import Event, ImuSample
 from tracker.sensors.accel_range import RangeFromRest
 from tracker.sensors.decoder import FrameDecoder

@@ -11,8 +11,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import monotonic
-from tracker.errors import DeviceError
+from tracker.base.clock import monotonic
+from tracker.base.errors import DeviceError
 from tracker.sensors.camera_systems import CameraName as CameraName
 from tracker.sensors.camera_systems import exposure_switch, is_device_path
 from tracker.sensors.camera_systems import list_cameras as list_cameras

@@ -14,10 +14,10 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
+from tracker.base.toml_reader import read_text
 from tracker.messages import Array, CameraPose
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
-from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
 MM = 1e-3

@@ -12,13 +12,13 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.clock import NS
-from tracker.errors import ConfigError, FileError
-from tracker.files import write_whole
+from tracker.base.clock import NS
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import write_whole
+from tracker.base.toml_reader import read_text
 from tracker.messages import Array, Estimate, ImuSample
 from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
-from tracker.toml_reader import read_text
 
 WAYS = ("clock", "movement")
 RATE = 100.0  # Hz
@@ -224,7 +224,7 @@ def draw(path: Path, a: Course, b: Course, alignment: Alignment, force: bool = F
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    from tracker.files import whole_file
+    from tracker.base.files import whole_file
 
     figure = Figure(figsize=(9, 3.2), layout="constrained")
     FigureCanvasAgg(figure)

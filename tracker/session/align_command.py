@@ -6,7 +6,7 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from tracker.terminal import add_json, check_json, finish
+from tracker.base.terminal import add_json, check_json, finish
 
 
 def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -31,7 +31,7 @@ def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -
 
 
 def _align(args: argparse.Namespace) -> int:
-    from tracker.files import check_target
+    from tracker.base.files import check_target
     from tracker.session.align import align, draw, keep, read_courses
 
     files = [args.first, args.second]

@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.terminal import add_json, check_json, finish, printable
 from tracker.session.align_command import add_align
-from tracker.terminal import add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
     from tracker.session.verify import Finding
@@ -141,6 +141,8 @@ def _add_dataset(command: argparse.ArgumentParser) -> None:
 
 
 def _export(args: argparse.Namespace) -> int:
+    from tracker.base.terminal import progress_line
+    from tracker.base.workers import WorkersAsked
     from tracker.session.export.options import (
         DATASETS,
         PERSONAL,
@@ -148,8 +150,6 @@ def _export(args: argparse.Namespace) -> int:
         ExportOptions,
     )
     from tracker.session.export.run import export, export_dataset, path_of_side
-    from tracker.terminal import progress_line
-    from tracker.workers import WorkersAsked
 
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
     options = ExportOptions(
@@ -209,9 +209,9 @@ def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
 
 
 def _report(args: argparse.Namespace) -> int:
+    from extensions.movement.report.numbers import as_json
+    from extensions.movement.report.write import write_report
     from tracker.session.glance import sessions_in
-    from tracker.session.report.numbers import as_json
-    from tracker.session.report.write import write_report
 
     paths = [path for path, _ in sessions_in(args.sessions)]
     check_json(args, paths)
@@ -272,8 +272,8 @@ def _verdict(path: Path, findings: list[Finding]) -> tuple[dict[str, Any], list[
 
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     """All at once, on all cores; a file that is no session counts as damaged."""
+    from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
     from tracker.session.verify import Finding, verify_one
-    from tracker.workers import WorkItem, run_all, some_workers, usable_cores
 
     tasks = [WorkItem(verify_one, (path.absolute(),)) for path in paths]
     with some_workers(min(usable_cores(), len(paths))) as workers:

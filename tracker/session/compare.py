@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import NS
-from tracker.errors import FileError
-from tracker.files import whole_file
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
+from tracker.base.files import whole_file
 from tracker.messages import Array, IntArray
 from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.holes import LONGEST_FILLED

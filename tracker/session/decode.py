@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from tracker.clock import ClockAnchor
-from tracker.damage import LeftOut
+from tracker.base.clock import ClockAnchor
+from tracker.base.damage import LeftOut
 from tracker.messages import (
     BlobFrame,
     Calibration,

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import RobotMemory, RobotModel, RobotState
 from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import ordered

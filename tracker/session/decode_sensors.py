@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracker.clock import NS, seconds
-from tracker.damage import LeftOut
+from tracker.base.clock import NS, seconds
+from tracker.base.damage import LeftOut
 from tracker.messages import (
     BlobFrame,
     Blobs,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from tracker import __version__
-from tracker.clock import ClockAnchor
+from tracker.base.clock import ClockAnchor
 from tracker.glove.files import parse_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import parse_hand

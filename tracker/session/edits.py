@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import NS
-from tracker.errors import FileError
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
 from tracker.messages import IntArray
 
 NAME, MEDIA_TYPE, SCHEMA = "edits.json", "application/json", 1

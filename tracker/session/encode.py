@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.clock import nanoseconds
+from tracker.base.clock import nanoseconds
 from tracker.geometry import so3
 from tracker.messages import (
     BlobFrame,

@@ -7,7 +7,7 @@ then zstd of: u32 length of a JSON text, that text, and the bytes of all arrays 
 The text is ``{"engine": name, "arrays": [[type, shape], …], "state": …}``, where a state is made of
 plain values, lists and
 
-    {"record": name, "has": {…}}     of `tracker.records`, so of no class's own name
+    {"record": name, "has": {…}}     of `tracker.base.records`, so of no class's own name
     {"enum": name, "value": …}
     {"array": k}                     the k-th array, the same one wherever k stands
     {"number": …, "type": …}         a NumPy scalar
@@ -29,8 +29,8 @@ from typing import Any
 import numpy as np
 import zstandard
 
-from tracker.errors import FileError
-from tracker.records import RECORDS, Record, record_of
+from tracker.base.errors import FileError
+from tracker.base.records import RECORDS, Record, record_of
 from tracker.session.mcap.chunks import decompress
 
 NAME = "engine_state"

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import FileError, GlovetrackError
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.messages import Tracking
 from tracker.session.decode_estimate import tracking_of
 from tracker.session.encode import status_name

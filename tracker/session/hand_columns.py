@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import NS
-from tracker.errors import FileError
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.mcap.ordering import ordered
 from tracker.session.reader import SessionReader

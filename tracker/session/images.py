@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.damage import LeftOut
-from tracker.errors import FileError
+from tracker.base.damage import LeftOut
+from tracker.base.errors import FileError
 from tracker.messages import CameraPose, StereoFrame
 from tracker.session.ros import sensors, topics
 

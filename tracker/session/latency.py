@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.clock import NS
+from tracker.base.clock import NS
 from tracker.messages import Event, ImuSample
 from tracker.session.decode_robot import robot_names
 from tracker.session.mcap.ordering import ordered

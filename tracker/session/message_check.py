@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from tracker.damage import LeftOut
+from tracker.base.damage import LeftOut
 from tracker.session.images import check_image
 from tracker.session.mcap.input import RawMessage
 from tracker.session.rigs import exact_pose

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.session.edits import Mask, masks
 from tracker.session.holes import LONGEST_FILLED, time_shares, with_breaks

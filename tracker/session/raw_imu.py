@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import Array, Event, ImuSample, IntArray
 from tracker.session.notes import standing
 from tracker.session.reader import SessionReader

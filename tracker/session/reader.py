@@ -8,8 +8,9 @@ from functools import cached_property
 from pathlib import Path
 from types import TracebackType
 
-from tracker.clock import NS, ClockAnchor
-from tracker.errors import FileError
+from tracker.base.clock import NS, ClockAnchor
+from tracker.base.errors import FileError
+from tracker.base.toml_reader import MOST_BYTES
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.messages import EngineState, Estimate, Message, StereoFrame
@@ -26,7 +27,6 @@ from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.mcap.records import LATEST
 from tracker.session.rigs import first_rig, rig_changes
 from tracker.session.ros import motion, sensors, topics
-from tracker.toml_reader import MOST_BYTES
 from tracker.vision.rig import StereoRig
 
 _LATEST_WALL = 2**31 * NS  # ns since 1970: the stamps of ROS 2 count seconds in 31 bits

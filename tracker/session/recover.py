@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from tracker.errors import FileError
-from tracker.files import DiskError, free_path, whole_file
+from tracker.base.errors import FileError
+from tracker.base.files import DiskError, free_path, whole_file
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import McapInput
 from tracker.session.mcap.records import Damage

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tracker.damage import LeftOut
-from tracker.errors import ConfigError, FileError
+from tracker.base.damage import LeftOut
+from tracker.base.errors import ConfigError, FileError
 from tracker.geometry import so3
 from tracker.messages import CameraPose
 from tracker.session.mcap.input import McapInput, RawMessage

@@ -1,9 +1,9 @@
 """Whether a state from a recording is one that an engine may go on from.
 
-The state is checked against what its records declare (`tracker.records`), in all its parts, those
-within lists and those that an engine at rest does not have too. The engine at rest (``fresh``) says
-only which parts there always are, and how large the hand and the glove are. What it holds an empty
-array of may have grown.
+The state is checked against what its records declare (`tracker.base.records`), in all its parts,
+those within lists and those that an engine at rest does not have too. The engine at rest
+(``fresh``) says only which parts there always are, and how large the hand and the glove are. What
+it holds an empty array of may have grown.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from tracker.array_shapes import ArrayShape, Sizes
-from tracker.errors import FileError
-from tracker.records import Record, record_of
+from tracker.base.array_shapes import ArrayShape, Sizes
+from tracker.base.errors import FileError
+from tracker.base.records import Record, record_of
 
 _NUMBER = int | float | np.generic
 

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tracker.damage import DAMAGE, gather
-from tracker.errors import GlovetrackError
+from tracker.base.damage import DAMAGE, gather
+from tracker.base.errors import GlovetrackError
 from tracker.messages import Validity
 from tracker.session import description
 from tracker.session.edits import NAME, lines, masks
@@ -80,7 +80,7 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
 
 
 def verify_one(path: Path, progress: Callable[[float], None]) -> list[Finding]:
-    """`verify` as a task of `tracker.workers`."""
+    """`verify` as a task of `tracker.base.workers`."""
     return verify(path, progress)
 
 

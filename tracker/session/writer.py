@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
 
-from tracker.clock import seconds
-from tracker.errors import ConfigError, FileError
-from tracker.files import DiskError, free_bytes, whole_file
+from tracker.base.clock import seconds
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import DiskError, free_bytes, whole_file
 from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
@@ -257,7 +257,7 @@ def new_session(
     """A recorder for a file that is made, not recorded: there whole at the end, or not at all.
 
     Nothing is lost when its disk fills up, so it may be filled to the last byte. Raises FileError
-    as `tracker.files.whole_file` does.
+    as `tracker.base.files.whole_file` does.
     """
     params = replace(params or RecorderParams(), sync=False, stop_free_gb=0.0)
     with whole_file(path, force, inputs) as part, SessionRecorder(part, info, params) as recorder:

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError
 from tracker.simulation.smooth import rng_for
 
 Image = NDArray[np.uint8]

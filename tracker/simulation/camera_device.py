@@ -18,11 +18,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.child import start_child
-from tracker.clock import nanoseconds, seconds
+from tracker.base.child import start_child
+from tracker.base.clock import nanoseconds, seconds
+from tracker.base.shared_memory import attached, forget_name, new_memory
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import NoCamera
-from tracker.shared_memory import attached, forget_name, new_memory
 from tracker.simulation.asked import Asked, asked_event
 from tracker.simulation.demo import DemoSpec, ask, build_scene
 

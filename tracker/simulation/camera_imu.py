@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker import GRAVITY
-from tracker.clock import nanoseconds, seconds
+from tracker.base.clock import nanoseconds, seconds
 from tracker.geometry import so3
 from tracker.messages import CameraImuSample
 from tracker.simulation.head import Head

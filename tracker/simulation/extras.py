@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose

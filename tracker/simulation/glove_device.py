@@ -18,7 +18,8 @@ from pathlib import Path
 import numpy as np
 
 from tracker import GRAVITY
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
+from tracker.base.urgency import run_soon
 from tracker.messages import ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.protocol import (
@@ -32,7 +33,6 @@ from tracker.sensors.protocol import (
     Stop,
     encode,
 )
-from tracker.urgency import run_soon
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two looks at the line, and at the clock where nothing is due before

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from multiprocessing.connection import Connection
 from typing import NamedTuple
 
-from tracker.child import start_child
-from tracker.errors import DeviceError, GlovetrackError
+from tracker.base.child import start_child
+from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.glove.model import GloveModel
 from tracker.simulation.asked import Asked
 from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of

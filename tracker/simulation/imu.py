@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker import GRAVITY
-from tracker.clock import nanoseconds, seconds
+from tracker.base.clock import nanoseconds, seconds
 from tracker.messages import Array, ImuSample
 from tracker.simulation.motion import Motion
 from tracker.simulation.smooth import SmoothNoise, rng_for

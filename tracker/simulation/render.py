@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import nanoseconds
+from tracker.base.clock import nanoseconds
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
 from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map

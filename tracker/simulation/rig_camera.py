@@ -11,9 +11,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.channels import Latest
+from tracker.base.errors import DeviceError, FileError
 from tracker.calibration.stereo.board import BoardSpec
-from tracker.channels import Latest
-from tracker.errors import DeviceError, FileError
 from tracker.sensors.image_input import Pair
 from tracker.simulation.board_camera import noisy, true_rig
 from tracker.simulation.board_images import BoardRenderer, board_pose

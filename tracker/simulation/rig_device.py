@@ -12,8 +12,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tracker.errors import DeviceError
-from tracker.files import check_target
+from tracker.base.errors import DeviceError
+from tracker.base.files import check_target
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.simulation.backgrounds import BackgroundParams
 from tracker.simulation.desk.arm import Forearm
 from tracker.simulation.desk.lights import LIGHTS, light_of

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.clock import nanoseconds, seconds
+from tracker.base.clock import nanoseconds, seconds
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame

@@ -9,7 +9,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import nanoseconds
+from tracker.base.clock import nanoseconds
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.simulation.head import Head
 from tracker.simulation.motion import Motion

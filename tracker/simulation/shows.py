@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 
 WORD = "show:"
 """Before the name of an application, in place of a file of recorded motion."""

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.clock import nanoseconds
-from tracker.errors import ConfigError
+from tracker.base.clock import nanoseconds
+from tracker.base.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.messages import Blobs
 from tracker.sensors.image_input import Image, Pair
 from tracker.simulation.backgrounds import fabric_bgr

@@ -5,7 +5,7 @@ Apart from publishers, which bring half of the engine along, so that a command s
 
 from __future__ import annotations
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 LOOPBACK = "127.0.0.1"
 

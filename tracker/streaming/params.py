@@ -12,10 +12,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from tracker.errors import ConfigError
+from extensions.conformance.stream import IsaacPublisher
+from tracker.base.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.streaming.isaac import IsaacPublisher
 from tracker.streaming.osc import VmcPublisher
 from tracker.streaming.publisher import (
     JOINT_SETS,

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.payload import SCHEMA
 from tracker.streaming.publisher import Names

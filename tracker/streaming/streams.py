@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from tracker.channels import Backlog, Closed
+from tracker.base.channels import Backlog, Closed
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
 

@@ -18,8 +18,8 @@ import numpy as np
 import tomli_w
 from numpy.typing import NDArray
 
+from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.messages import IntArray
-from tracker.toml_reader import TomlTable, read_text, read_toml
 
 HUES = 180
 LEVELS = 256

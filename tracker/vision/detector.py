@@ -14,7 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.kernels.arrays import Int32Matrix
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
     ByteStack,

@@ -9,12 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.messages import BlobFrame, CameraPose
 from tracker.vision.rig import Camera, StereoRig
 
 LENSES = ("both", "left", "right")
-"""What `tracker.settings.Settings.lenses` may say."""
+"""What `tracker.engine.settings.Settings.lenses` may say."""
 UNUSED_BASELINE = 0.06  # m, of the camera that is not there
 
 

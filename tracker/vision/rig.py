@@ -13,7 +13,7 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose

@@ -6,7 +6,7 @@ import logging
 from bisect import bisect_right
 from collections.abc import Sequence
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.live.colours import KIND
 from tracker.messages import Event
 from tracker.vision.colours import ColourProfile, parse_profile

@@ -15,7 +15,7 @@ from app.engines.replay.transport import ReplayPlayer
 from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
 from resources import folder
-from tracker.errors import FileError, GlovetrackError
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.live.recording import Recorder
 from tracker.messages import Event
 from tracker.session.description import SessionInfo

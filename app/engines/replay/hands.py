@@ -11,8 +11,8 @@ from typing import NamedTuple
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.tell_markers import MarkerTeller
-from tracker.applications.stage import ApplicationStage
-from tracker.damage import sentences
+from extensions.applications.stage import ApplicationStage
+from tracker.base.damage import sentences
 from tracker.messages import Calibration, Estimate, Event, ImuSample, Message, Status
 from tracker.session.decode import MESSAGE_KINDS
 from tracker.session.holes import LONGEST_FILLED

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from itertools import islice
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import BlobFrame, StereoFrame
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader

@@ -9,7 +9,7 @@ from app.engines.replay.hands import HandsInFile, OfFile, holds
 from app.engines.replay.holes import marked
 from app.engines.replay.sights import sights
 from app.engines.replay.transport import Transport
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.messages import Estimate, Event
 
 IDLE_S = 0.03

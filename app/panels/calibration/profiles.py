@@ -18,7 +18,7 @@ from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile
 from app.viewmodels.wearers_of_hands import WearersOfHands
 from app.viewmodels.worn_calibration import WornCalibration
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 PROFILE_ENGINE = "chain"
 R = TypeVar("R")

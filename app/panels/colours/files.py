@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.viewmodels.colour_tuning import ColourTuning
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 
 class ColoursFiles(QObject):

@@ -10,7 +10,7 @@ from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
 from app.viewmodels.colour_fits import Fit, FitWork, fit_words
 from app.viewmodels.colour_tuning import ColourTuning
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 
 class ColoursFitting(QObject):

@@ -28,7 +28,7 @@ from app.storage.image_folder import (
 from app.storage.removed_file import RemovedFile
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.measures import TIGHT
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 LIVE = 0
 SIDES = ("left", "right")

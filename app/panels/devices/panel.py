@@ -31,7 +31,7 @@ from app.viewmodels.device_settings import (
 )
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.one_line import OneLine
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 MOTOR_AMPLITUDE, MOTOR_MS = 160, 300
 REPORT_HEIGHT = 90  # px

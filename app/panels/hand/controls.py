@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 from app.viewmodels.hand_scene import ShownParts
 from app.viewmodels.names import engine_name, spoken
 from app.widgets.one_line import OneLine
-from tracker.settings import ENGINES
+from tracker.engine.settings import ENGINES
 
 NO_REFERENCE, OTHER = "", "other"
 

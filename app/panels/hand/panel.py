@@ -24,7 +24,7 @@ from app.viewmodels.made_skins import MADE
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import NEAR
 from app.widgets.view3d.view_3d import View3D
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.messages import Shed
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])

@@ -16,7 +16,7 @@ from app.panels.library.two_takes_dialog import TwoTakesDialog
 from app.platform.tasks import Job, TaskOwner
 from app.viewmodels.compare import Comparison
 from app.viewmodels.two_takes import TwoTakes
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.offline.options import TrackOptions
 
 

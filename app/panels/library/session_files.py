@@ -14,7 +14,6 @@ from PySide6.QtWidgets import QWidget
 from app.engines.engine_host import EngineHost
 from app.jobs.crop import crop_job
 from app.jobs.recovery import recover_job
-from app.jobs.report import report_job
 from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, write_tags
 from app.storage.system_bin import Binned, restore, to_bin
@@ -22,7 +21,8 @@ from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
 from app.widgets.question import question
 from app.words import tr
-from tracker.errors import FileError, GlovetrackError
+from extensions.movement.window.report_job import report_job
+from tracker.base.errors import FileError, GlovetrackError
 
 T = TypeVar("T")
 

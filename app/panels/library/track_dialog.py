@@ -20,9 +20,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.words import tr
-from tracker import library
+from tracker.engine.settings import ENGINES
+from tracker.glove import library
 from tracker.offline.options import USUAL, TrackOptions
-from tracker.settings import ENGINES
 
 
 class TrackDialog(QDialog):

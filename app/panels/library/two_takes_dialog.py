@@ -22,7 +22,7 @@ from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_takes import TwoTakes, figures_text
 from app.words import local
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 LONGEST = 86_400.0  # s of offset
 FRAME_S = 0.01  # a step of the box

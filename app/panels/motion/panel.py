@@ -28,7 +28,7 @@ from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel
 from app.widgets.measures import NEAR
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 
 FIGURES_EVERY = 10  # refreshes
 FIRST_ROWS = ("index_mcp_flexion", "index_pip_flexion")

@@ -17,13 +17,13 @@ from app.storage.bound_gloves import BoundGlove, bound
 from app.storage.settings import AppSettings, wearer_field
 from app.widgets.question import answer
 from app.words import told, tr
-from tracker import library
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
+from tracker.base.toml_reader import read_toml
+from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.sensors.discovery import PortReport, latency_advice
 from tracker.sensors.protocol import BAUD, BAUDS
-from tracker.toml_reader import read_toml
 
 SIMULATED = "simulated"
 SESSION = "session"

@@ -26,7 +26,7 @@ from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_f
 from app.wizards.glove.pages import StillPage, WigglePage
 from app.wizards.sizing import fit_to_screen
 from app.words import told
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import ImuSample

@@ -17,7 +17,7 @@ from app.viewmodels.guided_words import LiveJudge
 from app.wizards.guided.lead import LeadPage
 from app.wizards.guided.result import GuidedResultPage
 from app.wizards.leading.dialog import LeadingDialog
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 
 THINKING_MS = 1200  # after the last pose: the engine learns of it once images have come
 MOST_ANSWERS = 5  # that are asked for while it is still learning

@@ -17,7 +17,7 @@ from app.widgets.hold_ring import HoldRing
 from app.widgets.view3d.scene import DrawnSurface, rgb
 from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 from tracker.messages import Estimate, Validity
 
 

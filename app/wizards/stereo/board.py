@@ -26,8 +26,8 @@ from PySide6.QtWidgets import (
 
 from app.widgets.measures import WIDE
 from app.words import told
+from tracker.base.errors import ConfigError
 from tracker.calibration.stereo.board import BoardSpec, page_size, print_image
-from tracker.errors import ConfigError
 from tracker.sensors.image_input import ImageInput
 
 DPI, PREVIEW_DPI = 300, 110

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from app.platform.tasks import TaskOwner
 from app.words import told
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
 from tracker.calibration.stereo.views import (
@@ -18,7 +19,6 @@ from tracker.calibration.stereo.views import (
     StereoView,
     sizes_of,
 )
-from tracker.errors import GlovetrackError
 from tracker.sensors.image_input import ImageInput, Pair
 
 NO_IMAGE = 0.05  # s to wait where the device has none

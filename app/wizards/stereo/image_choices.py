@@ -12,7 +12,7 @@ from app.engines.hardware import FPS, HEIGHT, WIDTH
 from app.storage.settings import AppSettings
 from app.wizards.stereo.board import ImageChoice
 from app.words import tr
-from tracker.errors import DeviceError
+from tracker.base.errors import DeviceError
 from tracker.sensors.image_input import (
     CameraName,
     ImageInput,

@@ -10,11 +10,11 @@ from PySide6.QtCore import QObject, Signal
 
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.words import told
+from tracker.base.files import free_path, slug
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
 from tracker.calibration.stereo.solve import CalibrationError, Solution, solve
 from tracker.calibration.stereo.views import Size, StereoView
-from tracker.files import free_path, slug
 from tracker.vision.rig import StereoRig
 
 

@@ -28,12 +28,12 @@ from app.wizards.stereo.result import ResultPage
 from app.wizards.stereo.solving import Solving, save_rig
 from app.wizards.stereo.views import CheckPage, CollectPage
 from app.words import told, tr
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.calibration.stereo.solve import Solution, SolveParams
 from tracker.calibration.stereo.views import BoardFinder, Size, StereoView, sizes_of
-from tracker.errors import GlovetrackError
 from tracker.vision.rig import StereoRig
 
 TICK_MS = 50

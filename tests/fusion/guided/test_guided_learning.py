@@ -6,14 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tracker.base.records import RECORDS
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.guided.holds import HeldSample, Hold, chosen
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Event, ImuSample
-from tracker.pipeline import Pipeline
-from tracker.records import RECORDS
 from tracker.session.engine_state import pack, unpack
-from tracker.settings import Settings
 from tracker.simulation.guided import GuidedPoses, with_events
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation, SimulationParams

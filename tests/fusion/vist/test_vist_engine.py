@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.conftest import RESOURCES
-from tracker.errors import ConfigError
+from tests.fixtures import RESOURCES
+from tracker.base.errors import ConfigError
 from tracker.fusion.vist.engine import VistEngine
 from tracker.fusion.vist.params import VistParams
 from tracker.glove.files import load_glove

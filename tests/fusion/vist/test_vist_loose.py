@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from test_vist_jacobians import differences, random_state
 
-from tracker.errors import ConfigError
+from tests.fusion.vist.test_vist_jacobians import differences, random_state
+from tracker.base.errors import ConfigError
 from tracker.fusion.ablations.segment_pose import by_segment, fit_pose
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.kinematics import marker_positions

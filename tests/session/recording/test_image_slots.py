@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.session.recording.conftest import left_since, shared_names
-from tracker import shared_memory
+from tracker.base import shared_memory
 from tracker.messages import StereoFrame
 from tracker.session.recording.image_slots import ImageSlots, SlotReader, bytes_of
 

@@ -19,7 +19,7 @@ from tests.session.recording.spoilers import (
     SlowEncoder,
     SmallFiles,
 )
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.live.recording import RecordingThread
 from tracker.messages import EngineState, ImuSample, StereoFrame
 from tracker.session.reader import SessionReader

@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.messages import Array, IntArray
 
 KINDS = ("charuco", "chessboard")

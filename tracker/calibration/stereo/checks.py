@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.errors import ConfigError
 from tracker.calibration.stereo.coverage import Coverage
 from tracker.calibration.stereo.solve import Solution
-from tracker.errors import ConfigError
 from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics

@@ -12,9 +12,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import write_kept
 from tracker.calibration.stereo.checks import require_plausible
-from tracker.errors import ConfigError, FileError
-from tracker.files import write_kept
 from tracker.messages import Array
 from tracker.sensors.opencv_yaml import load_opencv_stereo, opencv_text
 from tracker.sensors.stereo_calibration import Intrinsics

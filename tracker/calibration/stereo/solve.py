@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
+from tracker.base.errors import GlovetrackError
 from tracker.calibration.stereo.views import Size, StereoView
-from tracker.errors import GlovetrackError
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
 from tracker.vision.rig import StereoRig

@@ -8,7 +8,7 @@ pose of the segment by vision alone, which then corrects it ("loose").
 
 from __future__ import annotations
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 
 GUIDES = ("imu", "previous")
 COUPLINGS = ("tight", "loose")

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.kinematics import jacobians, segment_positions
 from tracker.fusion.chain.layout import ChainLayout, Points
 from tracker.fusion.chain.params import SynergyParams
@@ -25,7 +26,6 @@ from tracker.geometry import so3
 from tracker.geometry.kernels import joint_angles3
 from tracker.hand.names import CHAINS
 from tracker.messages import Array
-from tracker.records import record
 
 RATIO, OFFSET, ASIDE = range(3)
 OWN = 3  # parameters of a digit

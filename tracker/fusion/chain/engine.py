@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.calibration.size import as_unsure
 from tracker.fusion.chain.guided.events import GuidedSaid
@@ -39,7 +40,6 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 

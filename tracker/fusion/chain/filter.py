@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.layout import ChainLayout, V
 from tracker.fusion.chain.params import ChainParams, without_random_walks
@@ -23,7 +24,6 @@ from tracker.fusion.chain.tilt import tilt_rows
 from tracker.fusion.kalman import correct, joined, products
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import Array, IntArray
-from tracker.records import record
 
 Rows = tuple[Array, Array, Array, Array]
 """Of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.kinematics import (
     OriginJacobians,
     origin_jacobians,
@@ -24,7 +25,6 @@ from tracker.geometry.kernels import rotate, rotate_back
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Stack, Stack4, Vector, Written
 from tracker.messages import CameraPose
-from tracker.records import record
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig, projected
 
 MIN_PRIOR = 0.01  # of being seen, below which a marker is not looked for

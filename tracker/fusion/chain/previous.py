@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.prediction import Prediction
-from tracker.records import record
 
 
 @record("chain.previous")

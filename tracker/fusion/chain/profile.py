@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.distal import Synergies
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
 from tracker.messages import Array
-from tracker.records import record
 
 
 @record(

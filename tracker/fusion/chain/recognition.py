@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.digits import SeenPoints
 from tracker.fusion.chain.filter import Rows
 from tracker.fusion.chain.layout import ChainLayout, digit_of
@@ -22,7 +23,6 @@ from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import LIKELY, Evidence, evidence
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
-from tracker.records import record
 from tracker.vision.correspondence import misfit
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import StereoMatches, all_pairs

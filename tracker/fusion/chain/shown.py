@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker import GRAVITY
+from tracker.base.records import record
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import EndsSureness
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
@@ -36,7 +37,6 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.records import record
 
 MEASURED_SD = 0.016  # m, beyond which nothing is called measured: three of them are 5 cm
 BIAS_LASTS = 2.0  # s for which an error of the gyro's bias stays about the vertical

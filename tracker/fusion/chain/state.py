@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.layout import Blocks, ChainLayout
 from tracker.geometry.kernels import rotate_all
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Stack, Vector, Written
 from tracker.messages import Array
-from tracker.records import record
 
 SCALE_LIMITS = (0.6, 1.5)
 

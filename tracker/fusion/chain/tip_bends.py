@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import block_diag
 
+from tracker.base.records import record
 from tracker.fusion.chain.distal import ASIDE, OFFSET, OWN, RATIO, DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import driven_points
 from tracker.fusion.chain.kinematics import segment_positions
@@ -22,7 +23,6 @@ from tracker.fusion.chain.prediction import PosedRig, pixel_jacobians
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.state import ChainState
 from tracker.messages import Array, BlobFrame, CameraPose
-from tracker.records import record
 from tracker.vision.cloth import ClothMap, cloth_map
 from tracker.vision.rig import NEAREST, Camera, StereoRig
 from tracker.vision.tip_scan import ExpectedTip, scan_tip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+from tracker.base.records import record
 from tracker.fusion.chain.calibration.wearer import WearerKept
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.filter import ChainFilter, FilterKept
@@ -23,7 +24,6 @@ from tracker.fusion.chain.tip_bends import TipBends, TipBendsKept
 from tracker.fusion.chain.tracking import MANY_MARKERS, TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 

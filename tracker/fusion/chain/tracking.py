@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.params import MatchParams
 from tracker.fusion.chain.pixels import Tally
 from tracker.messages import Array, Tracking
-from tracker.records import record
 
 EAGER = 1.0  # s of searches from nothing as often as there may be, then `SPARING` s apart
 SPARING = 0.25

@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, BoolVector, Matrix, Stack, Vector
 from tracker.messages import ImuSample
-from tracker.records import record
 
 LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 SHORTEST_STEP = 1e-9  # s

@@ -19,10 +19,10 @@ from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
-from tracker.records import record
 
 LATE_MARGIN = 0.03  # s beyond the latest image so far
 LONGEST_LAG = 0.5  # s

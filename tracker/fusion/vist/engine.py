@@ -8,6 +8,7 @@ from __future__ import annotations
 import copy
 from dataclasses import dataclass
 
+from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.shown import called_measured
 from tracker.fusion.engine import ExpectedHand
@@ -32,7 +33,6 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 

@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

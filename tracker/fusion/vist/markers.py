@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.ablations.segment_pose import stereo_covariance
 from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.output.completion import Completion
@@ -14,7 +15,6 @@ from tracker.fusion.vist.params import VistMatch, VistNoise
 from tracker.fusion.vist.points import jacobians, own_covariance, positions
 from tracker.fusion.vist.state import VistState
 from tracker.messages import Array, CameraPose, IntArray
-from tracker.records import record
 from tracker.vision.correspondence import match_translation
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import match_stereo

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.kinematics import segment_positions
 from tracker.fusion.chain.state import SCALE_LIMITS, ChainState, initial_state
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistLayout
 from tracker.fusion.vist.params import VistPrior
 from tracker.geometry.kernels import rotate_all
 from tracker.messages import Array
-from tracker.records import record
 
 
 @record(

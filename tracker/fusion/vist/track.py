@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.params import MatchParams
 from tracker.messages import Array, Tracking
-from tracker.records import record
 
 DOUBTFUL_SHARE = 0.35  # of the expected markers
 MIN_RECOGNISED = 5  # stereo points that place a hand

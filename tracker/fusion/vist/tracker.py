@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pixels import SeenBlobs, seen_blobs
 from tracker.fusion.chain.start.start import Starter
@@ -38,7 +39,6 @@ from tracker.messages import (
     Search,
     Tracking,
 )
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import both_cameras
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from tracker.terminal import add_json, check_json, finish
+from tracker.base.terminal import add_json, check_json, finish
 
 
 def add_import(parser: argparse.ArgumentParser) -> None:

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from tracker import library
-from tracker.clock import NS, ClockAnchor
-from tracker.errors import ConfigError, FileError
-from tracker.files import check_target
+from tracker.base.clock import NS, ClockAnchor
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import check_target
+from tracker.glove import library
 from tracker.offline.imports.matlab import read_matlab
 from tracker.offline.imports.samples import Samples, doubts, in_order
 from tracker.offline.imports.table import read_table

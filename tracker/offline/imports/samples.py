@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import Array, IntArray
 
 SINCE_1970 = 3e8

@@ -16,8 +16,8 @@ from typing import NamedTuple, TextIO
 
 import numpy as np
 
-from tracker.errors import FileError
-from tracker.files import check_regular
+from tracker.base.errors import FileError
+from tracker.base.files import check_regular
 from tracker.messages import Array, IntArray
 from tracker.offline.imports.samples import GRAVITY, LATEST, MOST, SINCE_1970, Clocks, Samples
 

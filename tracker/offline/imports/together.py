@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import nanoseconds, seconds
-from tracker.errors import ConfigError, FileError
+from tracker.base.clock import nanoseconds, seconds
+from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Array, ImuSample
 from tracker.offline.imports.samples import MOST, Clocks, Samples
 

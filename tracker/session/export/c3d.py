@@ -11,7 +11,7 @@ from typing import NamedTuple
 import ezc3d
 import numpy as np
 
-from tracker.files import DiskError
+from tracker.base.files import DiskError
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.load import load_series
 from tracker.session.export.markers import carried_markers

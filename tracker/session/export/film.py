@@ -13,8 +13,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import FileError
-from tracker.files import DiskError
+from tracker.base.errors import FileError
+from tracker.base.files import DiskError
 
 Image = NDArray[np.uint8]
 _ENCODERS = (

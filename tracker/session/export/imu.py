@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.messages import Array
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.tables import arrow

@@ -6,7 +6,7 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.messages import Estimate
 from tracker.session import description, edits, engine_state
 from tracker.session.export.options import ExportOptions

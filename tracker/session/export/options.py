@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 
 FORMATS = (
     *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "osim", "bvh", "glb", "urdf"),

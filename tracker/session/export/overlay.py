@@ -10,9 +10,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import NS
-from tracker.errors import FileError
-from tracker.files import DiskError
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
+from tracker.base.files import DiskError
 from tracker.messages import StereoFrame
 from tracker.session.export.film import NO_FFMPEG, PLAIN, Film, open_film
 from tracker.session.export.load import load_series

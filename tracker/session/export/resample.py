@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, Slerp
 
-from tracker.clock import NS
-from tracker.errors import FileError
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.series import EstimateSeries
 from tracker.session.holes import runs

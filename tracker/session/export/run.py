@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 
 from tracker import __version__
-from tracker.errors import ConfigError
-from tracker.files import check_target, sha256, whole_files
+from tracker.base.errors import ConfigError
+from tracker.base.files import check_target, sha256, whole_files
+from tracker.base.workers import ALL_CORES, WorkersAsked
 from tracker.messages import Validity
 from tracker.session.edits import WORD, edits_text
 from tracker.session.export.options import (
@@ -28,7 +29,6 @@ from tracker.session.export.options import (
 from tracker.session.export.series import EstimateSeries
 from tracker.session.export.sidecar import BESIDE, forget_orphan
 from tracker.session.reader import SessionReader
-from tracker.workers import ALL_CORES, WorkersAsked
 
 _WRITERS = {
     "csv": "tables:export_csv",
@@ -105,7 +105,7 @@ def export_dataset(
 
     Raises GlovetrackError in words; a folder that is there already is never added to.
     """
-    from tracker.session.export.lerobot.export import export_lerobot
+    from extensions.lerobot.export import export_lerobot
 
     if format not in DATASETS:
         raise ConfigError(f"{format} holds one session; of several make {' or '.join(DATASETS)}.")

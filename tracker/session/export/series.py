@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tracker.clock import NS
-from tracker.errors import ConfigError, FileError
+from tracker.base.clock import NS
+from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.session.description import SessionInfo
 from tracker.session.edits import WORD, Mask, masks

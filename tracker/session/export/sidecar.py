@@ -7,9 +7,9 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from tracker.errors import FileError
-from tracker.files import sha256
-from tracker.toml_reader import read_text
+from tracker.base.errors import FileError
+from tracker.base.files import sha256
+from tracker.base.toml_reader import read_text
 
 BESIDE = "beside"  # in the JSON: SHA-256 by name of the other files of the export
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.hand.names import CHAINS
 from tracker.messages import Array
 from tracker.session.export.series import EstimateSeries

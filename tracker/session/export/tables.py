@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.messages import Array, Validity
 from tracker.session.edits import Mask
 from tracker.session.export.load import load_series

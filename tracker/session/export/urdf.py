@@ -15,7 +15,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tracker.errors import ConfigError, FileError
+from tracker.base.errors import ConfigError, FileError
 from tracker.hand.model import HandModel, Segment
 from tracker.messages import Array, Calibration
 from tracker.session.description import SessionInfo

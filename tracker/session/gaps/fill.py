@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tracker.clock import NS
+from tracker.base.clock import NS
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 from tracker.session.edits import Filled
 from tracker.session.gaps.find import HOLE, INFERRED, LOST, Gap

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.clock import NS
+from tracker.base.clock import NS
 from tracker.hand.names import CHAINS
 from tracker.messages import Array, Validity
 from tracker.session.gaps.cause import CauseFinder

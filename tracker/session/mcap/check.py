@@ -10,7 +10,7 @@ from pathlib import Path
 
 from mcap.opcode import Opcode
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import Contents, read_contents, span_records, summary_start
 from tracker.session.mcap.records import Damage, RecordFile

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from mcap.writer import CompressionType, Writer
 
 from tracker import __version__
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.session.mcap.disk import WholeRecordFile
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.sync import SyncBeside

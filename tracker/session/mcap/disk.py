@@ -7,9 +7,9 @@ import os
 from datetime import UTC, datetime
 from pathlib import Path
 
-from tracker.clock import NS
-from tracker.errors import FileError
-from tracker.files import disk_error, free_path, name_part
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
+from tracker.base.files import disk_error, free_path, name_part
 
 
 class WholeRecordFile:

@@ -17,7 +17,7 @@ from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.records import Channel, Header, Schema
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.session.mcap.chunks import MESSAGE, message_records, records, unpacked
 from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, SAVED, Damage, RecordFile
 from tracker.session.mcap.spans import LooseMessages, Span, Spans

@@ -13,8 +13,8 @@ from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Metadata
 
-from tracker.damage import LeftOut
-from tracker.errors import FileError
+from tracker.base.damage import LeftOut
+from tracker.base.errors import FileError
 from tracker.session.mcap.chunks import MESSAGE
 from tracker.session.mcap.index import read_contents, span_records
 from tracker.session.mcap.records import LATEST, LIMIT, SAVED, RecordFile

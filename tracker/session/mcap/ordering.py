@@ -5,7 +5,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Callable, Iterator
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
 from tracker.session.mcap.records import LIMIT
 
@@ -48,7 +48,7 @@ def last_before(
     check: Callable[[RawMessage], None] = lambda raw: None,
 ) -> RawMessage | None:
     """The latest message of a topic with log_time < ``time`` that ``check`` does not find damaged:
-    it raises one of `tracker.damage.DAMAGE`."""
+    it raises one of `tracker.base.damage.DAMAGE`."""
     wanted = frozenset([topic])
     for span in source.spans_with(wanted, 0, time, back=True):
         found = [m for m in source.messages_in(span, wanted) if m.log_time < time]

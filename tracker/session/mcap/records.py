@@ -15,8 +15,8 @@ from typing import IO, NamedTuple
 
 from mcap.exceptions import McapError
 
-from tracker.errors import FileError
-from tracker.files import check_regular
+from tracker.base.errors import FileError
+from tracker.base.files import check_regular
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20

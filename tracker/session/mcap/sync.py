@@ -9,7 +9,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 
-from tracker.files import DiskError
+from tracker.base.files import DiskError
 
 
 class SyncBeside:

@@ -18,7 +18,7 @@ from typing import Any
 
 import cv2
 
-from tracker.errors import FileError, GlovetrackError
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.session.recording.compression import ImageCompression
 from tracker.session.recording.image_slots import ImageInSlot, SlotReader, SlotsOpened
 from tracker.session.recording.wire import (

@@ -12,14 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.shared_memory import NoSharedMemory, RoomFor, attached, forget_name, sparse_memory
 from tracker.messages import CameraPose, StereoFrame
-from tracker.shared_memory import (
-    NoSharedMemory,
-    RoomFor,
-    attached,
-    forget_name,
-    sparse_memory,
-)
 
 MOST_BYTES = 134_000_000
 """Of all places together: 24 pairs at 1280×720, 0.4 s at 60 a second."""

@@ -13,8 +13,8 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-from tracker.child import start_child
-from tracker.errors import FileError, GlovetrackError
+from tracker.base.child import start_child
+from tracker.base.errors import FileError, GlovetrackError
 from tracker.session.description import SessionInfo
 from tracker.session.recording.child import serve
 from tracker.session.recording.remote import RemoteRecorder

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.messages import EngineState, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.recording.image_slots import ImageSlots, bytes_of

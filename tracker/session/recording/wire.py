@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.messages import Message
 from tracker.session.description import SessionInfo
 from tracker.session.recording.image_slots import ImageInSlot, SlotsOpened

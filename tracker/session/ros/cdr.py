@@ -11,8 +11,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tracker.clock import NS
-from tracker.errors import FileError
+from tracker.base.clock import NS
+from tracker.base.errors import FileError
 from tracker.messages import Array, IntArray
 
 LITTLE_ENDIAN = b"\x00\x01\x00\x00"

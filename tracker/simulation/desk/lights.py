@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.messages import Array
 
 BGR = tuple[float, float, float]

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.clock import nanoseconds
-from tracker.errors import ConfigError
+from tracker.base.clock import nanoseconds
+from tracker.base.errors import ConfigError
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
 from tracker.simulation.desk.ground import REFERENCE, Desk, desk_pose

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.simulation.recorded.track import PointTrack

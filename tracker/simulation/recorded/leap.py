@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.errors import FileError
-from tracker.files import check_regular
+from tracker.base.errors import FileError
+from tracker.base.files import check_regular
 from tracker.hand.names import FINGERS
 from tracker.simulation.recorded.track import PointTrack
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
+from tracker.base.toml_reader import read_text
 from tracker.hand.model import HandModel
 from tracker.messages import CameraPose
 from tracker.simulation.recorded.bvh import read_bvh
@@ -13,7 +14,6 @@ from tracker.simulation.recorded.leap import read_leap
 from tracker.simulation.recorded.qualisys import read_qualisys
 from tracker.simulation.recorded.spline import SplineMotion, in_working_volume
 from tracker.simulation.recorded.track import PointTrack, mirrored, resampled
-from tracker.toml_reader import read_text
 
 RATE_HZ = 50.0
 """Of the fit; with a cut-off of 7 Hz more would add nothing."""

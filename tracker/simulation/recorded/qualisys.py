@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.simulation.recorded.track import PointTrack
 
 FINGERS = ("thumb", "index", "middle", "ring", "little")

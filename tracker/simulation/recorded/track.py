@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.errors import FileError
+from tracker.base.errors import FileError
 from tracker.messages import Array
 
 

@@ -15,7 +15,7 @@ from functools import partial
 
 import pylsl
 
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 from tracker.streaming.lsl import LOCAL_ONLY
 from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_TEXT, Request

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.streaming.connection import LOOPBACK, StreamError
 from tracker.streaming.remote.doors import (
     Door,

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass
 
-from tracker.clock import monotonic
+from tracker.base.clock import monotonic
 from tracker.streaming.remote.request import Reply, Request, RequestError
 
 PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors 20 times a second are the most that is of use

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tracker.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.hand.names import CHAINS
 
 MOST_BYTES = 2048  # of a request

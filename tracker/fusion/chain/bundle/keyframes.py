@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.params import BundleParams
 from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.time.imu_buffer import Around
 from tracker.messages import Array, CameraPose, IntArray
-from tracker.records import record
 
 MAX_RATE = 4.0  # rad/s: faster than this an image smears and the accelerometers feel the motion
 

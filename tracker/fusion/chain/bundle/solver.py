@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
 from tracker.fusion.chain.bundle.rows import KeyframeRows
 from tracker.fusion.chain.guided.learning import CALIBRATION, GuidedLearning, calibration_error
@@ -23,7 +24,6 @@ from tracker.fusion.chain.profile import WearerProfile, profile_of
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.geometry import so3
 from tracker.messages import Array
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 ASK_EVERY = 0.03  # s

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams
 from tracker.fusion.chain.prior import initial_covariance

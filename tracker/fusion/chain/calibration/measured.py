@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracker.errors import ConfigError
+from tracker.base.errors import ConfigError
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams
 from tracker.fusion.chain.prior import initial_covariance

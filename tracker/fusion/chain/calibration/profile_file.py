@@ -15,8 +15,9 @@ from typing import Any
 import numpy as np
 import tomli_w
 
-from tracker.errors import FileError
-from tracker.files import write_kept
+from tracker.base.errors import FileError
+from tracker.base.files import write_kept
+from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.chain.distal import OWN, DistalSegments, Synergies
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams, SynergyParams
@@ -25,7 +26,6 @@ from tracker.fusion.chain.profile import WearerProfile, profile_of
 from tracker.fusion.chain.reports import calibration_of
 from tracker.fusion.chain.state import SCALE_LIMITS, initial_state
 from tracker.messages import Array, Calibration
-from tracker.toml_reader import parse_toml, read_text
 
 SCHEMA = 1
 MOST_OFFSET = 0.05  # m, of a finger base; and rad / 0.05 of a synergy

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from tracker.base.records import record
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
 from tracker.fusion.chain.bundle.solver import Beside, Bundle, BundleWork, adopt
 from tracker.fusion.chain.calibration import control
@@ -19,7 +20,6 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.geometry.kernels import relative_rotations
 from tracker.messages import Calibration
-from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 

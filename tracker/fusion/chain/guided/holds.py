@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.records import record
 from tracker.hand.poses import EARLY, LATE
 from tracker.messages import Array
-from tracker.records import record
 
 
 @record("chain.guided.hold")

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.linalg import block_diag, cho_factor, cho_solve
 from scipy.special import chdtri
 
+from tracker.base.records import record
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.filter import ChainFilter
 from tracker.fusion.chain.guided.holds import HeldSample, Hold, Told, chosen
@@ -26,7 +27,6 @@ from tracker.geometry import so3
 from tracker.geometry.kernels import relative_rotations
 from tracker.hand.poses import POSES
 from tracker.messages import Array
-from tracker.records import record
 
 CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker")
 """Of a state, in the order of the error state."""

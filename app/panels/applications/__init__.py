@@ -1,1 +1,0 @@
-"""What a hand does: applications, drawn around it."""

@@ -1,1 +1,0 @@
-"""The robot hand beside the wearer's."""

@@ -1,0 +1,132 @@
+"""Where the hand of an application comes from off-screen: a session, the simulator, a stream."""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+from tracker.base.clock import ClockAnchor
+from tracker.base.errors import ConfigError, FileError
+from tracker.engine.pipeline import Pipeline
+from tracker.glove import library
+from tracker.messages import Estimate, ImuSample, Message
+from tracker.offline.simulate import SimulateOptions, truth_message
+from tracker.offline.simulate import build as build_simulation
+from tracker.session.decode import Decoded
+from tracker.session.description import SessionInfo, describe
+from tracker.session.reader import SessionReader
+from tracker.streaming.payload_read import from_json
+from tracker.streaming.publisher import LOOPBACK, Names, StreamError
+from tracker.streaming.udp import DEFAULT_PORT
+
+SILENCE = 3.0  # s after which a stream is taken to have ended
+PATIENCE = 30.0  # s that its first hand is waited for
+
+
+class Source(NamedTuple):
+    """What a session is about, and its messages; estimates are among them."""
+
+    info: SessionInfo
+    messages: Iterator[Message | Decoded]
+
+
+@contextmanager
+def recorded(path: Path, side: str = "") -> Iterator[Source]:
+    """The estimates of a session's hand, and all else that is in it; ``side``: which of two, else
+    the main one. Raises FileError where the session has no such hand."""
+    with SessionReader(path, side=side if sides_of(path) else "") as reader:
+        if side and reader.info.side != side:
+            raise FileError(f"{path} has no {side} hand.")
+        yield Source(reader.info, reader.packed_messages())
+
+
+def sides_of(path: Path) -> tuple[str, ...]:
+    """The hands of a session of both; empty where there is one. Raises FileError."""
+    with SessionReader(path) as reader:
+        return reader.sides
+
+
+def simulated(options: SimulateOptions, on_truth: bool) -> Source:
+    """A simulated wearer, tracked as we go; ``on_truth``: as if the hand were known."""
+    simulation, info = build_simulation(options)
+
+    def messages() -> Iterator[Message]:
+        pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
+        for message in simulation.feed():
+            if message.t > options.duration:
+                return
+            yield message
+            if not isinstance(message, ImuSample):
+                pipeline.feed_frame(message)  # type: ignore[arg-type]
+            elif on_truth:
+                yield truth_message(message.t, simulation.truth(message.t), info)
+            else:
+                yield pipeline.feed_imu(message)
+
+    return Source(info, messages())
+
+
+def streamed(address: str, glove_name: str = "") -> Source:
+    """Estimates that a window sends: ``udp:PORT``, or ``ws://host:port``.
+
+    Raises ConfigError for another address; going through them StreamError, where none comes.
+    """
+    texts = library.texts(glove_name or library.DEFAULT_GLOVE, None)
+    info = describe(*texts, ClockAnchor(0, 0))
+    names = Names.of(info.hand, info.glove)
+    texts_of = _websocket(address) if address.startswith("ws://") else _udp(address)
+
+    def messages() -> Iterator[Estimate]:
+        for text in texts_of:
+            yield from_json(text, names, len(info.hand.segments))
+
+    return Source(info, messages())
+
+
+def _udp(address: str) -> Iterator[bytes]:
+    kind, _, port = address.partition(":")
+    if kind != "udp" or (port and not port.isdecimal()):
+        raise ConfigError(f"A live stream is udp, udp:PORT or ws://HOST:PORT, not {address!r}.")
+    return _datagrams(int(port or DEFAULT_PORT))
+
+
+def _datagrams(port: int) -> Iterator[bytes]:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        listener.bind((LOOPBACK, port))
+        timeout = PATIENCE
+        try:
+            while True:
+                listener.settimeout(timeout)
+                data, timeout = listener.recv(65536), SILENCE
+                yield data
+        except TimeoutError as error:
+            _need_some(timeout, f"port {port}", error)
+
+
+def _need_some(timeout: float, where: str, error: Exception) -> None:
+    """A stream may end, but not before it has begun."""
+    if timeout == PATIENCE:
+        raise StreamError(f"No hand has come to {where} in {PATIENCE:.0f} s.") from error
+
+
+def _websocket(address: str) -> Iterator[str | bytes]:
+    try:
+        from websockets.exceptions import ConnectionClosed
+        from websockets.sync.client import connect
+    except ImportError as error:
+        raise ConfigError('A WebSocket needs: pip install "glovetrack[streams]".') from error
+    try:
+        connection = connect(address)
+    except OSError as error:
+        raise ConfigError(f"Nothing answers at {address}: {error}") from error
+    with connection:
+        timeout = PATIENCE
+        try:
+            while True:
+                data, timeout = connection.recv(timeout), SILENCE
+                yield data
+        except (TimeoutError, ConnectionClosed) as error:
+            _need_some(timeout, address, error)

@@ -1,0 +1,260 @@
+"""Applications in the real window: drawn around the hand, set, begun anew."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+
+from extensions.applications import registry
+from extensions.applications.drawing import Line, Mesh, Points, Text
+from extensions.applications.hand import HandSample
+from extensions.applications.interface import Happening, Step
+from extensions.applications.stage import ApplicationStage
+from extensions.applications.window.drawing import DrawingForms, bounds
+from extensions.applications.window.words import Progress, instruction, results
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tracker.geometry import so3
+from tracker.glove import library
+from tracker.messages import Estimate, Event, Tracking
+from tracker.simulation import scripted
+from tracker.simulation.motion import pose_at
+
+TETRA = np.array([[0, 0, 0], [1.0, 0, 0], [0, 1, 0], [0, 0, 1]])
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
+
+@dataclass(frozen=True)
+class CompassSettings:
+    size: float = 0.05
+    loud: bool = True
+    place: tuple[float, ...] = ()
+    word: str = "north"
+
+
+class Compass:
+    """All primitives at the index fingertip; counts samples."""
+
+    name, title, between = "compass", "Compass", 0
+
+    def __init__(self, settings: CompassSettings) -> None:
+        self.settings = settings
+        self.samples = 0
+
+    def step(self, hand: HandSample) -> Step:
+        self.samples += 1
+        tip = hand.point("index_tip")
+        assert tip is not None
+        R = self.settings.size * np.eye(3)
+        drawing = (
+            Mesh("needle", TETRA, FACES, "#D55E00", R, tip),
+            Line("way", np.array([tip, tip + [0.0, 0.05, 0.0]])),
+            Points("dots", tip + np.eye(3) * 0.03),
+            Text("word", self.settings.word, tip),
+        )
+        events = [Happening("sample")] if self.samples == 1 else []
+        return Step(drawing, events)
+
+
+@pytest.fixture
+def staged(window, qtbot, monkeypatch):
+    """The window with an engine that has a stage, and the compass among the applications."""
+    known = registry.kind
+    monkeypatch.setattr(registry, "kind", lambda n: Compass if n == "compass" else known(n))
+    monkeypatch.setattr(registry, "names", lambda: ["compass"])
+    told: list[Event] = []
+    hand, glove, _ = models()
+    stage = ApplicationStage(hand, glove, told.append)
+    engine = ScriptedEngine()
+    window.host.adopt(replace(scripted_setup(engine), stage=stage))
+    window.show_panel("applications")
+    qtbot.waitUntil(window.applications.isVisible, timeout=10_000)
+    window.ticker.stop()
+    return window.applications, stage, engine, told
+
+
+def show(panel, stage, engine) -> None:
+    for _ in stage.feed(engine.latest_estimate()):
+        pass
+    panel.refresh(panel.host.snapshot())
+
+
+def painted(panel) -> np.ndarray:
+    image = panel.view.grab().toImage()
+    return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)[:, ::4].copy()
+
+
+def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
+    panel, stage, engine, told = staged
+    show(panel, stage, engine)
+    before = painted(panel)
+    panel.controls.choice.setCurrentIndex(panel.controls.choice.findData("compass"))
+    show(panel, stage, engine)
+    show(panel, stage, engine)
+    assert stage.name == "compass"
+    assert (painted(panel) != before).mean() > 0.01
+    assert panel.said.text() == "sample 1"
+    assert [e.data["what"] for e in told] == ["begins", "sample"]
+    panel.controls.again.click()
+    show(panel, stage, engine)
+    assert [e.data["what"] for e in told[2:]] == ["begins", "sample"]
+    panel.controls.choice.setCurrentIndex(0)
+    show(panel, stage, engine)
+    assert told[-1].data["what"] == "ends"
+    assert panel.model.drawing == ()
+    for _ in range(2):  # the end of the one before is not the next one's
+        panel.choose("compass")
+        show(panel, stage, engine)
+        assert panel.said.text() == "sample 1"
+
+
+def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(staged):
+    panel, stage, engine, _ = staged
+    show(panel, stage, engine)
+    p = engine.latest_estimate().keypoints
+    assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08  # half a hand
+    assert panel.view.orbit.distance < 1.0
+    panel.view.orbit.target = panel.view.orbit.target + 0.2  # as if it had gone away
+    for _ in range(60):
+        show(panel, stage, engine)
+    assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08
+
+
+def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot):
+    """They follow the light; what is open is then described anew, for the same hand."""
+    panel, stage, engine, _ = staged
+    setup, profile = window.host.setup, models()[2]
+    window.host.adopt(replace(setup, stage=stage, profile=profile))
+    window.host.set_profile(replace(profile, name="of another light"))
+    panel.choose("compass")
+
+    def drawn() -> bool:
+        show(panel, stage, engine)
+        return panel._skin is not None and panel.view.caption == ""
+
+    qtbot.waitUntil(drawn, timeout=60_000)
+    assert panel._bodies[0]._skin is panel._skin
+
+
+def progress(**counts) -> Progress:
+    return Progress(counts, {})
+
+
+def test_each_application_says_what_to_do_now():
+    for name in registry.BUILT_IN:
+        waits = instruction(name, progress(placed=1), located=False)
+        begins = instruction(name, progress(placed=1), located=True)
+        assert waits == "Hold the hand where the cameras see it." and begins != waits
+    assert "fingertip" in instruction("touch", progress(placed=1), True)
+    assert "Press deeper" in instruction("touch", progress(placed=1, touch=2, release=1), True)
+    assert "thumb up" in instruction("arm", progress(placed=1, stop=1), True)
+    assert "carry" in instruction("arm", progress(placed=1, clutch=1, grab=1), True)
+    assert "palm open" in instruction("place", progress(placed=1, choose=2, back=1), True)
+    assert "Pinch inside" in instruction("swarm", progress(placed=1, nudge=1), True)
+    assert "fist" in instruction(
+        "swarm", progress(placed=1, nudge=1, dragged=1, stretched=1, split=1), True
+    )
+    assert instruction("air-drawing", progress(placed=1), True) == ""
+
+
+def test_a_touch_is_followed_by_the_instruction_and_told_with_units(staged, qtbot):
+    panel, stage, engine, _ = staged
+    show(panel, stage, engine)
+    tip = engine.latest_estimate().keypoints[models()[0].keypoint_names.index("index_tip")]
+    stage.show("touch", {"place": tip.tolist()})
+    show(panel, stage, engine)
+    assert panel.instruction.text().startswith("Press deeper") and panel.instruction.isVisible()
+    assert panel.said.text().startswith("Touches: ") and " mm deep" in panel.said.text()
+    stage.show("")
+    show(panel, stage, engine)
+    assert not panel.instruction.isVisible()
+
+
+@pytest.mark.parametrize("name", list(registry.BUILT_IN))
+def test_what_a_simulated_wearer_does_is_told_in_words(name):
+    """Run on the show that each application has, with the true hand."""
+    hand, glove, _ = models()
+    stage, motion = ApplicationStage(hand, glove), scripted.show(name, hand)
+    stage.show(name)
+    said = []
+    for t in np.arange(0.0, motion.duration, 0.02):
+        angles, R, p = pose_at(motion, t)
+        R_GB, p_GB = hand.forward(angles, R, p)
+        for _ in stage.feed(true_estimate(float(t), R_GB, p_GB, angles)):
+            pass
+        made = Progress(dict(stage.counts), {w: e.data for w, e in stage.latest.items()})
+        said.append((instruction(name, made, True), results(name, made)))
+    assert stage.problem == ""
+    assert len({step for step, _ in said}) > 1, "the instruction goes on with what was done"
+    assert any(ch.isdigit() for ch in said[-1][1]) and "_" not in said[-1][1]
+
+
+def true_estimate(t: float, R_GB, p_GB, angles) -> Estimate:
+    hand, glove, _ = models()
+    names = glove.keypoint_names(hand)
+    points = glove.keypoint_positions(hand, R_GB, p_GB, np.ones((len(R_GB), 3)))
+    q = so3.quat_from_matrix(R_GB[glove.keypoint_segments(hand)])
+    sure, measured = np.full(len(names), 1e-3), np.full(len(names), 2)
+    return Estimate(
+        t, Tracking.TRACKING, points, q, measured, sure, angles, np.full(len(angles), 2), R_GB, p_GB
+    )
+
+
+def test_settings_are_changed_in_the_form(staged):
+    panel, stage, engine, told = staged
+    panel.choose("compass")
+    show(panel, stage, engine)
+    panel.controls.settings.click()
+    assert set(panel.form.fields) == {"size", "loud", "place", "word"}
+    panel.form.fields["size"].setValue(0.1)
+    panel.form.fields["loud"].click()
+    panel.form.fields["place"].setText("1, 2; 3")
+    panel.form.fields["place"].editingFinished.emit()
+    show(panel, stage, engine)
+    assert stage.settings == CompassSettings(0.1, False, (1.0, 2.0, 3.0), "north")
+    panel.form.fields["place"].setText("far away")
+    panel.form.fields["place"].editingFinished.emit()
+    assert panel.form.fields["place"].text() == ""
+    changed = [e.data["key"] for e in told if e.data["what"] == "setting"]
+    assert changed == ["size", "loud", "place"]
+
+
+def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
+    panel, right, engine, told = staged
+    hand, glove = library.load("vist-small-left")
+    left = ApplicationStage(hand, glove)
+    there = replace(scripted_setup(engine), hand=hand, glove=glove, stage=left)
+    window.host.adopt(replace(window.host.setup, other=there))
+    panel.choose("compass", {"size": 0.2, "place": [1.0, 2.0, 3.0]})
+    show(panel, right, engine)
+    window.host.show_hand("left")
+    assert (right.name, left.name) == ("", "compass")
+    assert left.settings == CompassSettings(0.2, True, (1.0, 2.0, 3.0), "north")
+    assert panel.controls.choice.currentData() == "compass" and panel.model.stage is left
+    show(panel, right, engine)
+    assert told[-1].data == {"application": "compass", "hand": "right", "what": "ends"}
+    window.host.show_hand("right")
+    assert (right.name, left.name) == ("compass", "")
+
+
+def test_forms_are_where_the_drawing_says():
+    turn = 0.5 * np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    drawing = (
+        Mesh("m", TETRA, FACES, R=turn, p=np.array([1.0, 0, 0])),
+        Line("l", np.array([[0.0, 0, 0], [0, 0, 2.0]])),
+        Points("p", np.array([[0.0, -1, 0]]), 0.1),
+    )
+    forms = DrawingForms()
+    mesh, balls = forms.surfaces(drawing)
+    assert mesh.points[1] == pytest.approx([1.0, 0.5, 0.0])
+    assert np.linalg.norm(mesh.normals, axis=1) == pytest.approx(1.0)
+    outwards = np.einsum("vk,vk->v", mesh.normals, mesh.points - mesh.points.mean(axis=0))
+    assert outwards.min() > 0
+    radius = np.linalg.norm(balls.points - [0.0, -1, 0], axis=1)
+    assert radius == pytest.approx(0.1, rel=1e-5)
+    (line,) = forms.lines(drawing)
+    assert (line.points[1:] == [0.0, 0.0, 2.0]).all()
+    low, high = bounds(drawing)
+    assert low == pytest.approx([0.0, -1.0, 0.0])
+    assert high == pytest.approx([1.0, 0.5, 2.0])

@@ -1,0 +1,122 @@
+"""The command ``conformance``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tracker.base.terminal import add_json
+
+if TYPE_CHECKING:
+    from extensions.conformance.run import Verdict
+
+SIMULATED = "simulated"  # name of a simulated wearer's page in a folder
+
+
+def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add ``conformance``, whose exit status is 1 where a rule is not kept."""
+    parser = subparsers.add_parser(
+        "conformance",
+        help="check hand data against the requirements of robot labs and write an HTML page",
+    )
+    parser.add_argument(
+        "file", type=Path, nargs="?", metavar="FILE", help="session or Isaac record"
+    )
+    parser.add_argument(
+        "--simulate",
+        "--simulated",
+        action="store_true",
+        help="check a simulated wearer who follows the script",
+    )
+    parser.add_argument(
+        "--hands",
+        choices=("left", "right", "both"),
+        default="",
+        help="hands to check (default: all)",
+    )
+    parser.add_argument(
+        "--glove", default="", help="glove of the simulated wearer; --hands selects the side"
+    )
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the simulated wearer")
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="PAGE.html|DIR",
+        help="HTML page, or a folder for it (created if missing)",
+    )
+    add_json(parser)
+    parser.set_defaults(func=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    from extensions.conformance.page import as_json, page
+    from extensions.conformance.run import judge, read_take
+    from tracker.base.errors import ConfigError
+    from tracker.base.files import check_target, write_kept
+    from tracker.base.terminal import check_json, finish
+
+    if args.simulate == (args.file is not None):
+        raise ConfigError("Specify either a session or record, or --simulate.")
+    sides = {"": (), "both": ("left", "right")}.get(args.hands, (args.hands,))
+    inputs = [args.file] if args.file else []
+    check_json(args, inputs)
+    out = _page_path(args.output, args.file)
+    for path in _outputs(out, args.simulate):
+        check_target(path, args.force, inputs)
+    if args.simulate:
+        verdict = _simulated(args, sides or ("left", "right"), out)
+    else:
+        verdict = judge(args.file.name, *read_take(args.file, sides))
+    if out is not None:
+        write_kept(out, page(verdict), args.force)
+    finish(args, as_json(verdict), _lines(verdict), [*inputs, *_outputs(out, args.simulate)])
+    return 0 if verdict.ok else 1
+
+
+def _page_path(output: Path | None, file: Path | None) -> Path | None:
+    """``output`` itself, or in it, where it is a folder or has no suffix, a page named as the
+    session."""
+    if output is None or (output.suffix and not output.is_dir()):
+        return output
+    return output / f"{file.stem if file is not None else SIMULATED}.html"
+
+
+def _outputs(out: Path | None, simulated: bool) -> list[Path]:
+    """The page, and of a simulated wearer the record and its labels beside it."""
+    from extensions.conformance.take import labels_beside
+
+    if out is None:
+        return []
+    take = out.with_suffix(".mcap")
+    return [out, labels_beside(take), take] if simulated else [out]
+
+
+def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | None) -> Verdict:
+    """The verdict; the record and its labels are beside the page ``out``, if there is one."""
+    from extensions.conformance.isaac.writer import write_records
+    from extensions.conformance.run import judge, simulated_takes
+    from extensions.conformance.take import take_of, write_labels
+    from tracker.base.files import make_folder, whole_files
+    from tracker.base.terminal import progress_line
+
+    records, steps = simulated_takes(sides, args.seed, args.glove, progress_line("tracking"))
+    takes = [take_of(side, found) for side, found in records.items()]
+    if out is None:
+        return judge(f"a simulated wearer, seed {args.seed}", takes, steps)
+    _, *beside = _outputs(out, True)
+    make_folder(out.parent)
+    with whole_files(*beside, force=args.force) as (labels, record):
+        write_records(record, records)
+        write_labels(labels, record.name, steps, min(int(t.sample[0]) for t in takes))
+    return judge(record.name, takes, steps)
+
+
+def _lines(verdict: Verdict) -> list[str]:
+    lines = []
+    for f in verdict.findings:
+        if f.status != "pass":
+            lines.append(f"{f.status}: {f.layer}, {f.side}: {f.rule}: {f.figure} ({f.limit})")
+    kept = sum(f.status == "pass" for f in verdict.findings)
+    return [*lines, f"{kept} of {len(verdict.findings)} rules passed."]

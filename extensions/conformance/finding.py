@@ -1,0 +1,67 @@
+"""What a rule found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from extensions.conformance.take import Step, Take
+from tracker.messages import Array
+
+PASS, FAIL, UNKNOWN = "pass", "fail", "not enough data"
+
+
+@dataclass(frozen=True, eq=False)
+class Plot:
+    """Values (N,) over t (N,) s, with lines at ``limits``."""
+
+    t: Array
+    values: Array
+    unit: str
+    limits: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Finding:
+    """One rule on one hand: what was measured, against what. ``advice``: does not decide."""
+
+    layer: str
+    rule: str
+    side: str
+    status: str
+    figure: str
+    limit: str
+    plot: Plot | None = None
+    advice: bool = False
+
+
+Rule = Callable[[Take, Sequence[Step]], Finding]
+
+
+class Judge:
+    """Makes the findings of one layer on one hand."""
+
+    def __init__(self, layer: str, take: Take) -> None:
+        self._layer, self._take = layer, take
+        self.found: list[Finding] = []
+
+    def say(
+        self,
+        rule: str,
+        ok: bool | None,
+        figure: str,
+        limit: str,
+        plot: tuple[Array, str, tuple[float, ...]] | None = None,
+        advice: bool = False,
+    ) -> None:
+        """``ok`` is None where too little was seen; ``plot``: values per record, unit, limits."""
+        status = UNKNOWN if ok is None else PASS if ok else FAIL
+        drawn = None
+        if plot is not None:
+            values = np.asarray(plot[0], float)
+            drawn = Plot(self._take.t[: len(values)], values, plot[1], plot[2])
+        self.found.append(
+            Finding(self._layer, rule, self._take.side, status, figure, limit, drawn, advice)
+        )

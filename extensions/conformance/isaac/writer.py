@@ -1,0 +1,57 @@
+"""The file: MCAP without compression, one topic a hand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+from mcap.writer import CompressionType, Writer
+
+from extensions.conformance.isaac.record import HandRecord, encode
+from extensions.conformance.isaac.schema import NAME, binary_schema
+from tracker import __version__
+
+SIDES = ("left", "right")
+ENCODING = "flatbuffer"
+
+
+def topic(side: str) -> str:
+    return f"hands/{side}_hand"
+
+
+class IsaacWriter:
+    """Writes records of both hands to an open file, which stays the caller's to close.
+
+    Both topics are there even where one hand is not. Records of a hand come in the order of their
+    available times.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._writer = Writer(file, compression=CompressionType.NONE)
+        self._writer.start("", f"glovetrack {__version__}")
+        schema = self._writer.register_schema(NAME, ENCODING, binary_schema())
+        self._channels = {
+            side: self._writer.register_channel(topic(side), ENCODING, schema) for side in SIDES
+        }
+        self._sequence = 0
+
+    def write(self, side: str, record: HandRecord) -> None:
+        """Add one record at its available time."""
+        stamp = record.stamps.available
+        self._writer.add_message(self._channels[side], stamp, encode(record), stamp, self._sequence)
+        self._sequence += 1
+
+    def finish(self) -> None:
+        """Write the index, without which most readers take a file for cut off."""
+        self._writer.finish()
+
+
+def write_records(path: Path, hands: Mapping[str, Sequence[HandRecord]]) -> None:
+    """A file of the records of each side, in the order of their available times."""
+    told = [(r.stamps.available, side, r) for side, records in hands.items() for r in records]
+    with path.open("wb") as file:
+        writer = IsaacWriter(file)
+        for _, side, record in sorted(told, key=lambda item: item[:2]):
+            writer.write(side, record)
+        writer.finish()

@@ -1,0 +1,67 @@
+"""Estimates as a record of NVIDIA's Isaac tools, written while the hand is tracked.
+
+An estimate that a newer one overtook is not in it; a session has them all, and its export too.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
+from extensions.conformance.isaac.writer import IsaacWriter
+from tracker.messages import Estimate
+from tracker.streaming.payload import openxr_of
+from tracker.streaming.publisher import Names, OtherHand, StreamError
+
+
+class IsaacPublisher:
+    """Writes to a new file, which has its index once the publisher is closed.
+
+    Raises StreamError where the file is there already or cannot be made, or ``names`` are without
+    OpenXR's radii.
+    """
+
+    def __init__(
+        self, names: Names, path: Path, clock_ns: Callable[[], int] = time.monotonic_ns
+    ) -> None:
+        if not names.openxr:
+            raise StreamError("The Isaac record holds OpenXR's joints.")
+        self._names, self._clock_ns = names, clock_ns
+        self.name = f"Isaac record {path.name}"
+        try:
+            self._file = path.open("xb")
+        except OSError as error:
+            raise StreamError(f"{path} cannot be made: {error.strerror}.") from error
+        self._writer = IsaacWriter(self._file)
+        self._last = 0
+        self._writing = threading.Lock()
+
+    def send(self, estimate: Estimate) -> None:
+        self._send(self._names, estimate)
+
+    def beside(self, names: Names) -> OtherHand:
+        """Another hand in the same record."""
+        return OtherHand(self.name, partial(self._send, names))
+
+    def _send(self, names: Names, estimate: Estimate) -> None:
+        with self._writing:  # each hand has a thread of its own
+            self._write(names, estimate)
+
+    def _write(self, names: Names, estimate: Estimate) -> None:
+        if self._file.closed:
+            raise StreamError("the Isaac record is closed")
+        sample = round(estimate.t * 1e9)
+        available = self._last = max(self._clock_ns(), sample, self._last)
+        joints = joints_of(openxr_of(estimate, names))
+        stamps = Stamps(available, sample, sample)
+        self._writer.write(names.side, HandRecord(stamps, joints))
+
+    def close(self) -> None:
+        with self._writing:
+            if not self._file.closed:
+                self._writer.finish()
+                self._file.close()

@@ -1,0 +1,254 @@
+"""Our records in NVIDIA's own replay, and what may be in them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from mcap.reader import make_reader
+from numpy.testing import assert_allclose
+
+from extensions.conformance.isaac.reader import read_records
+from extensions.conformance.isaac.record import HandRecord, Stamps, decode, encode, joints_of
+from extensions.conformance.isaac.writer import IsaacWriter
+from tests.fixtures import RESOURCES
+from tracker.base.errors import FileError
+from tracker.geometry import so3
+from tracker.hand.files import load_hand
+from tracker.hand.openxr import JOINTS, OpenXrHand, joint_radii, to_openxr
+from tracker.messages import Estimate, Tracking, Validity
+from tracker.streaming.params import StreamParams, open_publishers, with_streams
+from tracker.streaming.publisher import StreamError
+
+deviceio = pytest.importorskip("isaacteleop.deviceio")
+
+
+def posed(side: str, seed: int, lost: str = "") -> OpenXrHand:
+    hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
+    rng = np.random.default_rng(seed)
+    angles = rng.uniform(*hand.angle_limits.T)
+    R, p = hand.forward(angles, np.eye(3), rng.normal(size=3))
+    n = len(hand.keypoint_names)
+    state = np.where([k == lost for k in hand.keypoint_names], 0, int(Validity.MEASURED))
+    q = np.tile([0.0, 0.0, 0.0, 1.0], (n, 1))
+    known = np.full(len(angles), int(Validity.MEASURED))
+    e = Estimate(
+        0.0, Tracking.TRACKING, hand.keypoints(R, p), q, state, np.zeros(n), angles, known, R, p
+    )
+    return to_openxr(e, hand.keypoint_names, joint_radii(hand))
+
+
+def written(path: Path, hands: dict[str, list[OpenXrHand]]) -> Path:
+    """Ten ms apart, both sides at once."""
+    with path.open("wb") as file:
+        writer = IsaacWriter(file)
+        for k in range(max(len(h) for h in hands.values())):
+            for side, series in hands.items():
+                stamps = Stamps(10_000_000 * k + 3_000_000, 10_000_000 * k, 17 + k)
+                writer.write(side, HandRecord(stamps, joints_of(series[k])))
+        writer.finish()
+    return path
+
+
+def replayed(path: Path, n: int) -> list[dict[str, object]]:
+    """Per update what NVIDIA's replay has of each side: place, quaternion, valid, radius."""
+    tracker = deviceio.HandTracker()
+    config = deviceio.McapReplayConfig(str(path), [(tracker, "hands")])
+    out = []
+    with deviceio.ReplaySession.run(config) as session:
+        for _ in range(n):
+            session.update()
+            found = {}
+            for side in ("left", "right"):
+                data = getattr(tracker, f"get_{side}_hand")(session)
+                data = getattr(data, "data", data)  # older releases wrap it
+                found[side] = None if data is None or data.joints is None else _joints(data)
+            out.append(found)
+    return out
+
+
+def _joints(data) -> tuple[np.ndarray, ...]:
+    poses = [data.joints.poses(i) for i in range(len(JOINTS))]
+    place = [(p.pose.position.x, p.pose.position.y, p.pose.position.z) for p in poses]
+    turn = [p.pose.orientation for p in poses]
+    return (
+        np.array(place),
+        np.array([(t.x, t.y, t.z, t.w) for t in turn]),
+        np.array([p.is_valid for p in poses]),
+        np.array([p.radius for p in poses]),
+    )
+
+
+def test_nvidias_replay_reads_both_hands(tmp_path: Path) -> None:
+    hands = {side: [posed(side, k) for k in range(3)] for side in ("left", "right")}
+    for k, found in enumerate(replayed(written(tmp_path / "take.mcap", hands), 3)):
+        for side in ("left", "right"):
+            position, q, valid, radius = found[side]
+            wanted = hands[side][k]
+            assert_allclose(position, np.float32(wanted.position))
+            assert_allclose(q, np.float32(wanted.orientation))
+            assert_allclose(radius, np.float32(wanted.radius))
+            assert valid.all()
+
+
+def test_a_lost_joint_is_not_valid_and_a_lost_wrist_is_no_hand(tmp_path: Path) -> None:
+    hands = {"right": [posed("right", 1, "index_tip"), posed("right", 2, "wrist")]}
+    first, second = replayed(written(tmp_path / "take.mcap", hands), 2)
+    _, _, valid, _ = first["right"]
+    assert [JOINTS[i] for i in np.flatnonzero(~valid)] == ["index_tip"]
+    assert second["right"] is None and first["left"] is None
+
+
+def test_the_file_is_uncompressed_and_its_schema_is_nvidias(tmp_path: Path) -> None:
+    """Against the schema that is compiled into their library: names, types, places and sizes."""
+    path = written(tmp_path / "take.mcap", {"right": [posed("right", 1)]})
+    with path.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert {c.compression for c in summary.chunk_indexes} == {""}
+    (schema,) = summary.schemas.values()
+    topics = {c.topic for c in summary.channels.values()}
+    assert topics == {"hands/left_hand", "hands/right_hand"}
+    assert (schema.name, schema.encoding) == ("core.HandPoseRecord", "flatbuffer")
+    theirs = embedded_schemas()
+    if not theirs:
+        pytest.skip("this build of isaacteleop holds no schema of hands")
+    assert described(schema.data) == described(theirs[0])
+
+
+def embedded_schemas() -> list[bytes]:
+    """Binary schemas in NVIDIA's libraries whose root is the hand's record."""
+    out = []
+    for library in Path(deviceio.__file__).parents[1].rglob("*.so"):
+        data = library.read_bytes()
+        at = data.find(b"BFBS")
+        while at >= 0:
+            start = data[at - 4 : at - 4 + 65536]
+            if b"core.HandPoseRecord" in start[:4096]:
+                try:
+                    if root_name(start) == "core.HandPoseRecord":
+                        out.append(start)
+                except (IndexError, ValueError, UnicodeDecodeError):
+                    pass
+            at = data.find(b"BFBS", at + 4)
+    return out
+
+
+class Reflected:
+    """A table of google/flatbuffers' reflection.fbs, read by the bytes."""
+
+    def __init__(self, data: bytes, at: int) -> None:
+        self.data, self.at = data, at
+
+    def number(self, at: int, size: int, signed: bool = False) -> int:
+        return int.from_bytes(self.data[at : at + size], "little", signed=signed)
+
+    def place(self, slot: int) -> int:
+        vtable = self.at - self.number(self.at, 4, True)
+        entry = vtable + 4 + 2 * slot
+        inside = 4 + 2 * slot < self.number(vtable, 2)
+        offset = self.number(entry, 2) if inside else 0
+        return self.at + offset if offset else 0
+
+    def value(self, slot: int, size: int, usual: int = 0, signed: bool = True) -> int:
+        place = self.place(slot)
+        return self.number(place, size, signed) if place else usual
+
+    def table(self, slot: int) -> Reflected:
+        place = self.place(slot)
+        return Reflected(self.data, place + self.number(place, 4))
+
+    def text(self, slot: int) -> str:
+        place = self.place(slot)
+        start = place + self.number(place, 4)
+        return self.data[start + 4 : start + 4 + self.number(start, 4)].decode()
+
+    def rows(self, slot: int) -> list[Reflected]:
+        place = self.place(slot)
+        start = place + self.number(place, 4)
+        at = [start + 4 + 4 * i for i in range(self.number(start, 4))]
+        return [Reflected(self.data, a + self.number(a, 4)) for a in at]
+
+
+def root_of(data: bytes) -> Reflected:
+    return Reflected(data, int.from_bytes(data[:4], "little"))
+
+
+def root_name(data: bytes) -> str:
+    return root_of(data).table(4).text(0)
+
+
+def described(data: bytes) -> dict[str, object]:
+    """What a reader needs of a binary schema: objects by name, each with its fields by name."""
+    root = root_of(data)
+    objects = root.rows(0)
+    names = [o.text(0) for o in objects]
+    assert names == sorted(names), "readers search them by bisection"
+    out: dict[str, object] = {"root": root.table(4).text(0)}
+    for o in objects:
+        fields = {}
+        for f in o.rows(1):
+            kind = f.table(1)
+            index = kind.value(2, 4, -1)
+            fields[f.text(0)] = (
+                kind.value(0, 1),
+                kind.value(1, 1),
+                names[index] if index >= 0 and kind.value(0, 1) in (15, 17) else "",
+                kind.value(3, 2),
+                f.value(2, 2),
+                f.value(3, 2),
+                f.value(12, 2),
+            )
+        is_struct = bool(o.value(2, 1))
+        out[o.text(0)] = (is_struct, o.value(3, 4), o.value(4, 4) if is_struct else 0, fields)
+    return out
+
+
+def test_records_come_back_to_the_bit_and_damage_is_said() -> None:
+    record = HandRecord(Stamps(5, 4, -3), joints_of(posed("left", 4)))
+    data = encode(record)
+    again = decode(data)
+    assert again.stamps == record.stamps and (again.joints == record.joints).all()
+    assert decode(encode(HandRecord(Stamps(1, 1, 1), None))).joints is None
+    for length in (0, 3, 8, 40, 500):
+        with pytest.raises(FileError, match="damaged"):
+            decode(data[:length])
+
+
+def test_our_reader_reads_what_was_written(tmp_path: Path) -> None:
+    hands = {side: [posed(side, k) for k in range(4)] for side in ("left", "right")}
+    found = list(read_records(written(tmp_path / "take.mcap", hands)))
+    assert [side for side, _ in found] == ["left", "right"] * 4
+    assert found[7][1].stamps == Stamps(33_000_000, 30_000_000, 20)
+    with pytest.raises(FileError, match="no MCAP"):
+        (tmp_path / "x.mcap").write_bytes(b"not one")
+        list(read_records(tmp_path / "x.mcap"))
+
+
+def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, hand, glove) -> None:
+    path = tmp_path / "live.mcap"
+    params = with_streams(StreamParams(), f"isaac:{path}")
+    (publisher,) = open_publishers(params, hand, glove)
+    with pytest.raises(StreamError, match="cannot be made"):
+        open_publishers(params, hand, glove)
+    rng = np.random.default_rng(2)
+    wanted = []
+    for k in range(3):
+        R, p = hand.forward(rng.uniform(*hand.angle_limits.T), np.eye(3), rng.normal(size=3))
+        points = glove.keypoint_positions(hand, R, p)
+        q = so3.quat_from_matrix(R)[glove.keypoint_segments(hand)]
+        n, j = len(points), len(hand.joint_names)
+        state, known = np.full(n, 2), np.full(j, 2)
+        e = Estimate(
+            0.01 * k, Tracking.TRACKING, points, q, state, np.zeros(n), np.zeros(j), known, R, p
+        )
+        publisher.send(e)
+        wanted.append(to_openxr(e, glove.keypoint_names(hand), joint_radii(hand)))
+    publisher.close()
+    for found, hand_then in zip(replayed(path, 3), wanted, strict=True):
+        assert_allclose(found["right"][0], np.float32(hand_then.position))
+        assert found["left"] is None
+    stamps = [r.stamps for _, r in read_records(path)]
+    assert all(s.available >= s.sample for s in stamps)
+    with pytest.raises(StreamError, match="needs a file"):
+        open_publishers(StreamParams(isaac=True), hand, glove)

@@ -1,0 +1,44 @@
+"""The command ``evaluate faults``: devices that fail a thousand times."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+from tracker.base.terminal import add_json
+
+if TYPE_CHECKING:
+    from extensions.evaluation.faults.drill import DrillReport
+
+
+def add_evaluate_faults(protocols: Any) -> None:
+    """Adds ``faults`` to the sub-parsers of ``evaluate``."""
+    parser: argparse.ArgumentParser = protocols.add_parser(
+        "faults",
+        help="inject random faults into a simulated glove and camera and check the tracking",
+    )
+    parser.add_argument("--count", type=int, default=1000, help="number of faults (default: 1000)")
+    parser.add_argument("--seed", type=int, default=1, help="random seed")
+    add_json(parser)
+    parser.set_defaults(func=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    from extensions.evaluation.faults.drill import drill
+    from tracker.base.terminal import check_json, finish, progress_line
+
+    check_json(args)
+    report = drill(max(args.count, 1), args.seed, progress=progress_line("failing"))
+    finish(args, report.to_json(), _table(report).splitlines())
+    return 0 if not report.silent_wrong else 1
+
+
+def _table(report: DrillReport) -> str:
+    lines = [
+        f"{'fault':<16}{'count':>6}{'recovery max s':>16}{'unreported':>12}{'silent error':>14}"
+    ]
+    for kind, count in sorted(report.faults.items()):
+        worst = max(report.recovery[kind])
+        unsaid, wrong = report.unsaid[kind], report.silent_wrong[kind]
+        lines.append(f"{kind:<16}{count:>6}{worst:>16.2f}{unsaid:>12}{wrong:>14}")
+    return "\n".join(lines)

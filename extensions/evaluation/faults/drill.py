@@ -1,0 +1,339 @@
+"""A thousand faults of the glove and of the camera in one run: nothing crashes, nothing lies.
+
+The ordinary link, camera code, detector and pipeline run on simulated devices and a clock of their
+own. One random fault at a time begins, lasts, and ends; then the hand has to be tracked again.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tracker.engine.pipeline import Pipeline
+from tracker.glove import library
+from tracker.live.load import LoadWatch
+from tracker.messages import (
+    Array,
+    Estimate,
+    Event,
+    ImuSample,
+    StereoFrame,
+    Tracking,
+    Validity,
+)
+from tracker.sensors.camera import CameraParams, StereoCamera
+from tracker.sensors.glove_link import GloveLink, LinkState
+from tracker.sensors.image_watch import SilenceWatch
+from tracker.simulation import virtual_camera, virtual_glove
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.simulation.virtual_camera import VirtualCamera
+from tracker.simulation.virtual_glove import VirtualGlove
+from tracker.vision.colours import parse_profile
+from tracker.vision.detector import Detector, detect_frame
+
+HOST_FAULTS = ("starved glove", "starved camera", "starved")
+"""Of the computer: threads that are let run up to `LONGEST_WAIT` apart. Packets come late and in
+bunches then, images late, and only the newest of those that came meanwhile."""
+FAULTS = (*virtual_glove.FAULTS, *virtual_camera.FAULTS, *HOST_FAULTS)
+SHORTEST_WAIT, LONGEST_WAIT = 0.02, 0.3  # s
+KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
+FPS = 30.0
+MOTION_S = 120.0  # of one wearer; then another begins
+WARM_UP = 3.0  # s before the first fault
+MATCHED = 4  # markers in an image that counts
+FRESH = 0.1  # s
+LOOK_EVERY = 0.05  # s
+
+
+@dataclass(frozen=True)
+class DrillParams:
+    """Times in s, lengths in m."""
+
+    fps: float = FPS
+    shortest: float = 0.1  # fault
+    longest: float = 1.2
+    rest_shortest: float = 0.2  # between two faults, tracking all the while
+    rest_longest: float = 0.6
+    back: float = 0.030  # mean error of the four keypoints at which the hand is tracked again
+    wrong: float = 0.050  # error of a keypoint that is shown as measured, while tracking,
+    doubt: float = 3.0  # and at least so many of the standard deviations that are shown with it
+    silent_for: float = 0.25  # that long it may be shown before something is said
+    noticed: float = 0.6  # a shorter fault that showed nothing wrong may pass without a word
+    patience: float = 5.0  # longest wait for tracking
+
+
+@dataclass(eq=False)
+class DrillReport:
+    """What came of it. ``recovery`` (s) and counts are per kind of fault.
+
+    ``unsaid`` counts lasting faults without a word or a counter; ``silent_wrong`` those in which
+    wrong positions were shown and nothing was said.
+    """
+
+    faults: Counter[str] = field(default_factory=Counter)
+    recovery: dict[str, list[float]] = field(default_factory=dict)
+    unsaid: Counter[str] = field(default_factory=Counter)
+    silent_wrong: Counter[str] = field(default_factory=Counter)
+    words: Counter[str] = field(default_factory=Counter)
+    simulated_s: float = 0.0
+
+    def worst_recovery(self) -> float:
+        """Longest time from a device's return to a tracked hand, s."""
+        return max(max(times) for times in self.recovery.values())
+
+    def to_json(self) -> dict[str, object]:
+        return {
+            "faults": dict(self.faults),
+            "recovery_s": {
+                kind: {
+                    "median": float(np.median(t)),
+                    "worst": max(t),
+                    "over_1_s": sum(x > 1.0 for x in t),
+                }
+                for kind, t in sorted(self.recovery.items())
+            },
+            "unsaid": dict(self.unsaid),
+            "silent_wrong": dict(self.silent_wrong),
+            "simulated_s": self.simulated_s,
+        }
+
+
+class Bench:
+    """One wearer on virtual devices, tracked; `run` lets time pass."""
+
+    def __init__(self, seed: int, fps: float = FPS) -> None:
+        hand, glove = library.load(library.DEFAULT_GLOVE, "")
+        motion = RandomPostures(hand, seed, duration=MOTION_S + 10.0)
+        self._sim = Simulation(hand, glove, motion, seed, fps=fps)
+        self.now = self._matched = 0.0
+        self._words: list[str] = []
+        self.glove = VirtualGlove(self._sim.imu_samples(), len(glove.imus), seed)
+        self.camera = VirtualCamera(self._sim.scene, fps, seed)
+        self.link = GloveLink(self.glove.open, len(glove.imus), clock=lambda: self.now)
+        self.images = StereoCamera(
+            self.camera, self._sim.rig, CameraParams(), lambda: self.now, lambda dt: None
+        )
+        self.pipeline = Pipeline(hand, glove, self._sim.rig)
+        profile = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+        self._detector = Detector(profile, float(glove.marker_size.mean()), self._sim.rig.fx)
+        names = list(self.pipeline.keypoint_names)
+        self._rows = np.array([names.index(k) for k in KEYPOINTS])
+        self._next_image = 1 / fps
+        self._silence = SilenceWatch("camera")
+        self._load = LoadWatch()
+        self._rng = np.random.default_rng(seed)
+        self._wake: dict[str, float] = {}  # s when a starved thread runs next, by its device
+        self._held: StereoFrame | None = None  # the newest image that a starved thread has missed
+        self._missed = 0
+        self.estimate: Estimate | None = None
+
+    # ---- the computer
+
+    def fail(self, kind: str) -> None:
+        """Begin one of `FAULTS`."""
+        if kind in HOST_FAULTS:
+            both = ("glove", "camera")
+            self._wake = {d: self.now for d in both if kind in ("starved", f"starved {d}")}
+        else:
+            (self.glove if kind in virtual_glove.FAULTS else self.camera).fail(kind)
+
+    def heal(self) -> None:
+        """End whatever has begun."""
+        self._wake = {}
+        self.glove.heal()
+        self.camera.heal()
+
+    def _runs(self, device: str) -> bool:
+        """Whether the thread of a device is let run now."""
+        if self.now < self._wake.get(device, -np.inf):
+            return False
+        if device in self._wake:
+            self._wake[device] = self.now + float(self._rng.uniform(SHORTEST_WAIT, LONGEST_WAIT))
+        return True
+
+    # ---- time
+
+    def run(self, until: Callable[[], bool], longest: float) -> float:
+        """Let time pass until a condition holds, at most ``longest`` s; how long it took."""
+        start = self.now
+        while self.now - start < longest:
+            self._step()
+            if until():
+                break
+        return self.now - start
+
+    def _step(self) -> None:
+        packet, image = self.glove.next_event(), self._next_image + CameraParams().delay
+        if packet <= image:
+            self.now = packet
+            self.glove.advance(packet)
+            if self._runs("glove"):
+                self._poll()
+            if self._held is not None and self._runs("camera"):
+                self._look_at(self._held)
+        else:
+            self.now = image
+            self._take_image()
+
+    def _poll(self) -> None:
+        for item in self.link.poll(0.0):
+            if isinstance(item, ImuSample):
+                self.estimate = self.pipeline.feed_imu(item)
+                self._load.packet(self.now, self.now - item.t)
+            else:
+                self._words.append(item.text)
+        self._listen()
+
+    def _take_image(self) -> None:
+        self.camera.t = self._next_image
+        self._next_image += 1 / self.camera.fps
+        frame = self.images.read(0.0) if self.camera.gives else None
+        text = self._silence.look(self.now) if frame is None else self._silence.heard(self.now)
+        self._words += [text] if text else []
+        if frame is not None:
+            self._missed += self._held is not None
+            self._held = frame
+            if self._runs("camera"):
+                self._look_at(frame)
+        self._listen()
+
+    def _look_at(self, frame: StereoFrame) -> None:
+        self._load.image(self.now, self.now - frame.t_arrival, self._missed)
+        self._held, self._missed = None, 0
+        self.pipeline.feed_frame(detect_frame(self._detector, frame))
+        if self.link.state != LinkState.STREAMING:
+            self.estimate = self.pipeline.predict(frame.t)
+
+    def _listen(self) -> None:
+        for result in self.pipeline.take_results():
+            if int(np.sum(result.match_left >= 0)) >= MATCHED:
+                self._matched = result.t
+        events: list[Event] = list(self.images.take_events())
+        self._words += [e.text for e in events] + self.pipeline.take_words()
+        self._words += self._load.take_words()
+
+    # ---- truth
+
+    def take_words(self) -> list[str]:
+        words, self._words = self._words, []
+        return words
+
+    def losses(self) -> int:
+        """All counters of things that did not come or were not used."""
+        c, p = self.link.decoder.counters, self.pipeline.rig_state
+        counted = (c.cobs_errors, c.crc_errors, c.length_errors, c.unknown, c.oversize)
+        images = self.images.repeated + self.images.missed + p.refused
+        return sum(counted) + self.link.figures.lost + images
+
+    def errors(self) -> Array:
+        """Distance (4,) m of the keypoints from the truth, NaN where lost or nothing is shown."""
+        if self.estimate is None:
+            return np.full(len(self._rows), np.nan)
+        true = self._sim.truth(self.estimate.t).keypoints[self._rows]
+        error: Array = np.linalg.norm(self.estimate.keypoints[self._rows] - true, axis=1)
+        return error
+
+    def is_wrong(self, p: DrillParams) -> bool:
+        """Whether a keypoint that is shown as measured is far from where it is."""
+        e = self.estimate
+        if e is None:
+            return False
+        measured = e.keypoint_state[self._rows] == Validity.MEASURED
+        sd = np.sqrt(3.0) * e.keypoint_sd[self._rows]  # along three axes together
+        error = self.errors()
+        return bool(np.any(measured & (error > p.wrong) & (error > p.doubt * sd)))
+
+    def tracked(self, back: float) -> bool:
+        """Whether the hand is tracked, by a glove and a camera that are both there."""
+        e = self.estimate
+        if e is None or e.tracking != Tracking.TRACKING:
+            return False
+        if self.now - e.t > FRESH or self.now - self._matched > FRESH + 1 / self.camera.fps:
+            return False
+        return bool(np.nanmean(self.errors()) < back)
+
+
+def drill(
+    count: int,
+    seed: int = 1,
+    params: DrillParams | None = None,
+    kinds: tuple[str, ...] = FAULTS,
+    progress: Callable[[float], None] = lambda share: None,
+) -> DrillReport:
+    """``count`` random faults, one after another. Raises whatever a part raises."""
+    params, report = params or DrillParams(), DrillReport()
+    rng = np.random.default_rng(seed)
+    bench = _new_bench(seed, params, report)
+    for k in range(count):
+        if bench.now > MOTION_S - 10.0:
+            report.simulated_s += bench.now
+            bench = _new_bench(seed + k + 1, params, report)
+        if k % len(kinds) == 0:
+            order = rng.permutation(len(kinds))  # every kind as often as any other
+        _one_fault(bench, kinds[order[k % len(kinds)]], rng, params, report)
+        progress((k + 1) / count)
+    report.simulated_s += bench.now
+    return report
+
+
+def _new_bench(seed: int, params: DrillParams, report: DrillReport) -> Bench:
+    bench = Bench(seed, params.fps)
+    bench.run(lambda: False, WARM_UP)
+    report.words.update(_kind_of_words(bench.take_words()))
+    return bench
+
+
+def _one_fault(
+    bench: Bench, kind: str, rng: np.random.Generator, p: DrillParams, report: DrillReport
+) -> None:
+    bench.run(lambda: False, float(rng.uniform(p.rest_shortest, p.rest_longest)))
+    report.words.update(_kind_of_words(bench.take_words()))
+    losses = bench.losses()
+    watch = _LieDetector(bench, p)
+    lasting = float(rng.uniform(p.shortest, p.longest))
+    bench.fail(kind)
+    bench.run(watch.look, lasting)
+    bench.heal()
+    took = bench.run(lambda: watch.look() or bench.tracked(p.back), p.patience)
+    watch.look()
+    report.faults[kind] += 1
+    report.recovery.setdefault(kind, []).append(took)
+    report.words.update(_kind_of_words(watch.words))
+    if lasting > p.noticed and not watch.words and bench.losses() == losses:
+        report.unsaid[kind] += 1
+    if watch.lied:
+        report.silent_wrong[kind] += 1
+
+
+class _LieDetector:
+    """Watches one fault: a wrong position shown as measured, and nothing said."""
+
+    def __init__(self, bench: Bench, params: DrillParams) -> None:
+        self._bench, self._params = bench, params
+        self._wrong_since, self._next_look = float("inf"), bench.now
+        self.words: list[str] = []
+        self.lied = False
+
+    def look(self) -> bool:
+        """Always False, so that it can be used as a condition that never ends a run."""
+        bench, p = self._bench, self._params
+        self.words += bench.take_words()
+        if bench.now < self._next_look:  # the truth is dear
+            return False
+        self._next_look = bench.now + LOOK_EVERY
+        e = bench.estimate
+        shown = e is not None and e.tracking == Tracking.TRACKING
+        wrong = shown and bench.is_wrong(p)
+        self._wrong_since = min(self._wrong_since, bench.now) if wrong else float("inf")
+        if bench.now - self._wrong_since > p.silent_for and not self.words:
+            self.lied = True
+        return False
+
+
+def _kind_of_words(words: list[str]) -> Counter[str]:
+    """Sentences with their numbers left out."""
+    return Counter("".join("#" if c.isdigit() else c for c in w) for w in words)

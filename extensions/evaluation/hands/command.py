@@ -1,0 +1,107 @@
+"""The command ``evaluate hands``: pairs of simulated hands that meet, together and each alone."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+from tracker.base.errors import ConfigError
+from tracker.base.terminal import add_json
+
+if TYPE_CHECKING:
+    from extensions.evaluation.hands.trial import HandFigures
+
+LONGEST_RATIO, LONGEST_OFF = 1.2, 0.2
+"""Goals: error together over error alone, and s for which a hand may be off at most."""
+
+
+def add_evaluate_hands(protocols: Any) -> None:
+    """Adds ``hands`` to the sub-parsers of ``evaluate``."""
+    parser: argparse.ArgumentParser = protocols.add_parser(
+        "hands",
+        help="track two simulated hands that cross and occlude each other; compare with each "
+        "hand alone, and with each hand occluded by a hand without markers",
+    )
+    parser.add_argument(
+        "--pairs", type=int, default=20, metavar="N", help="number of pairs of hands (default: 20)"
+    )
+    parser.add_argument(
+        "--seconds", type=float, default=20.0, metavar="S", help="duration per pair (default: 20)"
+    )
+    parser.add_argument("--engine", default="chain", help="chain or vist")
+    parser.add_argument(
+        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    )
+    parser.add_argument("--seed", type=int, default=0, help="random seed of the first pair")
+    parser.add_argument(
+        "--processes",
+        type=int,
+        default=1,
+        metavar="N",
+        help="number of worker processes (default: 1)",
+    )
+    add_json(parser)
+    parser.set_defaults(func=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    from extensions.evaluation.hands.trial import run_trial
+    from tracker.base.terminal import check_json, finish, progress_line
+    from tracker.base.workers import WorkItem, run_all, some_workers
+    from tracker.engine.settings import ENGINES
+
+    check_json(args)
+    if args.engine not in ENGINES:
+        raise ConfigError(f"Unknown engine {args.engine!r}. Available: {', '.join(ENGINES)}.")
+    if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
+        raise ConfigError("--pairs must be at least 1, --seconds at least 4, and --fps 5 to 240.")
+    seeds = range(args.seed, args.seed + args.pairs)
+    tasks = [WorkItem(run_trial, (seed, args.seconds, args.engine, args.fps)) for seed in seeds]
+    with some_workers(max(1, min(args.processes, args.pairs))) as workers:
+        outcomes = run_all(tasks, workers, progress_line(f"tracking {args.pairs} pairs"))
+    failed = [outcome.error for outcome in outcomes if outcome.error]
+    if failed:
+        raise ConfigError(failed[0])
+    rows = [row for outcome in outcomes for row in outcome.value]
+    found = summary(rows)
+    finish(args, found, table(rows, found))
+    return 0 if found["ok"] else 1
+
+
+def summary(rows: Sequence[HandFigures]) -> dict[str, Any]:
+    """For programs: each hand, means over all, and whether the goals are met."""
+    together = sum(r.together_mm for r in rows) / len(rows)
+    alone = sum(r.alone_mm for r in rows) / len(rows)
+    covered = sum(r.covered_mm for r in rows) / len(rows)
+    longest = max(r.longest_off_s for r in rows)
+    return {
+        "rows": [asdict(r) | {"ratio": r.ratio, "confusion": r.confusion} for r in rows],
+        "together_mm": together,
+        "alone_mm": alone,
+        "covered_mm": covered,
+        "ratio": together / alone,
+        "confusion": together / covered,
+        "longest_off_s": longest,
+        "ok": together <= LONGEST_RATIO * alone and longest <= LONGEST_OFF,
+    }
+
+
+def table(rows: Sequence[HandFigures], found: dict[str, Any]) -> list[str]:
+    """For people."""
+    head = f"{'pair':>5} {'hand':<6}{'together mm':>12}{'alone mm':>10}{'ratio':>7}"
+    head += f"{'covered mm':>12}{'ratio':>7}"
+    lines = [head + f"{'known':>8}{'tracked':>9}{'off, longest s':>16}"]
+    for r in rows:
+        lines.append(
+            f"{r.seed:>5} {r.side:<6}{r.together_mm:>12.2f}{r.alone_mm:>10.2f}{r.ratio:>7.2f}"
+            f"{r.covered_mm:>12.2f}{r.confusion:>7.2f}"
+            f"{r.known:>8.1%}{r.tracked:>9.1%}{r.longest_off_s:>16.2f}"
+        )
+    lines.append(
+        f"{'all':>5} {'':<6}{found['together_mm']:>12.2f}{found['alone_mm']:>10.2f}"
+        f"{found['ratio']:>7.2f}{found['covered_mm']:>12.2f}{found['confusion']:>7.2f}"
+        f"{'':>17}{found['longest_off_s']:>16.2f}"
+    )
+    return lines

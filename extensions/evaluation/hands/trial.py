@@ -1,0 +1,153 @@
+"""One simulated pair of hands tracked together, and each of them alone and covered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from extensions.evaluation.vist.metrics import KEYPOINTS
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.engine.two_hands import TwoHands
+from tracker.glove import library
+from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
+from tracker.simulation.scenario import Simulation
+from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
+
+GLOVES = {"left": "vist-small-left", "right": "vist-small"}
+SETTLED = 2.0  # s until which a wearer's hand is learned first
+EVERY = 5  # packets between two instants that are compared
+EXCHANGED_MM = 35.0  # a hand farther off than this is at the other's markers, or pulled there
+
+
+@dataclass(frozen=True)
+class HandFigures:
+    """Of one hand over one trial: mean errors (mm) together, alone, and covered (where the other
+    hand hides it as it does, and brings no markers) over instants at which its position is known in
+    each; ``known`` and ``tracked`` shares of the instants; and the longest time (s) for which it is
+    off by more than `EXCHANGED_MM`."""
+
+    seed: int
+    side: str
+    together_mm: float
+    alone_mm: float
+    covered_mm: float
+    known: float
+    tracked: float
+    longest_off_s: float
+
+    @property
+    def ratio(self) -> float:
+        return self.together_mm / self.alone_mm
+
+    @property
+    def confusion(self) -> float:
+        """What the other hand's markers cost, beside what it hides."""
+        return self.together_mm / self.covered_mm
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """Of one hand at instants t (n,) s: errors (n,) mm, NaN where lost, and whether tracked."""
+
+    t: Array
+    off_mm: Array
+    tracked: Array
+
+
+def run_trial(
+    seed: int,
+    seconds: float,
+    engine: str = "chain",
+    fps: float = 60.0,
+    progress: Callable[[float], None] = lambda share: None,
+) -> list[HandFigures]:
+    """Both hands of one seed; a task of `tracker.base.workers`."""
+    dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
+    sim = TwoHandsSimulation(dressed, seed, seconds, fps)
+    together = _together(sim, engine)
+    return [
+        _figures(
+            seed,
+            side,
+            _shown(sim.hands[side], together[side]),
+            _by_itself(sim.alone[side], engine),
+            _by_itself(sim.hands[side], engine),
+        )
+        for side in SIDES
+    ]
+
+
+def _figures(seed: int, side: str, both: _Shown, alone: _Shown, covered: _Shown) -> HandFigures:
+    known = np.isfinite(both.off_mm)
+    common = known & np.isfinite(alone.off_mm) & np.isfinite(covered.off_mm)
+    return HandFigures(
+        seed,
+        side,
+        float(both.off_mm[common].mean()),
+        float(alone.off_mm[common].mean()),
+        float(covered.off_mm[common].mean()),
+        float(known.mean()),
+        float(both.tracked.mean()),
+        longest(both.t, both.off_mm > EXCHANGED_MM),
+    )
+
+
+def longest(t: Array, wrong: NDArray[np.bool_]) -> float:
+    """s of the longest run of True over the instants t (n,)."""
+    best, since = 0.0, np.nan
+    for instant, is_wrong in zip(t, wrong, strict=True):
+        if not is_wrong:
+            since = np.nan
+            continue
+        since = instant if np.isnan(since) else since
+        best = max(best, float(instant - since))
+    return best
+
+
+def _make(hand: Simulation, engine: str) -> Pipeline:
+    return Pipeline(hand.hand, hand.glove, hand.rig, Settings(engine=engine))
+
+
+def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]:
+    hands = TwoHands({side: partial(_make, hand, engine) for side, hand in sim.hands.items()})
+    out: dict[str, list[Estimate]] = {side: [] for side in SIDES}
+    for side, message in sim.messages():
+        if isinstance(message, BlobFrame):
+            hands.feed_frame(message)
+        elif isinstance(message, ImuSample):
+            estimate = hands.feed_imu(side, message)
+            if message.seq % EVERY == 0:
+                out[side].append(estimate)
+    return out
+
+
+def _by_itself(hand: Simulation, engine: str) -> _Shown:
+    """Of a simulated hand whose blobs alone are seen."""
+    pipeline, out = _make(hand, engine), []
+    for message in hand.feed():
+        if isinstance(message, BlobFrame):
+            pipeline.feed_frame(message)
+        elif isinstance(message, ImuSample):
+            estimate = pipeline.feed_imu(message)
+            if message.seq % EVERY == 0:
+                out.append(estimate)
+    return _shown(hand, out)
+
+
+def _shown(hand: Simulation, estimates: list[Estimate]) -> _Shown:
+    late = [e for e in estimates if e.t > SETTLED]
+    names = hand.glove.keypoint_names(hand.hand)
+    rows = [names.index(name) for name in KEYPOINTS if name in names]
+    t = np.array([e.t for e in late])
+    truths = hand.truths(t)
+    apart = [
+        np.linalg.norm(e.keypoints[rows] - true.keypoints[rows], axis=1).mean()
+        for e, true in zip(late, truths, strict=True)
+    ]
+    tracked = np.array([e.tracking == Tracking.TRACKING for e in late])
+    return _Shown(t, 1e3 * np.array(apart), tracked)

@@ -1,0 +1,123 @@
+"""``glovetrack evaluate robot``."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from extensions.robot.library import SHADOW
+from tracker.base.terminal import add_json, check_json, finish, progress_line
+
+GOAL_MM = 5.0
+
+
+def add_evaluate_robot(
+    subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
+) -> None:
+    """Adds the protocol; its ``func`` returns the exit status."""
+    parser = subparsers.add_parser(
+        "robot", help="evaluate a robot hand that follows a wearer and picks up a cube"
+    )
+    parser.add_argument(
+        "--trials",
+        type=int,
+        default=10,
+        metavar="N",
+        help="number of pick-and-place trials (default: 10)",
+    )
+    parser.add_argument(
+        "--people",
+        type=int,
+        default=4,
+        metavar="N",
+        help="number of people who move at random (default: 4)",
+    )
+    parser.add_argument(
+        "--seconds",
+        type=float,
+        default=20.0,
+        help="duration of random motion per person (default: 20)",
+    )
+    parser.add_argument("--seed", type=int, default=1, help="random seed of the first person")
+    parser.add_argument(
+        "--side", choices=("right", "left"), default="right", help="side of the robot hand"
+    )
+    parser.add_argument(
+        "--model", default=SHADOW, help="robot hand: a name, or the path of an MJCF file"
+    )
+    add_json(parser)
+    parser.set_defaults(func=_evaluate)
+
+
+def _evaluate(args: argparse.Namespace) -> int:
+    from extensions.evaluation.robot.score import tip_score
+    from extensions.robot.hand import load_hand
+    from extensions.robot.library import need_mujoco
+    from extensions.robot.pick_and_place import pick_and_place
+    from extensions.robot.settings import RobotSettings
+    from extensions.robot.teleop import Teleop
+
+    check_json(args, [])
+    need_mujoco()
+    settings = RobotSettings(model=args.model, side=args.side)
+    robot = load_hand(settings)
+    watch = progress_line("evaluating")
+    total = max(args.people + args.trials, 1)
+    scores = []
+    for i in range(args.people):
+        scores.append(tip_score(robot, settings, args.seed + i, args.seconds))
+        watch((i + 1) / total)
+    teleop, times, trials = Teleop(settings, robot), [], []
+    for i in range(args.trials):
+        trial = pick_and_place(
+            teleop, args.seed + i, lambda state, errors, took: times.append(1e3 * took)
+        )
+        trials.append(trial)
+        watch((args.people + i + 1) / total)
+    report = _report(scores, trials, times)
+    finish(args, report, _lines(report), [])
+    return 0
+
+
+def _report(scores: list[Any], trials: list[Any], times: list[float]) -> dict[str, Any]:
+    import numpy as np
+
+    report: dict[str, Any] = {}
+    if scores:
+        errors = np.concatenate([s.errors_mm for s in scores])
+        reachable = np.concatenate([s.reachable for s in scores])
+        near = errors[reachable]
+        report["tips"] = {
+            "reachable_percent": 100 * float(reachable.mean()),
+            "error_mm_median": float(np.median(near)),
+            "error_mm_99": float(np.percentile(near, 99)),
+            "within_5_mm_percent": 100 * float((near <= GOAL_MM).mean()),
+            "all_error_mm_95": float(np.nanpercentile(errors, 95)),
+        }
+    if trials:
+        report["pick_and_place"] = [trial._asdict() for trial in trials]
+        report["placed"] = sum(trial.placed for trial in trials)
+        report["step_ms_median"] = float(np.median(times))
+        report["step_ms_99"] = float(np.percentile(times, 99))
+    return report
+
+
+def _lines(report: dict[str, Any]) -> list[str]:
+    lines = []
+    tips = report.get("tips")
+    if tips:
+        lines = [
+            f"reachable targets: {tips['reachable_percent']:.1f} %",
+            f"tips within {GOAL_MM:.0f} mm of reachable targets: "
+            f"{tips['within_5_mm_percent']:.2f} % "
+            f"(median {tips['error_mm_median']:.2f} mm, 99 %: {tips['error_mm_99']:.2f} mm)",
+        ]
+    for trial in report.get("pick_and_place", ()):
+        word = "placed" if trial["placed"] else "NOT placed"
+        lines.append(f"trial {trial['seed']:>3}: {word}, {trial['off_mm']:.0f} mm from its target")
+    if "placed" in report:
+        lines.append(
+            f"{report['placed']} of {len(report['pick_and_place'])} cubes placed; "
+            f"step time {report['step_ms_median']:.2f} ms (99 %: {report['step_ms_99']:.2f} ms)"
+        )
+    return lines

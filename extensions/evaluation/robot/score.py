@@ -1,0 +1,70 @@
+"""How near a robot's fingertips come to where a simulated wearer's would have them.
+
+What can be reached is told by many beginnings of the same search without a speed limit: where none
+comes within `REACHED`, the robot's fingers are too short or bend another way.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from extensions.robot.hand import RobotHand
+from extensions.robot.pick_and_place import worn_hand_of
+from extensions.robot.picking import worn_at
+from extensions.robot.retarget import Retargeter
+from extensions.robot.settings import RobotSettings
+from extensions.robot.teleop import target_map
+from tracker.base.clock import monotonic
+from tracker.messages import Array
+from tracker.simulation.motion import Poses
+from tracker.simulation.random_postures import RandomPostures
+
+PACKET = 0.01  # s
+REACHED = 0.002  # m
+BEGINNINGS = 25  # hands for which one target is tried
+EVERY = 10  # of the hands that are asked whether they can be reached
+
+
+class TipScore(NamedTuple):
+    """Of one wearer: errors_mm (n, 5) of tips, reachable (n, 5) targets, times_ms (n,) a step."""
+
+    errors_mm: Array
+    reachable: NDArray[np.bool_]
+    times_ms: Array
+
+
+def tip_score(robot: RobotHand, settings: RobotSettings, seed: int, seconds: float) -> TipScore:
+    """Of a wearer who moves at random for so long."""
+    hand = worn_hand_of(settings.side)
+    t = np.arange(0.0, seconds, PACKET)
+    poses = RandomPostures(hand, seed, duration=seconds + 1.0).poses(t)
+    fingers, mapped = Retargeter(robot, settings.joint_speed), target_map(robot, 1.0)
+    errors, reachable, times = [], [], []
+    for k in range(len(t)):
+        worn = worn_at(hand, Poses(*(part[k] for part in poses)), float(t[k]))
+        targets, known = mapped.targets(worn)
+        began = monotonic()
+        command = fingers.step(targets, known, PACKET)
+        times.append(1e3 * (monotonic() - began))
+        if k % EVERY == EVERY - 1:
+            errors.append(1e3 * np.linalg.norm(fingers.tips(command) - targets, axis=1))
+            reachable.append(_reachable(robot, targets, known, command))
+    return TipScore(np.array(errors), np.array(reachable), np.array(times))
+
+
+def _reachable(
+    robot: RobotHand, targets: Array, known: NDArray[np.bool_], near: Array
+) -> NDArray[np.bool_]:
+    """(5,) targets that some posture within the joints' limits comes to."""
+    free = Retargeter(robot, joint_speed=1e6)
+    free.reset(near)
+    best = np.full(len(targets), np.inf)
+    for _ in range(BEGINNINGS):
+        free.step(targets, known, PACKET)
+        best = np.fmin(best, free.error)
+        if (best < REACHED).all():
+            break
+    return np.asarray(best < REACHED)

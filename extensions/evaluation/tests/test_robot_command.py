@@ -1,0 +1,38 @@
+"""A scripted wearer's cube is taken and put down by the robot, on either side."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from extensions.robot.pick_and_place import pick_and_place
+from extensions.robot.settings import RobotSettings
+from extensions.robot.teleop import Teleop
+from extensions.robot.tests.hands import shadow
+from tracker.cli import main
+
+
+@pytest.mark.parametrize(("side", "seed"), [("right", 1), ("right", 4), ("left", 2)])
+def test_a_cube_is_lifted_and_put_down_in_its_place(side: str, seed: int) -> None:
+    teleop = Teleop(RobotSettings(side=side), shadow(side))
+    trial = pick_and_place(teleop, seed)
+    assert trial.placed
+    assert trial.lifted_mm > 100
+
+
+def test_a_hand_that_stays_open_places_nothing() -> None:
+    """The trial can fail: with fingers that cannot move the cube stays where it lay."""
+    teleop = Teleop(RobotSettings(joint_speed=1e-3), shadow())
+    trial = pick_and_place(teleop, 1)
+    assert not trial.placed
+    assert trial.lifted_mm < 20
+
+
+def test_the_command_tells_how_near_tips_come(capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["evaluate", "robot", "--trials", "0", "--people", "1", "--seconds", "3"]
+    assert main([*words, "--json", "-"]) == 0
+    tips = json.loads(capsys.readouterr().out)["tips"]
+    assert tips["reachable_percent"] > 70
+    assert tips["within_5_mm_percent"] > 98
+    assert tips["error_mm_median"] < 0.5

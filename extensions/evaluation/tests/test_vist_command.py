@@ -1,0 +1,277 @@
+"""`evaluate vist` from the command line, small, and the pieces it is made of."""
+
+import argparse
+import io
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from extensions.evaluation.commands import add_commands
+from extensions.evaluation.vist.cases import (
+    ABLATIONS,
+    GUIDED,
+    Case,
+    in_outage,
+    judged_in_outage,
+    without_images,
+    without_imus,
+)
+from extensions.evaluation.vist.command import cases_of
+from extensions.evaluation.vist.metrics import Trial, summarise
+from extensions.evaluation.vist.report import write_report
+from extensions.evaluation.vist.run import Progress, run_cases
+from extensions.evaluation.vist.scenes import motion_of, simulation_of
+from extensions.evaluation.vist.table import line_of, row_of
+from extensions.evaluation.vist.trial import meet_again, models, owners
+from tracker.base.errors import ConfigError, FileError
+from tracker.engine.pipeline import Pipeline
+from tracker.engine.settings import Settings
+from tracker.hand.poses import POSES
+from tracker.messages import BlobFrame, ImuSample
+
+ROW_KEYS = {
+    "experiment", "engine", "ablation", "level", "participants", "mean_mm", "sd_mm",
+    "within_sd_mm", "between_sd_mm", "ci95_mm", "pck20", "pck35", "keypoints", "matched_mean",
+    "wrong_match_rate", "nees_per_dof", "core_s_per_s", "paper",
+}  # fmt: skip
+
+
+def parse(*words: str) -> argparse.Namespace:
+    parser = argparse.ArgumentParser()
+    add_commands(parser.add_subparsers())
+    return parser.parse_args(["evaluate", "vist", *words])
+
+
+def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
+    target, out = tmp_path / "rows.json", tmp_path / "report"
+    args = parse(
+        "--engines", "chain,vist", "--experiments", "free", "--participants", "1",
+        "--minutes", "0.12", "--fps", "30", "--json", str(target), "--out", str(out),
+    )  # fmt: skip
+    assert args.func(args) == 0
+    rows = json.loads(target.read_text())["rows"]
+    assert [r["engine"] for r in rows] == ["chain", "vist"]
+    for row in rows:
+        assert set(row) >= ROW_KEYS
+        assert 0 < row["mean_mm"] < 15
+        assert row["paper"]["mean_mm"] == 10.69
+        assert row["between_sd_mm"] is None  # one person alone has none
+    page = (out / "report.html").read_text()
+    assert "simulated" in page
+    assert f"{rows[0]['mean_mm']:.2f}" in page
+    assert (out / "free-pck.png").read_bytes().startswith(b"\x89PNG")
+    assert "paper" in capsys.readouterr().out
+
+
+def test_json_on_standard_output_is_json_alone(monkeypatch, capsys):
+    monkeypatch.setattr("extensions.evaluation.vist.run.run_cases", lambda *a, **k: [])
+    monkeypatch.setattr("extensions.evaluation.vist.command.cases_of", lambda args: [])
+    args = parse("--json", "-")
+    assert args.func(args) == 0
+    assert json.loads(capsys.readouterr().out) == {"rows": []}
+
+
+def test_ctrl_c_keeps_what_is_finished(monkeypatch, capsys, tmp_path):
+    def interrupted(jobs, processes):
+        index = jobs[0][0]
+        yield index, a_trial(0)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("extensions.evaluation.vist.run._results", interrupted)
+    target = tmp_path / "rows.json"
+    args = parse("--participants", "3", "--json", str(target), "--out", str(tmp_path))
+    assert args.func(args) == 1
+    (row,) = json.loads(target.read_text())["rows"]
+    assert row["participants"] == 1
+    assert row["mean_mm"] == pytest.approx(4.0)
+    assert "Stopped after 1 of 18 trials" in capsys.readouterr().out
+    assert (tmp_path / "report.html").is_file()
+
+
+def test_variants_have_a_table_and_a_figure_of_their_own(tmp_path):
+    cases = cases_of(parse("--experiments", "free", "--ablations", "loose,camera-imu"))
+    results = [(case, [a_trial(0), a_trial(1)]) for case in cases]
+    page = write_report(tmp_path, results, [row_of(*result) for result in results]).read_text()
+    assert [c.experiment for c in cases] == ["free"] * 4 + ["head"] * 2
+    assert "Variants, free motion" in page
+    assert "Variants, camera on the head" in page
+    assert page.count("segment poses from vision alone") == 2
+    assert (tmp_path / "free-variants.png").is_file()
+    assert (tmp_path / "head-variants.png").is_file()
+
+
+def test_what_is_not_known_is_a_dash_in_the_table():
+    unknown = replace(a_trial(0), sd=np.full((200, 4), np.nan), matches=0)
+    line = line_of(Case("free", "vist", ablation="imu-only-5s"), summarise([unknown]))
+    assert "nan" not in line
+    assert line.count("–") == 3
+    assert "–" not in line_of(Case("free", "vist"), summarise([a_trial(0)]))
+
+
+def test_with_one_lens_or_none_the_engine_is_one_that_can(capsys):
+    one, none = (cases_of(parse("--lenses", n, "--experiments", "free")) for n in ("one", "none"))
+    assert [(c.engine, c.lenses) for c in one + none] == [("chain", "one"), ("inertial", "none")]
+    for words, told in (
+        (("--lenses", "one", "--engines", "vist"), "both lenses"),
+        (("--lenses", "none", "--engines", "chain"), "inertial"),
+        (("--engines", "inertial"), "--lenses none"),
+    ):
+        with pytest.raises(ConfigError, match=told):
+            cases_of(parse(*words))
+
+
+def test_a_glove_without_a_camera_is_judged_by_its_joints(capsys):
+    words = (
+        "--lenses",
+        "none",
+        "--experiments",
+        "free",
+        "--participants",
+        "1",
+        "--minutes",
+        "0.12",
+    )
+    args = parse(*words, "--json", "-")
+    assert args.func(args) == 0
+    (row,) = json.loads(capsys.readouterr().out)["rows"]
+    assert 0.5 < row["angles_deg"] < 10 and row["lost"] == 0.0
+    assert row["nees_per_dof"] is None  # there is no place to be sure of
+
+
+def a_trial(participant: int) -> Trial:
+    """Two seconds with an error of 4 mm."""
+    n = 200
+    return Trial(
+        participant=participant, hand_length=0.18, t=np.arange(n) / 100,
+        error=np.full((n, 4), 0.004), sd=np.full((n, 4), 0.004),
+        joints=np.full((n, 9), 0.002), seen=np.full(n, 11),
+        matches=10, wrong_matches=0, core_s=0.1, duration=2.0, angles=np.full((n, 5), 0.05),
+    )  # fmt: skip
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_the_bar_tells_what_is_left():
+    now = iter([0.0, 30.0, 60.0])
+    screen = Terminal()
+    bar = Progress(screen, clock=lambda: next(now))
+    for done in (0, 1, 2, 10):
+        bar.show(done, 10)
+    lines = screen.getvalue().split("\r")
+    assert "0/10 trials" in lines[1]
+    assert "1/10 trials, 4 min left" in lines[2]  # nine more of 30 s
+    assert "2/10 trials, 4 min left" in lines[3]
+    assert lines[4].rstrip(" \n").endswith("10/10 trials")
+    assert lines[4].endswith("\n")
+
+
+def test_the_defaults_are_the_papers():
+    args = parse()
+    cases = cases_of(args)
+    assert args.participants == 15
+    assert {(c.experiment, c.minutes) for c in cases} == {
+        ("free", 3.0), ("object", 2.0), ("device", 2.0),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--engines", "nonsense"], "nonsense"),
+        (["--experiments", "juggling"], "juggling"),
+        (["--ablations", "no-hand"], "no-hand"),
+        (["--motion", "absent.tsv"], "absent.tsv"),
+    ],
+)
+def test_what_does_not_exist_is_named(words, told):
+    with pytest.raises(ConfigError, match=told):
+        cases_of(parse(*words))
+
+
+def test_a_wearers_profile_is_for_the_engine_that_takes_it(tmp_path):
+    absent = str(tmp_path / "anna.toml")
+    with pytest.raises(ConfigError, match="--engines chain"):
+        cases_of(parse("--wearer", absent))
+    with pytest.raises(FileError, match=r"anna\.toml"):
+        cases_of(parse("--wearer", absent, "--engines", "chain"))
+
+
+def test_guided_rows_are_told_side_by_side():
+    cases = cases_of(parse("--guided", "--experiments", "free", "--engines", "chain"))
+    assert [c.guided for c in cases] == ["", *GUIDED, "untold"]
+    assert [c.is_led for c in cases] == [False, True, True, True, False, True]
+
+
+def test_who_is_known_begins_with_what_another_session_of_his_has_left(monkeypatch):
+    """The same free motion, with the glove put on as in it: known by the bones of his own hand."""
+    monkeypatch.setattr("extensions.evaluation.vist.trial.FIRST_SESSION", 0.02)
+    monkeypatch.setattr("tracker.simulation.guided.POSES", {"flat": POSES["flat"]})
+    case = Case("free", "chain", minutes=0.1, fps=20, seed=11)
+    hand, glove = models()
+    sim = simulation_of(case, hand, glove, motion_of(case, hand, 11_000, None), 11_000, None)
+    pipeline = Pipeline(hand, glove, sim.rig, Settings())
+    anybody = pipeline.engine.profile()
+    meet_again(pipeline, case, 11_000)
+    known = pipeline.engine.profile()
+    true = sim.wearer.scale[[hand.index[n] for n in pipeline.engine.layout.names], 0]
+    assert np.abs(known.scale[:, 0] - true).mean() < 0.5 * np.abs(anybody.scale[:, 0] - true).mean()
+    np.testing.assert_array_equal(known.R_IB, anybody.R_IB)
+
+
+@pytest.mark.parametrize("words", [["--participants", "0"], ["--minutes", "x"], ["--level", "3d"]])
+def test_wrong_usage_ends_with_two(words):
+    with pytest.raises(SystemExit) as stop:
+        parse(*words)
+    assert stop.value.code == 2
+
+
+def test_a_trial_is_the_same_whoever_runs_it():
+    case = Case("device", "vist", minutes=0.1, fps=30)
+    (here,) = run_cases([case], 1, processes=1)[0]
+    (elsewhere,) = run_cases([case], 1, processes=2)[0]
+    np.testing.assert_array_equal(here.error, elsewhere.error)
+    assert here.matches == elsewhere.matches
+
+
+def test_ablations_change_what_they_name():
+    for name, ablation in ABLATIONS.items():
+        changed = ablation.settings(Settings()) != Settings()
+        moved = ablation.fps is not None or ablation.speed != 1 or ablation.outage > 0
+        assert changed or moved or ablation.camera != "pose" or name == "vision-only"
+
+
+def imu(t: float) -> ImuSample:
+    return ImuSample(t, t, t, 0, np.zeros((2, 3)), np.zeros((2, 3)), np.ones(2, bool))
+
+
+def image(t: float) -> BlobFrame:
+    return BlobFrame(t, t, (), None, None)
+
+
+def test_outages_withhold_images_and_are_judged_at_their_end():
+    feed = [m for k in range(400) for m in (imu(k / 10), image(k / 10))]
+    kept = [m.t for m in without_images(5.0)(iter(feed)) if isinstance(m, BlobFrame)]
+    assert not [t for t in kept if 10 <= t < 15 or 25 <= t < 30]
+    assert 9.9 in kept
+    assert 15.0 in kept
+    judged = [t for t in np.arange(0, 30, 0.5) if judged_in_outage(t, 5.0)]
+    assert judged == [14.0, 14.5, 29.0, 29.5]
+    assert all(in_outage(t, 5.0) for t in judged)
+
+
+def test_silent_imus_stay_silent_and_images_pass():
+    out = list(without_imus(iter([imu(1.0), imu(9.0), image(9.0)])))
+    assert out[0].valid.all()
+    assert not out[1].valid.any()
+    assert out[2].t == 9.0
+
+
+def test_a_blob_belongs_to_the_nearest_marker_or_to_none():
+    true_uv = np.array([[100.0, 100.0], [120.0, 100.0], [np.nan, np.nan]])
+    blobs = np.array([[101.0, 99.0], [119.0, 101.0], [160.0, 100.0]])
+    np.testing.assert_array_equal(owners(blobs, true_uv), [0, 1, -1])

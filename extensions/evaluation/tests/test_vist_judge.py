@@ -1,0 +1,62 @@
+"""Judging from where the wearer looks: with a camera on the head, errors count in its frame."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from extensions.evaluation.vist.cases import Case
+from extensions.evaluation.vist.judge import Judge, TrialRecord
+from extensions.evaluation.vist.metrics import KEYPOINTS
+from extensions.evaluation.vist.scenes import motion_of, simulation_of
+from extensions.evaluation.vist.trial import models
+
+
+@pytest.fixture(scope="module")
+def simulation():
+    hand, glove = models()
+    case = Case("head", "chain", minutes=0.1)
+    return simulation_of(case, hand, glove, motion_of(case, hand, 0, None), 0, None)
+
+
+def seen_through(simulation, t):
+    """What a perfect tracker says that believes the reported pose."""
+    truth = simulation.truth(t)
+    true, told = simulation.scene.pose(t), simulation.scene.reported_pose(t)
+    p_C = (truth.keypoints - true.p_GC) @ true.R_GC
+    keypoints = p_C @ told.R_GC.T + told.p_GC
+    sd = np.ones(len(keypoints))
+    return SimpleNamespace(t=t, keypoints=keypoints, keypoint_sd=sd, angles=truth.angles)
+
+
+def judged(simulation, place):
+    names = simulation.glove.keypoint_names(simulation.hand)
+    times = np.arange(2.5, 5.5, 0.25)
+    record = TrialRecord(
+        estimates=[seen_through(simulation, t) for t in times],
+        poses=[simulation.scene.reported_pose(t) for t in times],
+        seen=[9] * len(times),
+    )
+    columns = [names.index(k) for k in KEYPOINTS]
+    pipeline = SimpleNamespace(hand=simulation.hand)
+    return Judge(simulation, pipeline, columns, place).trial(record, 0, outage=0.0)
+
+
+def test_a_wrong_camera_pose_is_no_error_in_the_cameras_frame(simulation):
+    trial = judged(simulation, "camera")
+    assert len(trial.t) == 12
+    np.testing.assert_allclose(trial.error, 0, atol=1e-12)
+
+
+def test_the_same_estimates_are_wrong_in_the_room_by_the_poses_error(simulation):
+    """3 mm along each axis and 0.5° at about 0.4 m: some millimetres."""
+    error = judged(simulation, "world").error
+    assert 0.001 < error.mean() < 0.02
+
+
+def test_only_the_head_experiment_moves_the_camera(simulation):
+    hand, glove = models()
+    case = Case("free", "chain", minutes=0.1)
+    still = simulation_of(case, hand, glove, motion_of(case, hand, 0, None), 0, None)
+    assert still.scene.reported_pose(1.0) is None
+    assert simulation.scene.reported_pose(1.0) is not None

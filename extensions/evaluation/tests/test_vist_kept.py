@@ -1,0 +1,89 @@
+"""Finished trials outlive an evaluation that is ended, and go only into tables they belong to."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from extensions.evaluation.vist.cases import Case
+from extensions.evaluation.vist.kept import PROGRAM, KeptTrials
+from extensions.evaluation.vist.metrics import Trial
+from extensions.evaluation.vist.run import run_cases
+from tracker.base.errors import ConfigError, FileError
+
+CASES = [Case("free", "chain"), Case("free", "vist", ablation="loose")]
+
+
+class Participants:
+    """Stands for `run_trial`: trials of noise that say whose they are; ends after ``end`` runs."""
+
+    def __init__(self, end: int = 1000) -> None:
+        self.ran: list[tuple[Case, int]] = []
+        self._end = end
+
+    def __call__(self, case: Case, participant: int) -> Trial:
+        if len(self.ran) == self._end:
+            raise KeyboardInterrupt
+        self.ran.append((case, participant))
+        rng = np.random.default_rng(CASES.index(case) * 10 + participant)
+        error = np.where(rng.random((7, 4)) < 0.2, np.nan, rng.random((7, 4)))
+        return Trial(
+            participant=participant, hand_length=0.18, t=np.arange(7.0), error=error, sd=error,
+            joints=rng.random((7, 9)), seen=np.arange(7), matches=5, wrong_matches=1,
+            core_s=0.25, duration=7.5,
+        )  # fmt: skip
+
+
+def run(
+    monkeypatch: pytest.MonkeyPatch, kept: KeptTrials, cases: list[Case], end: int = 1000
+) -> tuple[list[list[Trial]], list[tuple[Case, int]]]:
+    people = Participants(end)
+    monkeypatch.setattr("extensions.evaluation.vist.run.run_trial", people)
+    return run_cases(cases, 3, kept=kept), people.ran
+
+
+def test_a_run_that_was_ended_goes_on_where_it_stood(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    first, done = run(monkeypatch, KeptTrials(tmp_path / "kept"), CASES, end=4)
+    assert [len(trials) for trials in first] == [3, 1]
+    second, ran = run(monkeypatch, KeptTrials(tmp_path / "kept"), CASES)
+    assert set(done).isdisjoint(ran) and len(done) + len(ran) == 6
+    people = Participants()
+    for case, trials in zip(CASES, second, strict=True):
+        for participant, trial in enumerate(trials):
+            expected = people(case, participant)
+            for field in fields(Trial):
+                value = getattr(trial, field.name)
+                np.testing.assert_array_equal(value, getattr(expected, field.name))
+                assert type(value) is type(getattr(expected, field.name))
+
+
+def test_trials_of_another_case_are_not_taken(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Every field of a case counts, and so does what is in the files that it names."""
+    kept, profile = KeptTrials(tmp_path / "kept"), tmp_path / "wearer.toml"
+    profile.write_text("one")
+    case = replace(CASES[0], wearer=str(profile))
+    kept.add(case, Participants()(CASES[0], 0))
+    assert kept.find(case, 0) is not None
+    assert kept.find(case, 1) is None
+    assert kept.find(replace(case, seed=1), 0) is None
+    profile.write_text("another")
+    assert kept.find(case, 0) is None
+
+
+def test_another_program_and_damage_are_told_in_words(tmp_path: Path) -> None:
+    kept = KeptTrials(tmp_path)
+    kept.add(CASES[0], Participants()(CASES[0], 0))
+    (file,) = tmp_path.glob("free-chain-*-00.npz")
+    file.write_bytes(file.read_bytes()[:-100])
+    with pytest.raises(FileError, match="damaged"):
+        kept.find(CASES[0], 0)
+    (tmp_path / PROGRAM).write_text("glovetrack 0.0.9 abc\n")
+    with pytest.raises(ConfigError, match="another version of the program"):
+        KeptTrials(tmp_path)

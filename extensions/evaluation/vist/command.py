@@ -1,0 +1,304 @@
+"""`glovetrack evaluate vist`: the protocol of Lee et al. 2021 on simulated people."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, TextIO
+
+from tracker.base.errors import ConfigError
+from tracker.base.files import check_folder_target
+from tracker.base.terminal import add_json, check_json, write_json
+
+QUICK_PARTICIPANTS = 2
+QUICK_MINUTES = 0.35
+ENGINES_OF = {"both": ("chain", "vist"), "one": ("chain",), "none": ("inertial",)}
+"""What is judged with so many lenses if no engine is named."""
+
+
+def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Adds the sub-command."""
+    p = subparsers.add_parser(
+        "vist", help="track simulated hands in the three experiments of Lee et al. 2021"
+    )
+    p.add_argument(
+        "--participants",
+        type=_count,
+        default=15,
+        metavar="N",
+        help="number of simulated participants (default: 15)",
+    )
+    p.add_argument(
+        "--minutes",
+        type=_positive,
+        metavar="M",
+        help="duration of each trial (default: 3, 2 and 2)",
+    )
+    p.add_argument(
+        "--engines",
+        type=_words,
+        metavar="A,B",
+        help="engines to evaluate (default: chain and vist; with one lens, chain; without a "
+        "camera, inertial)",
+    )
+    p.add_argument(
+        "--lenses",
+        choices=tuple(ENGINES_OF),
+        default="both",
+        help="lenses of the camera; without a camera, errors are those of joint angles and of "
+        "joint positions relative to the dorsum",
+    )
+    p.add_argument(
+        "--measured",
+        action="store_true",
+        help="the hand lengths are known from a ruler (sd 2 mm)",
+    )
+    p.add_argument(
+        "--experiments",
+        type=_words,
+        default=("free", "object", "device"),
+        metavar="A,B",
+        help="free, object, device (from the paper) and head, a camera worn on the head "
+        "(default: free,object,device)",
+    )
+    p.add_argument(
+        "--level",
+        choices=("points", "images"),
+        default="points",
+        help="simulate marker positions in the images, or whole images",
+    )
+    p.add_argument(
+        "--lights",
+        type=_words,
+        default=("window", "lamp", "led", "dim"),
+        metavar="A,B|none",
+        help="with --level images: repeat each experiment over a desk in these lights (default: "
+        "all four)",
+    )
+    p.add_argument(
+        "--ablations",
+        type=_words,
+        default=(),
+        metavar="A,B|all",
+        help="variants of the engines to evaluate as well",
+    )
+    p.add_argument(
+        "--guided",
+        action="store_true",
+        help="add free motion after guided poses: not announced, announced, held badly, and from"
+        " another session; also with markers on the fingertips",
+    )
+    p.add_argument(
+        "--wearer",
+        type=Path,
+        metavar="FILE",
+        help="wearer's profile that every participant starts with",
+    )
+    p.add_argument(
+        "--fps", type=_positive, default=60.0, help="frame rate of the camera, Hz (default: 60)"
+    )
+    p.add_argument(
+        "--distractors", type=int, default=0, help="number of coloured balls in the room"
+    )
+    p.add_argument("--seed", type=int, default=0, help="random seed")
+    p.add_argument(
+        "--processes",
+        type=_count,
+        default=1,
+        metavar="N",
+        help="number of worker processes (default: 1)",
+    )
+    p.add_argument("--quick", action="store_true", help="two participants, 21 s each")
+    p.add_argument(
+        "--keep",
+        type=Path,
+        metavar="DIR",
+        help="save finished trials in this folder; an interrupted run resumes from them",
+    )
+    p.add_argument(
+        "--motion",
+        nargs="+",
+        type=Path,
+        default=(),
+        metavar="FILE",
+        help="recorded hand motion to use instead of simulated motion",
+    )
+    add_json(p)
+    p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures and an HTML report")
+    p.set_defaults(func=run)
+
+
+def _words(text: str) -> tuple[str, ...]:
+    return tuple(word for word in text.split(",") if word)
+
+
+def _number(kind: Callable[[str], float], low: float) -> Callable[[str], Any]:
+    def read(text: str) -> float:
+        try:
+            value = kind(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+        if not low <= value < float("inf"):
+            raise argparse.ArgumentTypeError(f"{text} is too small")
+        return value
+
+    return read
+
+
+_count = _number(int, 1)
+_positive = _number(float, 0.1)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Runs the cases, prints the table, writes what was asked for."""
+    from extensions.evaluation.vist.kept import KeptTrials
+    from extensions.evaluation.vist.run import run_cases
+    from extensions.evaluation.vist.table import row_of
+
+    check_json(args)
+    if args.out:
+        check_folder_target(args.out, args.force)
+    cases = cases_of(args)
+    participants = QUICK_PARTICIPANTS if args.quick else args.participants
+    kept = KeptTrials(args.keep) if args.keep else None
+    done_of = run_cases(cases, participants, args.processes, kept=kept)
+    # there are no trials of a case that Ctrl+C prevented
+    results = [(case, trials) for case, trials in zip(cases, done_of, strict=True) if trials]
+    table = sys.stderr if args.json == "-" else sys.stdout
+    _print_table(results, table)
+    rows = [row_of(case, trials) for case, trials in results]
+    if args.json:
+        write_json({"rows": rows}, args.json, args.force)
+    if args.out and results:
+        from extensions.evaluation.vist.report import write_report
+
+        page = write_report(args.out, results, rows)
+        print(f"Report: {page}", file=table)
+    done, wanted = sum(len(trials) for _, trials in results), len(cases) * participants
+    if done < wanted:
+        print(f"Stopped after {done} of {wanted} trials; the figures cover only these.", file=table)
+    return 0 if done == wanted else 1
+
+
+def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
+    """The paper's figures first, then a line per case."""
+    from extensions.evaluation.vist.metrics import summarise
+    from extensions.evaluation.vist.paper import PAPER
+    from extensions.evaluation.vist.table import HEAD, line_of, paper_line
+
+    print(HEAD, file=table)
+    for experiment in dict.fromkeys(case.experiment for case, _ in results):
+        if experiment in PAPER:
+            print(paper_line(experiment), file=table)
+    for case, trials in results:
+        print(line_of(case, summarise(trials)), file=table)
+
+
+def cases_of(args: argparse.Namespace) -> list[Any]:
+    """The rows asked for, ablations last. Raises ConfigError for names that do not exist."""
+    from extensions.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
+    from tracker.engine.pipeline import ENGINES
+
+    engines = args.engines or ENGINES_OF[args.lenses]
+    _known(engines, ENGINES, "engine")
+    _check_lenses(args.lenses, engines)
+    _known(args.experiments, EXPERIMENTS, "experiment")
+    missing = [str(f) for f in args.motion if not f.is_file()]
+    if missing:
+        raise ConfigError(f"Motion file not found: {missing[0]}.")
+    if args.wearer is not None:
+        _check_wearer(args.wearer, engines)
+    experiments = ("free",) if args.quick or args.motion else args.experiments
+    out: list[Case] = []
+    for experiment in experiments:
+        for engine in engines:
+            minutes = args.minutes or MINUTES[experiment]
+            case = Case(experiment, engine, args.level, None, minutes, args.fps, args.seed)
+            if args.quick and not args.minutes:
+                case = replace(case, minutes=QUICK_MINUTES)
+            files = tuple(map(str, args.motion))
+            case = replace(case, wearer=str(args.wearer or ""), lenses=args.lenses)
+            case = replace(case, measured=args.measured and engine != "vist")
+            out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
+    first = out[: len(engines)]
+    guided = _guided(first[0]) if args.guided else []
+    return [*out, *_lit(args, out), *guided, *_ablations(args.ablations, first)]
+
+
+def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
+    """Raises ConfigError where an engine cannot do with so few, or looks through none."""
+    from tracker.engine.settings import WITHOUT_IMAGES
+
+    blind = [e for e in engines if e in WITHOUT_IMAGES]
+    if lenses == "none" and len(blind) < len(engines):
+        raise ConfigError("Only the engine inertial can be evaluated without a camera.")
+    if lenses != "none" and blind:
+        raise ConfigError("The engine inertial does not use images: add --lenses none.")
+    if lenses == "one" and "vist" in engines:
+        raise ConfigError("The engine vist needs both lenses: add --engines chain.")
+
+
+def _check_wearer(path: Path, engines: Sequence[str]) -> None:
+    """Raises ConfigError where an engine takes no profile, FileError where the file is none."""
+    from extensions.evaluation.vist.trial import models
+    from tracker.fusion.chain.calibration.profile_file import read_wearer
+    from tracker.fusion.chain.layout import ChainLayout
+
+    if tuple(engines) not in (("chain",), ("inertial",)):
+        raise ConfigError("Only the engine chain takes a wearer's profile: add --engines chain.")
+    read_wearer(path, ChainLayout(*models()))
+
+
+def _lit(args: argparse.Namespace, cases: Sequence[Any]) -> list[Any]:
+    """The cases again over a desk in each light, where images are asked for; a camera on a head
+    has no desk."""
+    from tracker.simulation.desk.lights import LIGHTS
+
+    lights = () if "none" in args.lights or args.level != "images" else args.lights
+    _known(lights, LIGHTS, "light")
+    return [
+        replace(case, light=light)
+        for light in lights
+        for case in cases
+        if case.experiment != "head"
+    ]
+
+
+def _guided(case: Any) -> list[Any]:
+    """What guided poses are worth, beside markers on the fingertips."""
+    from extensions.evaluation.vist.cases import DISTAL_GLOVE, GUIDED
+
+    engine = "inertial" if case.lenses == "none" else "chain"
+    case = replace(case, experiment="free", engine=engine)
+    rows = [replace(case, guided=how) for how in GUIDED]
+    if case.lenses == "none":
+        return rows
+    return [*rows, replace(case, guided="untold", glove=DISTAL_GLOVE, wearer="")]
+
+
+def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
+    """Variants of ``cases``, one per engine, each in the experiment it is about."""
+    from extensions.evaluation.vist.cases import ABLATIONS
+
+    names = tuple(ABLATIONS) if "all" in names else names
+    _known(names, ABLATIONS, "ablation")
+    return [
+        replace(
+            case,
+            experiment=ABLATIONS[name].experiment,
+            ablation=name,
+            minutes=max(case.minutes, ABLATIONS[name].least_minutes),
+        )
+        for name in names
+        for case in cases
+        if case.engine in ABLATIONS[name].engines
+    ]
+
+
+def _known(names: Sequence[str], known: Sequence[str] | Mapping[str, Any], what: str) -> None:
+    for name in names:
+        if name not in known:
+            raise ConfigError(f"Unknown {what} {name!r}. Available: {', '.join(known)}.")

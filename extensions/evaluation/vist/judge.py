@@ -1,0 +1,132 @@
+"""What a trial's estimates are worth: errors of the four keypoints against the truth.
+
+They are judged in G, with two exceptions: in an outage, and where there is no camera, in the
+dorsum's frame, since an unseen hand's position is a double integral; and with a camera on the head
+in the camera's, as a wearer of glasses sees the hand: the estimate is brought to C with the pose
+that the tracker goes by, the truth with the true one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from extensions.evaluation.vist.cases import SETTLING, judged_in_outage
+from extensions.evaluation.vist.metrics import DIGITS, KEYPOINTS, Trial
+from tracker.engine.pipeline import Pipeline
+from tracker.messages import Array, CameraPose, Estimate, Tracking
+from tracker.simulation.scenario import Simulation, Truth
+
+
+@dataclass(eq=False)
+class TrialRecord:
+    """What is kept while a trial runs: an entry per packet, and counts."""
+
+    estimates: list[Estimate] = field(default_factory=list)
+    poses: list[CameraPose] = field(default_factory=list)  # of the camera, as the tracker has it
+    seen: list[int] = field(default_factory=list)
+    latest_seen: int = 0
+    matches: int = 0
+    wrong: int = 0
+    core_s: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Judge:
+    """``columns`` are the rows in an estimate of the judged keypoints and, after them, of joints.
+
+    ``place`` is where they are judged: world, camera or dorsum. Judged is what comes after
+    ``begin`` (s), once the hand has been found.
+    """
+
+    simulation: Simulation
+    pipeline: Pipeline
+    columns: list[int]
+    place: str = "world"
+    begin: float = 0.0
+
+    def trial(self, record: TrialRecord, participant: int, outage: float) -> Trial:
+        """The errors of a trial; ``outage`` s without images again and again, 0 for none."""
+        t = np.array([e.t for e in record.estimates])
+        rows = np.flatnonzero(self._judged(t, outage))
+        estimates = [record.estimates[i] for i in rows]
+        truths = self.simulation.truths(t[rows])
+        unplaced = self.place == "dorsum"
+        if unplaced:
+            error = self._articulation(estimates, truths)
+        else:
+            error = self._place(estimates, truths, [record.poses[i] for i in rows])
+        sd = np.array([e.keypoint_sd[self.columns] for e in estimates]).reshape(error.shape)
+        n = len(KEYPOINTS)
+        wearer = self.simulation.wearer
+        return Trial(
+            participant=participant,
+            hand_length=self.simulation.hand.length * float(wearer.scale[:, 0].mean()),
+            t=t[rows],
+            error=error[:, :n],
+            sd=np.full_like(sd[:, :n], np.nan) if unplaced else sd[:, :n],
+            joints=error[:, n:],
+            seen=np.array(record.seen, np.int64)[rows],
+            matches=record.matches,
+            wrong_matches=record.wrong,
+            core_s=record.core_s,
+            duration=self.simulation.duration,
+            angles=self._angles(estimates, truths),
+        )
+
+    def _angles(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
+        """(n, j) rad: how far the joint angles of the judged digits are off."""
+        names = self.pipeline.hand.joint_names
+        rows = [i for i, name in enumerate(names) if name.startswith(DIGITS)]
+        given = np.array([e.angles[rows] for e in estimates]).reshape(-1, len(rows))
+        true = np.array([x.angles[rows] for x in truths]).reshape(-1, len(rows))
+        return np.abs(given - true)
+
+    def _judged(self, t: Array, outage: float) -> NDArray[np.bool_]:
+        """(n,) bool: which of the instants count. Some recordings are short."""
+        ok = t > max(min(SETTLING, self.simulation.duration / 3), self.begin)
+        if outage:
+            ok &= np.array([judged_in_outage(x, outage) for x in t])
+        return ok
+
+    def _place(
+        self, estimates: list[Estimate], truths: list[Truth], poses: list[CameraPose]
+    ) -> Array:
+        """(n, k) m, in G or in C."""
+        shape = (len(estimates), len(self.columns), 3)
+        given = np.array([e.keypoints[self.columns] for e in estimates]).reshape(shape)
+        true = np.array([x.keypoints[self.columns] for x in truths]).reshape(shape)
+        if self.place == "camera":
+            for i, (e, pose) in enumerate(zip(estimates, poses, strict=True)):
+                given[i] = _in_camera(given[i], pose)
+                true[i] = _in_camera(true[i], self.simulation.scene.pose(e.t))
+        return np.linalg.norm(given - true, axis=2)
+
+    def _articulation(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
+        """(n, k) m in the dorsum's frame, from segment poses: keypoints themselves are given up."""
+        scale = self._scales()
+        hand, glove = self.pipeline.hand, self.pipeline.glove
+        out = np.full((len(estimates), len(self.columns)), np.nan)
+        for i, (e, truth) in enumerate(zip(estimates, truths, strict=True)):
+            if e.tracking == Tracking.SEARCHING:
+                continue
+            given = glove.keypoint_positions(hand, e.segment_R, e.segment_p, scale)[self.columns]
+            given = (given - e.segment_p[0]) @ e.segment_R[0]
+            true = (truth.keypoints[self.columns] - truth.p_GB[0]) @ truth.R_GB[0]
+            out[i] = np.linalg.norm(given - true, axis=1)
+        return out
+
+    def _scales(self) -> Array:
+        """(S, 3) as the engine has learned them; segments it does not carry take the mean."""
+        calibration, hand = self.pipeline.calibration(), self.pipeline.hand
+        scale = np.full((len(hand.segments), 3), float(np.nanmean(calibration.scale[:, 0])))
+        for name, row in zip(calibration.segments, calibration.scale, strict=True):
+            scale[hand.index[name]] = row
+        return scale
+
+
+def _in_camera(p_G: Array, pose: CameraPose) -> Array:
+    """(k, 3) m in C of points in G."""
+    return (p_G - pose.p_GC) @ pose.R_GC

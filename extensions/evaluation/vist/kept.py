@@ -1,0 +1,98 @@
+"""Finished trials kept in a folder, so that an evaluation that was ended goes on where it stood.
+
+Each trial is a file of plain arrays (NumPy's .npz, nothing pickled), named by its case and
+participant; `PROGRAM` beside them says which program made them, for only trials of one program
+belong into one table.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import zipfile
+from collections.abc import Iterator
+from dataclasses import asdict, fields
+from pathlib import Path
+
+import numpy as np
+
+import resources
+import tracker
+from extensions.evaluation.vist.cases import Case
+from extensions.evaluation.vist.metrics import Trial
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import sha256, slug, write_kept
+
+PROGRAM = "program.txt"
+CASE = "case"  # beside the fields of a trial, in its file
+READ = ("hands", "gloves", "colours")  # resources that trials depend on
+
+
+class KeptTrials:
+    """Trials in ``folder``, made at the first one. Raises ConfigError for a folder whose trials
+    another version of the program has made."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder, self._program = folder, program()
+        written = folder / PROGRAM
+        if written.is_file() and written.read_text(encoding="utf-8") != self._program:
+            raise ConfigError(
+                f"{folder} holds trials of another version of the program, whose figures do not "
+                "belong into one table with this one's: choose another folder, or empty it."
+            )
+
+    def find(self, case: Case, participant: int) -> Trial | None:
+        """A trial that was finished before. Raises FileError for a file that is damaged."""
+        path = self._path(case, participant)
+        if not path.is_file():
+            return None
+        try:
+            with np.load(path, allow_pickle=False) as file:
+                values = {f.name: file[f.name] for f in fields(Trial)}
+        except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
+            raise FileError(
+                f"The kept trial {path} is damaged: delete it, and it is made again."
+            ) from error
+        return Trial(**{name: v if v.ndim else v.item() for name, v in values.items()})
+
+    def add(self, case: Case, trial: Trial) -> None:
+        """Keep a finished trial. Raises DiskError."""
+        data = io.BytesIO()
+        values = {f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial)}
+        np.savez_compressed(data, allow_pickle=False, **{CASE: np.array(_text(case)), **values})
+        if not (self._folder / PROGRAM).is_file():
+            write_kept(self._folder / PROGRAM, self._program)
+        write_kept(self._path(case, trial.participant), data.getvalue())
+
+    def _path(self, case: Case, participant: int) -> Path:
+        text = _text(case)
+        what = (case.experiment, case.engine, case.ablation, case.guided, case.light)
+        words = slug(" ".join(word for word in what if word))
+        key = hashlib.sha256(text.encode()).hexdigest()[:12]
+        return self._folder / f"{words}-{key}-{participant:02d}.npz"
+
+
+def _text(case: Case) -> str:
+    """All that a case's trials depend on but the program."""
+    files = [path for path in (*case.motion_files, case.wearer) if path]
+    return json.dumps(asdict(case) | {"sha256": [sha256(Path(path)) for path in files]})
+
+
+def program() -> str:
+    """This program: its version, and a digest of the code and the files that trials depend on."""
+    digest = hashlib.sha256()
+    for name, data in _sources():
+        digest.update(f"{name} {len(data)}\n".encode() + data)
+    return f"glovetrack {tracker.__version__} {digest.hexdigest()}\n"
+
+
+def _sources() -> Iterator[tuple[str, bytes]]:
+    """Names and contents, in an order that is the same everywhere."""
+    code = Path(tracker.__file__).parent
+    for path in sorted(code.rglob("*.py")):
+        yield path.relative_to(code).as_posix(), path.read_bytes()
+    for folder in READ:
+        for file in sorted(resources.folder(folder).iterdir(), key=lambda f: f.name):
+            if file.is_file():
+                yield f"{folder}/{file.name}", file.read_bytes()

@@ -1,0 +1,124 @@
+"""All trials of all cases, in one process or several, with progress."""
+
+from __future__ import annotations
+
+import multiprocessing
+import signal
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TextIO
+
+from extensions.evaluation.vist.cases import Case
+from extensions.evaluation.vist.kept import KeptTrials
+from extensions.evaluation.vist.metrics import Trial
+from extensions.evaluation.vist.trial import run_trial
+
+Job = tuple[int, Case, int]
+
+
+def run_cases(
+    cases: Sequence[Case],
+    participants: int,
+    processes: int = 1,
+    progress: Progress | None = None,
+    kept: KeptTrials | None = None,
+) -> list[list[Trial]]:
+    """Trials of each case, by participant; the same for any number of processes.
+
+    What is ``kept`` is not done again, what is done is kept. After Ctrl+C those that were finished;
+    then some cases have fewer trials, or none.
+    """
+    wanted = [(i, case, k) for i, case in enumerate(cases) for k in range(participants)]
+    out, jobs = _done_before(wanted, len(cases), kept)
+    progress = progress or Progress()
+    try:
+        progress.show(0, len(jobs))
+        for done, (i, trial) in enumerate(_results(jobs, processes), start=1):
+            out[i].append(trial)
+            if kept:
+                kept.add(cases[i], trial)
+            progress.show(done, len(jobs))
+    except KeyboardInterrupt:
+        progress.end()
+    for trials in out:
+        trials.sort(key=lambda t: t.participant)
+    return out
+
+
+def _done_before(
+    wanted: Sequence[Job], cases: int, kept: KeptTrials | None
+) -> tuple[list[list[Trial]], list[Job]]:
+    """Trials of each case that are ``kept``, and which are left to do."""
+    out: list[list[Trial]] = [[] for _ in range(cases)]
+    left = []
+    for i, case, participant in wanted:
+        trial = kept.find(case, participant) if kept else None
+        if trial is None:
+            left.append((i, case, participant))
+        else:
+            out[i].append(trial)
+    return out, left
+
+
+def _results(jobs: Sequence[Job], processes: int) -> Iterator[tuple[int, Trial]]:
+    if processes <= 1 or not jobs:
+        yield from map(_run, jobs)
+        return
+    # "spawn": a forked child would inherit the parent's threads in an unknown state
+    with _uninterrupted():
+        pool = multiprocessing.get_context("spawn").Pool(min(processes, len(jobs)))
+    with pool:
+        yield from pool.imap_unordered(_run, jobs)
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Processes started in here do not hear Ctrl+C: the one that started them ends them."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _run(job: Job) -> tuple[int, Trial]:
+    index, case, participant = job
+    return index, run_trial(case, participant)
+
+
+class Progress:
+    """A bar on standard error where that is a terminal; silent elsewhere."""
+
+    WIDTH = 30
+
+    def __init__(
+        self, stream: TextIO | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self._stream, self._clock = stream or sys.stderr, clock
+        self._visible = self._stream.isatty()
+        self._begin = clock()
+
+    def show(self, done: int, total: int) -> None:
+        """``done`` of ``total`` trials are finished."""
+        if not self._visible:
+            return
+        filled = self.WIDTH * done // max(total, 1)
+        bar = "#" * filled + "-" * (self.WIDTH - filled)
+        self._stream.write(f"\r[{bar}] {done}/{total} trials{self._left(done, total):<22}")
+        self._stream.flush()
+        if done == total:
+            self.end()
+
+    def end(self) -> None:
+        """What is written next stands on a line of its own."""
+        if self._visible:
+            self._stream.write("\n")
+
+    def _left(self, done: int, total: int) -> str:
+        """How long the rest will take, if trials take as long as those before."""
+        if not 0 < done < total:
+            return ""
+        seconds = (self._clock() - self._begin) * (total - done) / done
+        return f", {seconds / 60:.0f} min left" if seconds >= 90 else f", {seconds:.0f} s left"

@@ -1,0 +1,253 @@
+"""One Parquet file of a data set: its episodes as row groups; and its films."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from extensions.lerobot.film import Film
+from extensions.lerobot.frames import Frames, Recorded, frames_of, read_recorded
+from extensions.lerobot.images import NearestImages
+from extensions.lerobot.layout import ACTION, COUNTERS, STATE, VALID, Layout
+from extensions.lerobot.plan import Episode
+from extensions.lerobot.stats import Stats, image_rows, image_stats, stats_of
+from tracker.base.clock import NS
+from tracker.messages import IntArray
+from tracker.session.export.tables import arrow
+from tracker.session.reader import SessionReader
+
+CHUNK = 1000  # files of a folder
+LARGEST_GROUP = 256 * 2**20
+"""B of images after which a long episode's next row group begins: one is held in memory."""
+DATA_PATH = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
+VIDEO_PATH = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
+READING = 0.5
+"""Share of the work of an episode without images."""
+
+
+class FileJob(NamedTuple):
+    """The ``number``-th file of the data set in ``folder``."""
+
+    folder: Path
+    number: int
+    layout: Layout
+    episodes: tuple[Episode, ...]
+    tasks: tuple[str, ...]
+
+    @property
+    def at(self) -> dict[str, int]:
+        return {"chunk_index": self.number // CHUNK, "file_index": self.number % CHUNK}
+
+
+class Written(NamedTuple):
+    """What became of an episode; ``film_start`` in its films, ``image_gap`` from a frame to its
+    image at most, both s."""
+
+    episode: Episode
+    file: int
+    stats: dict[str, Stats]
+    film_start: float
+    image_gap: float
+    lost: float  # share of the numbers that were not known
+
+
+def write_file(job: FileJob, progress: Callable[[float], None]) -> list[Written]:
+    """Raises GlovetrackError in words, and what ``progress`` raises."""
+    _, pq = arrow()
+    path = job.folder / DATA_PATH.format(**job.at)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    schema = _schema(job.layout)
+    plain = [c.key for c in job.layout.cameras]
+    total, before = sum(e.frames for e in job.episodes), 0
+    out, recorded = [], _Sessions(job.layout)
+    with ExitStack() as stack:
+        writer = stack.enter_context(
+            pq.ParquetWriter(
+                path, schema, compression={n: "NONE" if n in plain else "SNAPPY"
+                                           for n in schema.names},
+                use_dictionary=[*COUNTERS, f"{VALID}.list.element"],
+                write_statistics=list(COUNTERS),
+            )
+        )  # fmt: skip
+        films = [stack.enter_context(_film(job, k)) for k in range(len(plain) * job.layout.video)]
+        for episode in job.episodes:
+
+            def tell(share: float, e: Episode = episode, before: int = before) -> None:
+                progress((before + share * e.frames) / total)
+
+            found = recorded.of(episode.source, lambda share: tell(READING * share))
+            sink = _Sink(job, episode, writer, films, frames_of(episode, job.layout, found))
+            out.append(sink.write(before, lambda share: tell(READING + (1 - READING) * share)))
+            before += episode.frames
+    return out
+
+
+def _film(job: FileJob, k: int) -> Film:
+    camera = job.layout.cameras[k]
+    path = job.folder / VIDEO_PATH.format(video_key=camera.key, **job.at)
+    starts = [e.first - job.episodes[0].first for e in job.episodes]
+    return Film(path, job.layout.fps, camera.kind, starts)
+
+
+class _Sessions:
+    """The session that was read last: its episodes follow each other."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._path: Path | None = None
+        self._read: Recorded | None = None
+
+    def of(self, path: Path, watch: Callable[[float], None]) -> Recorded:
+        if self._read is None or path != self._path:
+            self._path, self._read = path, None  # two at once would take twice the memory
+            self._read = read_recorded(path, self._layout, watch)
+        return self._read
+
+
+@dataclass
+class _Sink:
+    """Where an episode goes, row group by row group."""
+
+    job: FileJob
+    episode: Episode
+    writer: Any
+    films: list[Film]
+    frames: Frames
+    gap: float = 0.0
+    seen: dict[str, list[bytes]] = field(default_factory=dict)
+
+    def write(self, before: int, progress: Callable[[float], None]) -> Written:
+        """``before``: frames of this file's films that are there already."""
+        e, layout = self.episode, self.job.layout
+        start = 0
+        for images in self._groups(progress):
+            n = len(images[0]) if images else e.frames
+            self.writer.write_table(self._table(start, start + n, images), row_group_size=n)
+            start += n
+        stats = self._stats()
+        lost = float(1 - self.frames.valid.mean())
+        return Written(e, self.job.number, stats, before / layout.fps, self.gap, lost)
+
+    def _groups(self, progress: Callable[[float], None]) -> Iterator[list[list[bytes]]]:
+        """Images of each camera, as many as a row group takes; once nothing where there are
+        none, or where they are films."""
+        layout, e = self.job.layout, self.episode
+        if not layout.cameras:
+            yield []
+            return
+        at = instants(e, layout.fps)
+        rows, held, size = image_rows(e.frames), [], 0
+        with SessionReader(e.source) as reader:
+            nearest = NearestImages(reader, layout.cameras, at)
+            for k, images in enumerate(nearest):
+                progress(k / e.frames)
+                if k in rows:
+                    for camera, image in zip(layout.cameras, images, strict=True):
+                        self.seen.setdefault(camera.key, []).append(image)
+                for film, image in zip(self.films, images, strict=False):
+                    film.write(image)
+                if not self.films:
+                    held.append(images)
+                    size += sum(map(len, images))
+                if size > LARGEST_GROUP:
+                    yield [list(column) for column in zip(*held, strict=True)]
+                    held, size = [], 0
+            self.gap = nearest.gap
+        if self.films:
+            yield []
+        elif held:
+            yield [list(column) for column in zip(*held, strict=True)]
+
+    def _table(self, start: int, stop: int, images: list[list[bytes]]) -> Any:
+        pa, _ = arrow()
+        frames, layout = self.frames, self.job.layout
+        columns = {
+            STATE: _lists(pa, frames.state[start:stop]),
+            VALID: _lists(pa, frames.valid[start:stop]),
+            ACTION: _lists(pa, frames.action[start:stop]),
+        }
+        for camera, found in zip(layout.cameras, images, strict=False):
+            ending = "png" if camera.kind == "png" else "jpg"
+            names = [f"frame-{k:06d}.{ending}" for k in range(start, stop)]
+            parts = [pa.array(found, pa.binary()), pa.array(names, pa.string())]
+            columns[camera.key] = pa.StructArray.from_arrays(parts, ["bytes", "path"])
+        for name, values in self._counters().items():
+            columns[name] = pa.array(values[start:stop])
+        schema = _schema(layout)
+        return pa.table([columns[n] for n in schema.names], schema=schema)
+
+    def _counters(self) -> dict[str, Any]:
+        e, row = self.episode, np.arange(self.episode.frames)
+        task = self.job.tasks.index(e.task)
+        return {
+            "timestamp": (row / self.job.layout.fps).astype(np.float32),
+            "frame_index": row,
+            "episode_index": np.full(e.frames, e.number),
+            "index": e.first + row,
+            "task_index": np.full(e.frames, task),
+        }
+
+    def _stats(self) -> dict[str, Stats]:
+        f = self.frames
+        tables = {STATE: f.state, VALID: f.valid, ACTION: f.action, **self._counters()}
+        found = {name: stats_of(values) for name, values in tables.items()}
+        return found | {key: image_stats(images) for key, images in self.seen.items()}
+
+
+def instants(episode: Episode, fps: int) -> IntArray:
+    """(N,) ns since 1970 of its frames."""
+    after = np.round(np.arange(episode.frames) * (NS / fps)).astype(np.int64)
+    return np.asarray(episode.start_ns + after)
+
+
+def _lists(pa: Any, values: np.ndarray) -> Any:
+    return pa.FixedSizeListArray.from_arrays(pa.array(values.ravel()), values.shape[1])
+
+
+def _schema(layout: Layout) -> Any:
+    """With Hugging Face's own description, by which `datasets` knows images from bytes."""
+    import json
+
+    pa, _ = arrow()
+    kinds = {"float32": pa.float32(), "int64": pa.int64()}
+    columns: list[Any] = []
+    told: dict[str, dict[str, Any]] = {}
+    for name, feature in layout.features().items():
+        if feature["dtype"] == "video":
+            continue
+        if feature["dtype"] == "image":
+            kind = pa.struct([("bytes", pa.binary()), ("path", pa.string())])
+            told[name] = {"_type": "Image"}
+        elif name in COUNTERS:
+            kind = kinds[feature["dtype"]]
+            told[name] = {"dtype": feature["dtype"], "_type": "Value"}
+        else:
+            width = feature["shape"][0]
+            kind = pa.list_(kinds[feature["dtype"]], width)
+            value = {"dtype": feature["dtype"], "_type": "Value"}
+            told[name] = {"feature": value, "length": width, "_type": "Sequence"}
+        columns.append(pa.field(name, kind))
+    face = json.dumps({"info": {"features": told}})
+    return pa.schema(columns, metadata={"huggingface": face})
+
+
+def file_jobs(
+    folder: Path, layout: Layout, episodes: Sequence[Episode], tasks: tuple[str, ...], largest: int
+) -> list[FileJob]:
+    """Files of about ``largest`` B each, none of which parts an episode."""
+    groups: list[list[Episode]] = []
+    size = np.inf
+    for e in episodes:
+        numbers = e.frames * 4 * (len(layout.state_names) + len(layout.action_names))
+        images = e.size if layout.cameras and not layout.video else 0.0
+        if size + numbers + images > largest:
+            groups.append([])
+            size = 0.0
+        groups[-1].append(e)
+        size += numbers + images
+    return [FileJob(folder, k, layout, tuple(g), tasks) for k, g in enumerate(groups)]

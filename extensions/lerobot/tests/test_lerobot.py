@@ -1,0 +1,432 @@
+"""Data sets for robot learning, opened by Rerun's reader and by Arrow."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+
+from extensions.lerobot import export as lerobot
+from tests.fixtures import RESOURCES
+from tests.session.conftest import ANCHOR, at
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.workers import WorkersAsked
+from tracker.cli import main
+from tracker.geometry import so3
+from tracker.hand.openxr import JOINTS, joint_radii, openxr_joints
+from tracker.messages import Estimate, Event, Message, StereoFrame, Tracking
+from tracker.session.encode import Out
+from tracker.session.export.options import DatasetOptions, ExportOptions
+from tracker.session.export.run import export, export_dataset
+from tracker.session.images import encode_image
+from tracker.session.ros import motion
+from tracker.session.writer import RecorderParams, SessionRecorder
+
+N = 26
+HZ = 50
+
+
+@pytest.fixture
+def moving(session_info) -> Callable[..., list[Message]]:
+    """``moving(n, lost)``: n estimates, 20 ms apart, of a hand that bends and goes its way; the
+    index fingertip and one angle are lost in the rows ``lost``."""
+    hand, glove = session_info.hand, session_info.glove
+
+    def make(n: int, lost: Sequence[int] = (), start_ms: float = 0.0) -> list[Message]:
+        out: list[Message] = []
+        for k in range(n):
+            t = k / HZ
+            angles = 0.3 + 0.2 * np.sin(2 * t + np.arange(len(hand.joint_names)))
+            R_GB, p_GB = hand.forward(angles, so3.rz(0.5 * t), np.array([0.1 * t, 0.2, 1.0]))
+            points = glove.keypoint_positions(hand, R_GB, p_GB, np.ones((len(R_GB), 3)))
+            q = so3.quat_from_matrix(R_GB[glove.keypoint_segments(hand)])
+            state = np.full(len(points), 2)
+            said = np.full(len(angles), 2)
+            if k in lost:
+                row = session_info.keypoint_names.index("index_tip")
+                points[row], q[row], state[row] = np.nan, np.nan, 0
+                angles[3], said[3] = np.nan, 0
+            out.append(Estimate(
+                at(start_ms + 1000 * t), Tracking.TRACKING, points, q, state,
+                np.full(len(points), 1e-3), angles, said, R_GB, p_GB,
+            ))  # fmt: skip
+        return out
+
+    return make
+
+
+def rows_of(folder: Path) -> pa.Table:
+    return pa.concat_tables([pq.read_table(p) for p in sorted(folder.glob("data/*/*.parquet"))])
+
+
+def column(table: pa.Table, name: str) -> np.ndarray:
+    return np.array(table[name].to_pylist(), float)
+
+
+def names_of(folder: Path, feature: str) -> list[str]:
+    info = json.loads((folder / "meta" / "info.json").read_text())
+    return info["features"][feature]["names"]
+
+
+def read_by_rerun(folder: Path, episode: int) -> dict[str, list[Any]]:
+    """Of each entity what Rerun's reader gives of it, row by row."""
+    reader = pytest.importorskip("rerun.experimental").LeRobotReader(folder)
+    assert reader.version == "v3"
+    found: dict[str, list[Any]] = {}
+    for chunk in reader.stream(episode).to_chunks():
+        batch = chunk.to_record_batch()
+        for name in batch.schema.names:
+            if "frame_index" in batch.schema.names and name not in ("frame_index",):
+                kind = name.rsplit(":", 1)[-1]
+                if kind in ("scalars", "blob", "text"):
+                    found.setdefault(chunk.entity_path, []).extend(batch[name].to_pylist())
+    return found
+
+
+def test_rerun_reads_two_sessions_as_two_episodes(
+    tmp_path: Path, record: Callable[..., Path], maker, moving
+) -> None:
+    images = [maker.image(20.0 * k, k) for k in range(40)]
+    paths = [
+        record(tmp_path / "a.mcap", sorted([*moving(40), *images], key=lambda m: m.t)),
+        record(tmp_path / "b.mcap", sorted([*moving(25), *images[:25]], key=lambda m: m.t)),
+    ]
+    out = tmp_path / "set"
+    options = ExportOptions(dataset=DatasetOptions(task="Grasp the cup"))
+    report = export_dataset(paths, "lerobot", out, options)
+    assert report["frames"] == 65 and report["fps"] == HZ
+    table = rows_of(out)
+    for episode, (first, n) in enumerate([(0, 40), (40, 25)]):
+        found = read_by_rerun(out, episode)
+        for key in ("observation.state", "observation.state.valid", "action"):
+            ours = column(table, key)[first : first + n]
+            assert np.array_equal(np.array(found[f"/{key}"]), ours), key
+        assert found["/task"] == [["Grasp the cup"]] * n
+        for side in ("left", "right"):
+            theirs = [bytes(row[0]) for row in found[f"/observation.images.{side}"]]
+            wanted = [encode_image(getattr(images[k], side), "png", 0) for k in range(n)]
+            assert theirs == wanted
+
+
+def test_arrow_finds_what_lerobot_looks_for(
+    tmp_path: Path, record: Callable[..., Path], moving
+) -> None:
+    path = record(tmp_path / "a.mcap", moving(40))
+    out = tmp_path / "set"
+    assert main(["export", str(path), str(path), "--format", "lerobot", "-o", str(out),
+                 "--task", "Wave"]) == 0  # fmt: skip
+    info = json.loads((out / "meta" / "info.json").read_text())
+    assert (info["codebase_version"], info["fps"]) == ("v3.0", HZ)
+    assert (info["total_episodes"], info["total_frames"], info["total_tasks"]) == (2, 80, 1)
+    assert info["splits"] == {"train": "0:2"} and info["video_path"] is None
+    file = pq.ParquetFile(out / info["data_path"].format(chunk_index=0, file_index=0))
+    assert [file.metadata.row_group(k).num_rows for k in range(file.num_row_groups)] == [40, 40]
+    table = file.read()
+    assert set(table.column_names) == set(info["features"])
+    for name, feature in info["features"].items():
+        kind = table.schema.field(name).type
+        if feature["shape"] == [1]:
+            assert str(kind) == {"float32": "float"}.get(feature["dtype"], feature["dtype"])
+        else:
+            assert kind.list_size == feature["shape"][0] == len(feature["names"])
+    assert table["index"].to_pylist() == list(range(80))
+    assert table["frame_index"].to_pylist() == [*range(40), *range(40)]
+    assert np.array_equal(column(table, "timestamp")[:40], np.float32(np.arange(40) / HZ))
+    episodes = pq.read_table(out / "meta/episodes/chunk-000/file-000.parquet").to_pylist()
+    spans = [(e["dataset_from_index"], e["dataset_to_index"], e["length"]) for e in episodes]
+    assert spans == [(0, 40, 40), (40, 80, 40)] and episodes[1]["tasks"] == ["Wave"]
+    tasks = pq.read_table(out / "meta" / "tasks.parquet")
+    assert tasks.schema.pandas_metadata["index_columns"] == ["task"]
+    assert tasks.to_pylist() == [{"task_index": 0, "task": "Wave"}]
+    state = column(table, "observation.state")
+    stats = json.loads((out / "meta" / "stats.json").read_text())["observation.state"]
+    assert np.allclose(stats["mean"], state.mean(axis=0), atol=1e-6)
+    assert np.allclose(stats["std"], state.std(axis=0), atol=1e-6)
+    assert np.allclose(stats["max"], state.max(axis=0)) and stats["count"] == [80]
+    assert np.allclose(episodes[0]["stats/action/min"], column(table, "action")[:40].min(axis=0))
+
+
+def test_tasks_are_pandas_index(tmp_path: Path, record: Callable[..., Path], moving) -> None:
+    pandas = pytest.importorskip("pandas")
+    path = record(tmp_path / "a.mcap", moving(10))
+    export(path, "lerobot", tmp_path / "set", ExportOptions(dataset=DatasetOptions("Wave")))
+    tasks = pandas.read_parquet(tmp_path / "set/meta/tasks.parquet")
+    assert tasks.iloc[0].name == "Wave" and tasks.loc["Wave"].task_index == 0
+
+
+def test_a_state_is_the_hand_in_openxrs_world(
+    tmp_path: Path, record: Callable[..., Path], moving, session_info
+) -> None:
+    estimates = moving(30)
+    path = record(tmp_path / "a.mcap", estimates)
+    export(path, "lerobot", tmp_path / "set")
+    state = column(rows_of(tmp_path / "set"), "observation.state")
+    names = names_of(tmp_path / "set", "observation.state")
+    assert len(set(names)) == 7 * N + 7 + len(session_info.hand.joint_names)
+    assert names[0] == "right_palm_x" and names[3 * N + 3] == "right_palm_qw"
+    assert names[7 * N + 6] == "right_wrist_pose_qw"
+    assert names[7 * N + 7 :] == [f"right_{n}" for n in session_info.hand.joint_names]
+    radii = joint_radii(session_info.hand)
+    for k in (0, 7, 29):
+        e = estimates[k]
+        xr = openxr_joints(e.keypoints, e.keypoint_q, e.keypoint_state,
+                           session_info.keypoint_names, radii)  # fmt: skip
+        known = np.isfinite(xr.position).all(axis=1)
+        assert known.sum() > 20
+        position = state[k, : 3 * N].reshape(N, 3)
+        assert np.allclose(position[known], xr.position[known], atol=1e-6)
+        turn = state[k, 3 * N : 7 * N].reshape(N, 4)
+        assert np.allclose(np.abs(np.sum(turn * xr.orientation, axis=1))[known], 1, atol=1e-6)
+        wrist = JOINTS.index("wrist")
+        assert np.allclose(state[k, 7 * N : 7 * N + 3], position[wrist])
+        assert np.allclose(state[k, 7 * N + 7 :], e.angles, atol=1e-6)
+    steps = np.diff(state[:, 3 * N : 7 * N].reshape(-1, N, 4), axis=0)
+    assert np.abs(steps).max() < 0.1, "a quaternion changes its sign"
+
+
+def test_action_is_the_next_state(tmp_path: Path, record: Callable[..., Path], moving) -> None:
+    export(record(tmp_path / "a.mcap", moving(30)), "lerobot", tmp_path / "set")
+    table = rows_of(tmp_path / "set")
+    state, action = column(table, "observation.state"), column(table, "action")
+    assert np.array_equal(action[:-1], state[1:]) and np.array_equal(action[-1], state[-1])
+
+
+def test_what_is_lost_keeps_its_last_value_under_a_mask(
+    tmp_path: Path, record: Callable[..., Path], moving, session_info
+) -> None:
+    lost = range(12, 25)
+    export(record(tmp_path / "a.mcap", moving(40, lost)), "lerobot", tmp_path / "set")
+    table, names = rows_of(tmp_path / "set"), names_of(tmp_path / "set", "observation.state")
+    state, valid = column(table, "observation.state"), column(table, "observation.state.valid")
+    assert np.isfinite(state).all() and set(np.unique(valid)) == {0.0, 1.0}
+    angle = f"right_{session_info.hand.joint_names[3]}"
+    for name in ("right_index_tip_x", "right_index_tip_qw", angle):
+        k = names.index(name)
+        assert (valid[lost, k] == 0).all() and (valid[:11, k] == 1).all()
+        known = np.flatnonzero(valid[:, k])
+        before = known[known < 12][-1]
+        assert (state[before : known[known > 12][0], k] == state[before, k]).all()
+        assert (valid[26:, k] == 1).all() and state[30, k] != state[before, k]
+    k = names.index("right_wrist_x")
+    assert (valid[:, k] == 1).all()
+
+
+def test_a_finger_that_the_glove_has_not_is_nowhere(
+    tmp_path: Path, record: Callable[..., Path], moving, session_info
+) -> None:
+    """No turn in place of a quaternion, and never known."""
+    estimates, row = [], session_info.keypoint_names.index("little_tip")
+    for e in moving(20):
+        points, q, state = e.keypoints.copy(), e.keypoint_q.copy(), e.keypoint_state.copy()
+        points[row], q[row], state[row] = np.nan, np.nan, 0
+        estimates.append(replace(e, keypoints=points, keypoint_q=q, keypoint_state=state))
+    export(record(tmp_path / "a.mcap", estimates), "lerobot", tmp_path / "set")
+    table, names = rows_of(tmp_path / "set"), names_of(tmp_path / "set", "observation.state")
+    first = names.index("right_little_tip_qx")
+    assert (column(table, "observation.state")[:, first : first + 4] == [0, 0, 0, 1]).all()
+    assert (column(table, "observation.state.valid")[:, first : first + 4] == 0).all()
+
+
+def test_a_robots_joints_are_the_action(tmp_path: Path, session_info, moving) -> None:
+    path = tmp_path / "a.mcap"
+    params = RecorderParams(images="none", sync=False)
+    with SessionRecorder(path, session_info, params) as recorder:
+        for k, estimate in enumerate(moving(30)):
+            recorder.write(estimate)
+            stamp = ANCHOR.wall(estimate.t) - 3_000_000
+            if k % 2 == 0:
+                told = motion.JointState(stamp, ["rh_FFJ1", "rh_FFJ2"], np.array([k, -k / 2]))
+                data = motion.pack_joints(told)
+                out = Out("/robot/shadow/joint_states", motion.JOINTS, stamp, stamp, data)
+                recorder._guarded(lambda file, out=out: recorder._put(file, iter([out])))
+    export(path, "lerobot", tmp_path / "set")
+    assert names_of(tmp_path / "set", "action") == ["rh_FFJ1", "rh_FFJ2"]
+    action = column(rows_of(tmp_path / "set"), "action")
+    row = np.arange(30) // 2 * 2
+    assert np.array_equal(action, np.stack([row, -row / 2], axis=1))
+
+
+def test_parts_between_notes_are_episodes_with_the_notes_as_tasks(
+    tmp_path: Path, record: Callable[..., Path], moving
+) -> None:
+    notes = [Event(at(395), "note", "pour"), Event(at(695), "note", "wipe the\ttable")]
+    path = record(tmp_path / "a.mcap", [*moving(50), *notes])
+    out = tmp_path / "set"
+    assert main(["export", str(path), "--format", "lerobot", "-o", str(out), "--split"]) == 0
+    episodes = pq.read_table(out / "meta/episodes/chunk-000/file-000.parquet").to_pylist()
+    assert [e["length"] for e in episodes] == [20, 15, 15]
+    assert [e["tasks"] for e in episodes] == [["ä note"], ["pour"], ["wipe the\ttable"]]
+    table = rows_of(out)
+    assert table["task_index"].to_pylist() == [0] * 20 + [1] * 15 + [2] * 15
+    times = column(table, "timestamp")
+    assert times[0] == times[20] == times[35] == 0
+    named = export_dataset(
+        [path], "lerobot", tmp_path / "named", ExportOptions(dataset=DatasetOptions("x", True))
+    )
+    assert named["tasks"] == ["x"]
+    hidden = ExportOptions(dataset=DatasetOptions(split=True), anonymous=("notes",))
+    assert export_dataset([path], "lerobot", tmp_path / "hidden", hidden)["tasks"] == [
+        "Move the hand."
+    ]
+
+
+def test_both_hands_stand_beside_each_other(tmp_path: Path, moving, session_info) -> None:
+    from tracker.session.description import describe
+
+    hand = (RESOURCES / "hands" / "reference-left.toml").read_text()
+    glove = (RESOURCES / "gloves" / "vist-small-left.toml").read_text()
+    left = describe(hand, glove, ANCHOR)
+    both = replace(session_info, other=left)
+    path = tmp_path / "both.mcap"
+    with SessionRecorder(path, both, RecorderParams(images="none", sync=False)) as recorder:
+        for k, estimate in enumerate(moving(40)):
+            recorder.write(estimate, side="right")
+            if k >= 10:
+                recorder.write(replace(estimate, t=estimate.t + 0.004), side="left")
+    export(path, "lerobot", tmp_path / "set")
+    names = names_of(tmp_path / "set", "observation.state")
+    half = len(names) // 2
+    assert {n.split("_")[0] for n in names[:half]} == {"left"}
+    assert [n.replace("left", "right") for n in names[:half]] == names[half:]
+    valid = column(rows_of(tmp_path / "set"), "observation.state.valid")
+    wrist = names.index("left_wrist_x")
+    assert (valid[:10, wrist] == 0).all() and (valid[11:, wrist] == 1).all()
+    assert (valid[:, half + wrist] == 1).all()
+
+
+def test_a_folder_in_processes_and_on_a_cluster_gives_the_same_files(
+    tmp_path: Path, record: Callable[..., Path], moving, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    distributed = pytest.importorskip("distributed")
+    folder = tmp_path / "takes"
+    (folder / "day2").mkdir(parents=True)
+    for k, name in enumerate(("a.mcap", "b.mcap", "day2/a.mcap")):
+        record(folder / name, moving(20 + 5 * k))
+    monkeypatch.setattr(lerobot, "LARGEST_DATA_MB", 0)  # a file for each episode
+    heard: list[float] = []
+    export_dataset([folder], "lerobot", tmp_path / "local", ExportOptions(), heard.append,
+                   WorkersAsked(2))  # fmt: skip
+    with distributed.LocalCluster(1, processes=False, dashboard_address=None) as cluster:
+        asked = WorkersAsked(dask=cluster.scheduler_address)
+        export_dataset([folder], "lerobot", tmp_path / "dask", ExportOptions(), asked=asked)
+    files = sorted(p.relative_to(tmp_path / "local") for p in (tmp_path / "local").rglob("*.*"))
+    assert [str(p) for p in files if p.parts[0] == "data"] == [
+        f"data/chunk-000/file-00{k}.parquet" for k in range(3)
+    ]
+    for path in files:
+        assert (tmp_path / "local" / path).read_bytes() == (tmp_path / "dask" / path).read_bytes()
+    assert rows_of(tmp_path / "local")["index"].to_pylist() == list(range(75))
+    assert heard[-1] == pytest.approx(1.0)
+
+
+def test_frames_without_an_image_of_their_own_take_the_nearest(
+    tmp_path: Path, record: Callable[..., Path], maker, moving
+) -> None:
+    images = [maker.image(40.0 * k + 3, k) for k in range(15)]
+    messages = sorted([*moving(30), *images], key=lambda m: m.t)
+    path = record(tmp_path / "a.mcap", messages)
+    export(path, "lerobot", tmp_path / "own")
+    assert json.loads((tmp_path / "own/meta/info.json").read_text())["fps"] == 25
+    export(path, "lerobot", tmp_path / "faster", ExportOptions(rate=100))
+    found = rows_of(tmp_path / "faster")["observation.images.right"].to_pylist()
+    centres = np.array([m.t for m in messages if isinstance(m, StereoFrame)])
+    for k in (0, 3, 10, 11, 57):
+        nearest = int(np.abs(centres - at(10.0 * k)).argmin())
+        assert found[k]["bytes"] == encode_image(images[nearest].right, "png", 0)
+    told = json.loads((tmp_path / "faster/meta/glovetrack.json").read_text())
+    assert told["episodes"][0]["image_gap_s"] == pytest.approx(0.020, abs=0.004)
+
+
+def test_sessions_that_differ_are_refused_in_words(
+    tmp_path: Path, record: Callable[..., Path], maker, moving
+) -> None:
+    plain = record(tmp_path / "a.mcap", moving(20))
+    seen = sorted([*moving(20), *(maker.image(20.0 * k, k) for k in range(20))], key=lambda m: m.t)
+    images = record(tmp_path / "b.mcap", seen)
+    with pytest.raises(ConfigError, match="differ in their cameras.*--images none"):
+        export_dataset([plain, images], "lerobot", tmp_path / "set", ExportOptions())
+    without = ExportOptions(dataset=DatasetOptions(images="none"))
+    assert export_dataset([plain, images], "lerobot", tmp_path / "set", without)["sources"] == 2
+    with pytest.raises(FileError, match="is a folder"):
+        export_dataset([plain], "lerobot", tmp_path / "set", without)
+    with pytest.raises(ConfigError, match="axes and joints"):
+        export(plain, "lerobot", tmp_path / "x", ExportOptions(axes="unity", joints=("openxr",)))
+    with pytest.raises(ConfigError, match="whole frames"):
+        export(plain, "lerobot", tmp_path / "x", ExportOptions(rate=29.97))
+    with pytest.raises(ConfigError, match="one session"):
+        export_dataset([plain, images], "csv", tmp_path / "x", ExportOptions())
+    with pytest.raises(FileError, match="track it first"):
+        export(record(tmp_path / "raw.mcap", [maker.imu(0.0)]), "lerobot", tmp_path / "x")
+    assert not (tmp_path / "x").exists() and not list(tmp_path.glob(".*part"))
+
+
+FAKE = """#!/bin/sh
+for last; do :; done
+echo "$@" > "$last.arguments"
+exec cat > "$last"
+"""
+
+
+def test_films_are_made_by_the_systems_ffmpeg(
+    tmp_path: Path,
+    record: Callable[..., Path],
+    maker,
+    moving,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A stand-in keeps what it is fed: each frame's image once, in order, of both episodes."""
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    monkeypatch.setenv("PATH", str(programs))
+    images = [maker.image(20.0 * k, k) for k in range(20)]
+    path = record(tmp_path / "a.mcap", sorted([*moving(20), *images], key=lambda m: m.t))
+    options = ExportOptions(dataset=DatasetOptions(images="video"))
+    with pytest.raises(ConfigError, match="Films need ffmpeg"):
+        export(path, "lerobot", tmp_path / "set", options)
+    program = programs / "ffmpeg"
+    program.write_text(FAKE)
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    monkeypatch.setenv("PATH", f"{programs}{os.pathsep}{os.defpath}")
+    export_dataset([path, path], "lerobot", tmp_path / "set", options)
+    film = tmp_path / "set/videos/observation.images.left/chunk-000/file-000.mp4"
+    wanted = b"".join(encode_image(m.left, "png", 0) for m in images)
+    assert film.read_bytes() == 2 * wanted
+    told = film.with_name(f"{film.name}.arguments").read_text()
+    assert "-force_key_frames 0.000000,0.390000" in told
+    assert f"-framerate {HZ}" in told and "libx264" in told and "-c:v png" in told
+    info = json.loads((tmp_path / "set/meta/info.json").read_text())
+    assert info["features"]["observation.images.left"]["dtype"] == "video"
+    table = rows_of(tmp_path / "set")
+    assert "observation.images.left" not in table.column_names
+    episodes = pq.read_table(tmp_path / "set/meta/episodes/chunk-000/file-000.parquet").to_pylist()
+    key = "videos/observation.images.left"
+    spans = [(e[f"{key}/from_timestamp"], e[f"{key}/to_timestamp"]) for e in episodes]
+    assert spans == [(0.0, 0.4), (0.4, 0.8)] and episodes[0][f"{key}/file_index"] == 0
+
+
+def test_an_ffmpeg_that_fails_is_told_in_its_words(
+    tmp_path: Path,
+    record: Callable[..., Path],
+    maker,
+    moving,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    program = tmp_path / "ffmpeg"
+    program.write_text("#!/bin/sh\necho Unknown encoder 'libx264' >&2\nexit 1\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.defpath}")
+    images = [maker.image(20.0 * k, k) for k in range(20)]
+    path = record(tmp_path / "a.mcap", sorted([*moving(20), *images], key=lambda m: m.t))
+    options = ExportOptions(dataset=DatasetOptions(images="video"))
+    with pytest.raises(FileError, match="Unknown encoder"):
+        export(path, "lerobot", tmp_path / "set", options)
+    assert not (tmp_path / "set").exists()

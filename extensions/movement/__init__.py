@@ -1,0 +1,1 @@
+"""Outputs for movement science: BIDS data sets, OpenSim models and motions, reports."""

@@ -1,0 +1,186 @@
+"""One page that opens without a network: figures and the table are inside it."""
+
+from __future__ import annotations
+
+import base64
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from html import escape
+
+import numpy as np
+
+from extensions.movement.report.angles import RECORDED, SEQUENCE
+from extensions.movement.report.course import CUTOFF
+from extensions.movement.report.measure import Row, Told
+from extensions.movement.report.table import scaled, table, text
+from tracker import __version__
+from tracker.session.edits import lines as edit_lines
+
+_STYLE = """
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
+  color: #222; background: #fff }
+table { border-collapse: collapse; margin: .6em 0 1.4em; font-variant-numeric: tabular-nums }
+th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #ddd;
+  white-space: nowrap }
+th:first-child, td:first-child { text-align: left }
+thead th { border-bottom: 2px solid #888; vertical-align: bottom }
+.wide { overflow-x: auto } svg { max-width: 100%; height: auto } .note { color: #555 }
+.key { display: inline-block; width: 1em; height: .9em; vertical-align: -.1em }
+@media print { .wide { overflow: visible } body { font-size: 10px } }
+"""
+_HEAD = (
+    "", "unit", "least", "greatest", "range", "± of range", "mean", "sd", "± of a value",
+    "peak speed /s", "at s", "greatest at s", "arc length", "log jerk", "repetitions",
+    "range of one", "sd of one", "measured %", "inferred %", "lost %",
+    "interpolated %",
+)  # fmt: skip
+
+
+def page(takes: Sequence[Told], drawn: Mapping[str, str]) -> str:
+    """The report of one take or several, as HTML; ``drawn``: `figures.all_figures` as SVG."""
+    csv = base64.b64encode(table(takes).encode()).decode()
+    link = f'<a download="report.csv" href="data:text/csv;base64,{csv}">all numbers as CSV</a>'
+    parts = [
+        f"<h1>Movement of the hand</h1><p>{len(takes)} take{'s' * (len(takes) > 1)}; {link}.</p>",
+        _takes(takes),
+        "<h2>Ranges of motion</h2>",
+        drawn["ranges"],
+    ]
+    if len(takes) > 1:
+        parts += [_compared(takes), _wearers(takes)]
+    for number, told in enumerate(takes, 1):
+        parts += _one(told, number, drawn)
+    parts.append(_words())
+    body = "\n".join(parts)
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f"<title>Glovetrack report</title><style>{_STYLE}</style></head>\n"
+        f"<body>{body}\n</body></html>\n"
+    )
+
+
+def name_of(told: Told, number: int) -> str:
+    return told.name or f"take {number}"
+
+
+def _takes(takes: Sequence[Told]) -> str:
+    rows = [
+        [name_of(t, n), t.wearer, t.side, text(t.seconds, 1), f"{t.engine} {t.version}"]
+        + ["simulated" if t.simulated else "recorded"]
+        for n, t in enumerate(takes, 1)
+    ]
+    return _table(("take", "wearer", "hand", "s", "tracked by", ""), rows)
+
+
+def _one(told: Told, number: int, drawn: Mapping[str, str]) -> list[str]:
+    recorded = [r for r in told.rows if r.measure.is_angle and not r.isb]
+    isb = [r for r in told.rows if r.isb]
+    apart = [r for r in told.rows if not r.measure.is_angle]
+    legend = (
+        '<p class="note">Behind the curves: <span class="key" style="background:#f4e3b2"></span> '
+        'inferred, <span class="key" style="background:#c9d7ef"></span> interpolated, '
+        '<span class="key" style="background:#e3c5c5"></span> lost.</p>'
+    )
+    edited = "".join(f'<p class="note">{escape(line)}.</p>' for line in edit_lines(told.edits))
+    return [
+        f"<h2>{escape(name_of(told, number))}</h2>",
+        edited,
+        "<h3>Flexion over time (deg)</h3>",
+        legend,
+        drawn[f"{number}_flexion"],
+        f'<h3>Angles as recorded</h3><p class="note">Sequence {escape(RECORDED)}.</p>',
+        _numbers(recorded),
+        f'<h3>Angles by ISB</h3><p class="note">Sequence {escape(SEQUENCE)}. Joints with one axis '
+        "have the recorded angle.</p>",
+        _numbers(isb),
+        "<h3>Aperture between thumb and fingertips</h3>",
+        drawn.get(f"{number}_aperture", ""),
+        _numbers(apart),
+    ]
+
+
+def _numbers(rows: Sequence[Row]) -> str:
+    return _table(_HEAD, [_cells(r) for r in rows])
+
+
+def _cells(row: Row) -> list[str]:
+    m, c = row.measure, row.course
+    sizes = (m.least, m.greatest, m.range, row.range_sd, m.mean, m.sd, m.claimed_sd, c.fastest)
+    return [
+        m.name,
+        "deg" if m.is_angle else "mm",
+        *(text(scaled(row, v), 1) for v in sizes),
+        *(text(v, 2) for v in (c.at, row.peak_at, c.arc, c.jerk)),
+        str(c.repetitions),
+        *(text(scaled(row, v), 1) for v in (c.each, c.each_sd)),
+        *(text(100 * v, 1) for v in (m.measured, m.inferred, m.lost, m.interpolated)),
+    ]
+
+
+def _compared(takes: Sequence[Told]) -> str:
+    """Ranges of the takes beside each other, and how they spread."""
+    head = ["range", *(name_of(t, n) for n, t in enumerate(takes, 1)), "mean", "sd"]
+    rows = []
+    for row in takes[0].rows:
+        found = [t.row(row.measure.name) for t in takes]
+        values = [np.nan if r is None else scaled(r, r.measure.range) for r in found]
+        unit = "deg" if row.measure.is_angle else "mm"
+        rows.append(
+            [f"{row.measure.name}, {unit}", *(text(v, 1) for v in [*values, *_spread(values)])]
+        )
+    return "<h2>Takes compared</h2>" + _table(head, rows)
+
+
+def _wearers(takes: Sequence[Told]) -> str:
+    """Mean range ± sd of each wearer, where there are several."""
+    of: dict[str, list[Told]] = defaultdict(list)
+    for told in takes:
+        of[told.wearer].append(told)
+    if len(of) < 2 or "" in of:
+        return ""
+    rows = []
+    for row in takes[0].rows:
+        cells = [row.measure.name]
+        for mine in of.values():
+            found = [t.row(row.measure.name) for t in mine]
+            mean, sd = _spread([np.nan if r is None else scaled(r, r.measure.range) for r in found])
+            cells.append(f"{text(mean, 1)} ± {text(sd, 1)}" if len(mine) > 1 else text(mean, 1))
+        rows.append(cells)
+    head = ["mean range ± sd", *(f"{w} ({len(mine)})" for w, mine in of.items())]
+    return "<h2>Wearers compared</h2>" + _table(head, rows)
+
+
+def _spread(values: Sequence[float]) -> tuple[float, float]:
+    known = [v for v in values if np.isfinite(v)]
+    mean = float(np.mean(known)) if known else float("nan")
+    return mean, float(np.std(known, ddof=1)) if len(known) > 1 else float("nan")
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    top = "".join(f"<th>{escape(h)}</th>" for h in head)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(c)}</td>" for c in row) + "</tr>\n" for row in rows
+    )
+    return f'<div class="wide"><table><thead><tr>{top}</tr></thead>\n{body}</table></div>'
+
+
+def _words() -> str:
+    said = (
+        "Flexion is positive towards the palm; abduction turns about the axis out of the back of "
+        "the hand, of a right hand towards the thumb, of a left one towards the little finger.",
+        "± is the standard deviation that the tracker claims: of an angle from how much less sure "
+        "a bone's end is than its beginning, of a distance from its two points, errors taken to be "
+        "independent; of a range, √2 of that. It is empty where the tracker claims nothing.",
+        f"Peak speed, smoothness and repetitions are those of the curve below {CUTOFF:g} Hz "
+        "(second-order Butterworth, both ways), over stretches without a gap. Spectral arc length "
+        "and logarithm of the dimensionless jerk: Balasubramanian et al. 2015, of the longest "
+        "stretch; nearer to zero is smoother. A repetition goes through the middle of the range; "
+        "the range of one is the median from one turning point to the next. A take's range has in "
+        "it how the cloth slipped and the calibration went on between its ends; the range of one "
+        "hardly has.",
+        "Measured: an IMU or a marker saw the part within the last half second. Inferred: by "
+        "synergy or from what was known before. What is lost counts for nothing. Interpolated: an "
+        "edit filled a gap; part of what is inferred, and never measured.",
+    )
+    items = "".join(f"<li>{escape(s)}</li>" for s in said)
+    return f"<h2>What the words mean</h2><ul>{items}</ul><p>Glovetrack {escape(__version__)}</p>"

@@ -1,0 +1,1 @@
+"""A report as a job of the window."""

@@ -1,0 +1,38 @@
+"""A report of takes as a job."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+from app.platform.aside import aside
+from app.platform.tasks import Job, JobProgress
+
+
+def report_job(sessions: Sequence[Path]) -> Job:
+    """A job whose result is the page: ``report.html`` beside the first, or with a number."""
+    takes = sorted(sessions)
+
+    def run(progress: JobProgress) -> Path:
+        out: Path = aside("report", partial(_write, takes), progress)
+        return out
+
+    return run
+
+
+def _write(takes: Sequence[Path], progress: Callable[..., None]) -> Path:
+    from extensions.movement.report.write import write_report
+
+    out = free_page(takes[0].parent)
+    write_report(takes, out, watch=progress)
+    return out
+
+
+def free_page(folder: Path) -> Path:
+    """Where neither a page nor its table or figures are yet."""
+    out, n = folder / "report.html", 1
+    while any(folder.glob(f"{out.stem}.*")) or any(folder.glob(f"{out.stem}_ranges.*")):
+        n += 1
+        out = folder / f"report-{n}.html"
+    return out

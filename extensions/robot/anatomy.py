@@ -1,0 +1,246 @@
+"""Where a robot hand has its palm, its fingers and their tips: read off any MJCF's own tree.
+
+Fingers are told by the names that hands have (Shadow's ff, mf, rf, lf, th; index, middle, …), the
+palm is where they part, its axes come from the knuckles and from the way that fingers bend.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from extensions.robot.worn import FINGERS
+from tracker.base.errors import ConfigError
+from tracker.messages import Array
+
+NAMES = {
+    "thumb": r"thumb|^th",
+    "index": r"index|fore|^ff",
+    "middle": r"middle|^mid|^mf",
+    "ring": r"ring|^rf",
+    "little": r"little|pink|^lf",
+}
+PREFIX = re.compile(r"^([a-z]*\d*[:/]|[rl]h_|left_|right_|robot0_)+", re.IGNORECASE)
+JOINTS_OF_A_FINGER = 2  # at least: a leaf with fewer is no finger
+COUPLED = 0.1  # of the joints' ranges: a tendon held within this share couples its joints
+SAME_PLACE = 1e-4  # m
+
+
+@dataclass(frozen=True, eq=False)
+class Finger:
+    """``body`` is its last; tip (3,) m in that; knuckle (3,) m in the palm's frame P, where its
+    bones begin; ``length`` m from there to the tip; ``joints`` rows of the model; ``radius`` m."""
+
+    name: str
+    body: int
+    tip: Array
+    knuckle: Array
+    length: float
+    joints: tuple[int, ...]
+    radius: float
+
+
+@dataclass(frozen=True, eq=False)
+class Anatomy:
+    """Of a model whose palm does not move: R_WP (3, 3), p_WP (3,) m of the palm's frame P (x to the
+    fingertips, z out of its back, origin at the middle knuckle), rows of bodies and joints.
+
+    couplings (k, nq) and their middle (k,): sums of joint angles that tendons hold.
+    """
+
+    side: str
+    palm: int
+    base: int
+    R_WP: Array
+    p_WP: Array
+    fingers: tuple[Finger, ...]
+    couplings: Array
+    coupled_to: Array
+
+    @property
+    def joints(self) -> tuple[int, ...]:
+        """Of all fingers, in the model's order, also what moves several."""
+        return tuple(sorted({j for finger in self.fingers for j in finger.joints}))
+
+
+def plain(name: str) -> str:
+    """A model's name without what tells robots apart: ``robot0:FFJ3`` is FFJ3."""
+    return PREFIX.sub("", name)
+
+
+def find_palm(model: mujoco.MjModel) -> tuple[int, int, dict[str, int]]:
+    """Rows of the palm, of the body on the ground that carries it, and of each finger's last body.
+
+    Raises ConfigError where there is no hand in the model.
+    """
+    leaves = _leaves(model)
+    if "thumb" not in leaves or "middle" not in leaves or "index" not in leaves:
+        raise ConfigError(
+            "The robot hand's fingers are not found: their bodies are to be named thumb (or th), "
+            "index (ff), middle (mf), ring (rf) and little (lf)."
+        )
+    paths = [_path(model, body) for body in leaves.values()]
+    common = [b for b in paths[0] if all(b in path for path in paths)]
+    if len(common) < 2:
+        raise ConfigError("The robot hand's fingers have no palm in common.")
+    return common[-1], common[1], leaves
+
+
+def _leaves(model: mujoco.MjModel) -> dict[str, int]:
+    parents = set(model.body_parentid[1:].tolist())
+    found: dict[str, int] = {}
+    for body in range(1, model.nbody):
+        if body in parents or len(_joints(model, body)) < JOINTS_OF_A_FINGER:
+            continue
+        name = plain(model.body(body).name).lower()
+        for finger, pattern in NAMES.items():
+            if re.search(pattern, name) and finger not in found:
+                found[finger] = body
+                break
+    return found
+
+
+def _path(model: mujoco.MjModel, body: int) -> list[int]:
+    """From the world to a body."""
+    out = [body]
+    while out[0] != 0:
+        out.insert(0, int(model.body_parentid[out[0]]))
+    return out
+
+
+def _joints(model: mujoco.MjModel, body: int, after: int = 0) -> list[int]:
+    """Hinges on the way from the body ``after`` to ``body``."""
+    out: list[int] = []
+    for b in _path(model, body):
+        first = int(model.body_jntadr[b])
+        out += range(first, first + int(model.body_jntnum[b])) if first >= 0 else []
+        if b == after:
+            out = []
+    return [j for j in out if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_HINGE]
+
+
+def read_anatomy(model: mujoco.MjModel) -> Anatomy:
+    """Of a model whose only joints are the fingers'. Raises ConfigError."""
+    palm, base, leaves = find_palm(model)
+    data = mujoco.MjData(model)
+    data.qpos[:] = np.clip(0.0, *_ranges(model).T)
+    mujoco.mj_kinematics(model, data)
+    tips = {f: _tip(model, data, f, body) for f, body in leaves.items()}
+    chains = {f: _chain(model, data, _joints(model, b, palm)) for f, b in leaves.items()}
+    R, p, side = _palm_frame(model, data, leaves, tips, chains)
+    fingers = []
+    for name in (f for f in FINGERS if f in leaves):
+        body = leaves[name]
+        chain = np.vstack([chains[name], _at(data, body, tips[name])])
+        length = float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum())
+        joints = tuple(_joints(model, body, palm))
+        knuckle = R.T @ (chain[0] - p)
+        fingers.append(
+            Finger(name, body, tips[name], knuckle, length, joints, _radius(model, body))
+        )
+    couplings, middle = _couplings(model)
+    return Anatomy(side, palm, base, R, p, tuple(fingers), couplings, middle)
+
+
+def _ranges(model: mujoco.MjModel) -> Array:
+    """(nq, 2) rad; a joint without limits may turn once each way."""
+    out = np.array(model.jnt_range, float)
+    out[model.jnt_limited == 0] = -np.pi, np.pi
+    return out
+
+
+def _chain(model: mujoco.MjModel, data: mujoco.MjData, joints: list[int]) -> Array:
+    """(≤ 3, 3) m: where a finger's last three joints are, those at one place taken as one."""
+    out: list[Array] = []
+    for j in joints:
+        at = np.array(data.xanchor[j])
+        if not out or np.linalg.norm(at - out[-1]) > SAME_PLACE:
+            out.append(at)
+    return np.array(out[-3:])
+
+
+def _tip(model: mujoco.MjModel, data: mujoco.MjData, finger: str, body: int) -> Array:
+    """(3,) m in the last body: its site named tip, else the end of what it collides with."""
+    for site in range(model.nsite):
+        name = plain(model.site(site).name).lower()
+        if model.site_bodyid[site] == body and "tip" in name and "tch" not in name:
+            return np.array(model.site_pos[site])
+    start = int(model.body_geomadr[body])
+    geoms = [g for g in range(start, start + int(model.body_geomnum[body])) if start >= 0]
+    solid = [g for g in geoms if model.geom_contype[g] or model.geom_conaffinity[g]] or geoms
+    if not solid:
+        raise ConfigError(f"The robot hand's {finger} has no tip: a site named tip, or a geom.")
+    far = max(solid, key=lambda g: float(np.linalg.norm(model.geom_pos[g])))
+    at = np.array(model.geom_pos[far])
+    reach = float(np.linalg.norm(at))
+    inside = 0.6 * float(model.geom_rbound[far])
+    return at if reach < SAME_PLACE else np.asarray(at * (1.0 + inside / reach))
+
+
+def _at(data: mujoco.MjData, body: int, point: Array) -> Array:
+    """(3,) m in the world."""
+    return np.asarray(data.xpos[body] + data.xmat[body].reshape(3, 3) @ point)
+
+
+def _palm_frame(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    leaves: dict[str, int],
+    tips: dict[str, Array],
+    chains: dict[str, Array],
+) -> tuple[Array, Array, str]:
+    """R_WP, p_WP and the side."""
+    others = [f for f in leaves if f != "thumb"]
+    straight = {f: _at(data, leaves[f], tips[f]) for f in others}
+    x = np.mean([straight[f] - chains[f][0] for f in others], axis=0)
+    x /= np.linalg.norm(x)
+    last = [f for f in FINGERS if f in others][-1]
+    to_index = chains["index"][0] - chains[last][0]
+    to_index -= x * (x @ to_index)
+    ranges = _ranges(model)
+    bent = mujoco.MjData(model)
+    bent.qpos[:] = ranges.mean(axis=1)
+    mujoco.mj_kinematics(model, bent)
+    way = np.mean([_at(bent, leaves[f], tips[f]) - straight[f] for f in others], axis=0)
+    z = np.cross(x, to_index / np.linalg.norm(to_index))
+    z = -z if z @ way > 0 else z
+    y = np.cross(z, x)
+    side = "right" if y @ to_index > 0 else "left"
+    return np.stack([x, y, z], axis=1), chains["middle"][0].copy(), side
+
+
+def _radius(model: mujoco.MjModel, body: int) -> float:
+    """m, of the last body's thinnest solid geom."""
+    first = int(model.body_geomadr[body])
+    geoms = range(first, first + int(model.body_geomnum[body])) if first >= 0 else range(0)
+    sizes = [
+        float(model.geom_size[g, 0])
+        for g in geoms
+        if model.geom_contype[g] and model.geom_type[g] != mujoco.mjtGeom.mjGEOM_MESH
+    ]
+    return min(sizes, default=0.008)
+
+
+def _couplings(model: mujoco.MjModel) -> tuple[Array, Array]:
+    """Of tendons over several joints whose length hardly changes."""
+    rows, middle = [], []
+    ranges = _ranges(model)
+    for t in range(model.ntendon):
+        first, number = int(model.tendon_adr[t]), int(model.tendon_num[t])
+        wraps = range(first, first + number)
+        if number < 2 or not model.tendon_limited[t]:
+            continue
+        if any(model.wrap_type[w] != mujoco.mjtWrap.mjWRAP_JOINT for w in wraps):
+            continue
+        row = np.zeros(model.nq)
+        for w in wraps:
+            row[model.jnt_qposadr[model.wrap_objid[w]]] = model.wrap_prm[w]
+        low, high = model.tendon_range[t]
+        if high - low < COUPLED * float(np.abs(row) @ np.diff(ranges, axis=1).ravel()):
+            size = np.abs(row).max()
+            rows.append(row / size)
+            middle.append(0.5 * (low + high) / size)
+    return np.array(rows).reshape(-1, model.nq), np.array(middle)

@@ -1,0 +1,50 @@
+"""The other side's hand: an MJCF seen in a mirror.
+
+The mirror is the plane x = 0 of every frame. A point (x, y, z) goes to (-x, y, z); a rotation about
+n by a goes to one about M n by -a, so a quaternion (w, x, y, z) to (w, x, -y, -z), and a joint's
+axis n, at the same angle, to -M n. Expects what MuJoCo saves: quaternions alone, no Euler angles.
+"""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+
+from tracker.base.errors import ConfigError
+
+Signs = tuple[int, ...]
+_POINT: Signs = (-1, 1, 1)
+_CHANGES: Mapping[str, Signs] = {
+    "pos": _POINT,
+    "quat": (1, 1, -1, -1),
+    "axis": (1, -1, -1),
+    "fromto": (*_POINT, *_POINT),
+    "fullinertia": (1, 1, 1, -1, -1, 1),  # xx, yy, zz, xy, xz, yz
+    "refpos": _POINT,
+    "refquat": (1, 1, -1, -1),
+    "dir": _POINT,
+}
+_SLIDE_AXIS: Signs = _POINT
+_UNREAD = ("euler", "axisangle", "xyaxes", "zaxis")
+
+
+def mirrored(mjcf: str) -> str:
+    """The mirrored MJCF. Raises ConfigError for what cannot be mirrored."""
+    root = ET.fromstring(mjcf)
+    for element in root.iter():
+        for name in _UNREAD:
+            if name in element.attrib:
+                raise ConfigError(f"The robot hand cannot be mirrored: it has {name}.")
+        for name, signs in _CHANGES.items():
+            if name in element.attrib:
+                slides = name == "axis" and element.get("type") == "slide"
+                _sign(element, name, _SLIDE_AXIS if slides else signs)
+        if element.tag == "mesh" and ("file" in element.attrib or "vertex" in element.attrib):
+            element.set("scale", element.get("scale", "1 1 1"))
+            _sign(element, "scale", _POINT)
+    return ET.tostring(root, encoding="unicode")
+
+
+def _sign(element: ET.Element, name: str, signs: Signs) -> None:
+    values = [float(v) for v in element.attrib[name].split()]
+    element.set(name, " ".join(repr(s * v) for v, s in zip(values, signs, strict=True)))

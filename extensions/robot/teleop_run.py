@@ -1,0 +1,205 @@
+"""A robot hand driven by a recorded session, and driven again to see that it does the same."""
+
+from __future__ import annotations
+
+import heapq
+import itertools
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from extensions.robot.command import RobotCommand
+from extensions.robot.driver import RobotDriver, Said, command_of
+from extensions.robot.settings import RobotSettings, settings_of
+from extensions.robot.teleop import Teleop
+from extensions.robot.worn import worn_hand
+from tracker.base.clock import monotonic, nanoseconds
+from tracker.base.errors import FileError
+from tracker.base.files import whole_file
+from tracker.messages import Estimate, Event, RobotMemory, RobotState
+from tracker.session.decode_robot import read_robot, robot_model, robot_names
+from tracker.session.encode import Encoder, ImageCoding, Out
+from tracker.session.export.mcap import copy_extras
+from tracker.session.mcap.container import Copier, McapOutput
+from tracker.session.mcap.input import RawMessage
+from tracker.session.mcap.ordering import ordered
+from tracker.session.message_check import sound
+from tracker.session.reader import SessionReader
+from tracker.session.ros import topics
+
+WITHIN = 0.005  # m from its target: where a tip is to be
+COMPARED = ("command", "joints", "palm", "objects", "force")
+
+
+@dataclass
+class DriveFigures:
+    """What is counted while a robot follows."""
+
+    times_ms: list[float] = field(default_factory=list)  # of a step
+    errors_mm: list[float] = field(default_factory=list)  # the farthest tip of each hand
+    holding: int = 0
+    touches: int = 0
+    largest_force: float = 0.0  # N
+    _felt: np.ndarray = field(default_factory=lambda: np.zeros(5, bool))
+
+    def count(self, state: RobotState, errors: np.ndarray, took: float) -> None:
+        """One hand more; errors (5,) m, took s."""
+        self.times_ms.append(1e3 * took)
+        self.holding += state.holding
+        if not state.holding and np.isfinite(errors).any():
+            self.errors_mm.append(1e3 * float(np.nanmax(errors)))
+        felt = state.force > 0.0
+        self.touches += int((felt & ~self._felt).sum())
+        self._felt = felt
+        self.largest_force = max(self.largest_force, float(state.force.max()))
+
+    def report(self) -> dict[str, Any]:
+        """In plain values; NaN where nothing was counted."""
+
+        def at(values: list[float], percent: float) -> float:
+            return float(np.percentile(values, percent)) if values else float("nan")
+
+        hands = len(self.times_ms)
+        near = [e <= 1e3 * WITHIN for e in self.errors_mm]
+        return {
+            "hands": hands,
+            "holding_percent": 100.0 * self.holding / max(hands, 1),
+            "tip_error_mm_median": at(self.errors_mm, 50),
+            "tip_error_mm_95": at(self.errors_mm, 95),
+            "within_5_mm_percent": 100.0 * float(np.mean(near)) if near else float("nan"),
+            "step_ms_median": at(self.times_ms, 50),
+            "step_ms_99": at(self.times_ms, 99),
+            "touches": self.touches,
+            "largest_force_N": self.largest_force,
+        }
+
+
+Watch = Callable[[RobotState], None]
+
+
+def drive(
+    reader: SessionReader,
+    driver: RobotDriver,
+    figures: DriveFigures,
+    watch: Watch = lambda state: None,
+) -> Iterator[Said]:
+    """All that a robot says that follows a session's hand."""
+    for estimate in reader.messages((Estimate,)):
+        assert isinstance(estimate, Estimate)
+        began = monotonic()
+        said = driver.feed(estimate)
+        took = monotonic() - began
+        for message in said:
+            if isinstance(message, RobotState):
+                figures.count(message, driver.teleop.fingers.error, took)
+                watch(message)
+        yield from said
+
+
+def driver_of(reader: SessionReader, settings: RobotSettings) -> RobotDriver:
+    """For a session's hand. Raises ConfigError."""
+    info = reader.info
+    return RobotDriver(Teleop(settings), info.hand, info.keypoint_names)
+
+
+def write_driven(
+    reader: SessionReader, out: Path, said: Iterator[Said], force: bool = False
+) -> None:
+    """The session with a robot in it, in place of any that it had. Raises FileError."""
+    with whole_file(out, force, [reader.path]) as part:
+        output = McapOutput(part, sync=False)
+        try:
+            copy_extras(reader, output)
+            copier, encoder = Copier(reader.source, output), Encoder(reader.info, ImageCoding())
+            stored = sound(ordered(reader.source, None), reader.source.left_out)
+            theirs = (m for m in stored if not topics.robot_of(m.topic)[0])
+            ours = itertools.chain.from_iterable(encoder.encoded(m) for m in said)
+            both: list[Iterator[RawMessage | Out]] = [theirs, ours]
+            for m in heapq.merge(*both, key=lambda m: m.log_time):
+                if isinstance(m, RawMessage):
+                    copier.copy(m)
+                else:
+                    output.write(
+                        output.channel(m.topic, m.type), m.log_time, m.stamp, m.data, m.sequence
+                    )
+        finally:
+            output.finish()
+
+
+@dataclass(frozen=True)
+class Repeated:
+    """How a robot did that was driven again: states compared, and those that differ in any bit."""
+
+    robot: str
+    compared: int
+    different: int
+    first_difference: float  # s of the host's clock; NaN where there is none
+
+
+def drive_again(path: Path, robot: str = "") -> Repeated:
+    """Drive a session's robot once more, from the first that it remembers of itself.
+
+    Raises FileError where the session has no robot, or does not say enough of it.
+    """
+    with SessionReader(path) as reader:
+        names = robot_names(reader)
+        if not names or (robot and robot not in names):
+            raise FileError(f"{path} has no robot{' ' + robot if robot else ''} in it.")
+        name = robot or names[0]
+        teleop = Teleop(settings_of(robot_model(reader, name).settings))
+        recorded, memory = _recorded(reader, name)
+        teleop.remember(memory)
+        return _compare(reader, teleop, name, recorded)
+
+
+def _recorded(reader: SessionReader, name: str) -> tuple[dict[int, RobotState], RobotMemory]:
+    """States after the first memory, by the ns of their hands."""
+    memory: RobotMemory | None = None
+    states: dict[int, RobotState] = {}
+    for message in read_robot(reader, name):
+        if isinstance(message, RobotMemory) and memory is None:
+            memory = message
+        elif isinstance(message, RobotState) and memory is not None and message.t > memory.t:
+            states[nanoseconds(message.t)] = message
+    if memory is None:
+        raise FileError(f"{reader.path} does not say how its robot {name} began.")
+    return states, memory
+
+
+def _compare(
+    reader: SessionReader, teleop: Teleop, name: str, recorded: dict[int, RobotState]
+) -> Repeated:
+    commands = _commands(reader, name)
+    compared = different = 0
+    first = float("nan")
+    for estimate in reader.messages((Estimate,)):
+        assert isinstance(estimate, Estimate)
+        expected = recorded.get(nanoseconds(estimate.t))
+        if expected is None:
+            continue  # the robot did not see this one, or it was before
+        for command in commands.get(nanoseconds(estimate.t), ()):
+            teleop.command(command)
+        state = teleop.feed(worn_hand(estimate, reader.info.keypoint_names))
+        compared += 1
+        if not _same(state, expected):
+            different += 1
+            first = estimate.t if np.isnan(first) else first
+    return Repeated(name, compared, different, first)
+
+
+def _same(a: RobotState, b: RobotState) -> bool:
+    return all(np.array_equal(getattr(a, n), getattr(b, n)) for n in COMPARED)
+
+
+def _commands(reader: SessionReader, name: str) -> dict[int, list[RobotCommand]]:
+    """By the ns of the hand that they were done before."""
+    out: dict[int, list[RobotCommand]] = {}
+    for event in reader.messages((Event,)):
+        assert isinstance(event, Event)
+        command = command_of(event, name)
+        if command is not None:
+            out.setdefault(nanoseconds(event.t), []).append(command)
+    return out

@@ -1,0 +1,88 @@
+"""A robot hand as URDF, as ROS wants it: its links and joints, without meshes."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+import mujoco
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from extensions.robot.anatomy import plain
+from extensions.robot.hand import RobotHand
+from tracker.messages import Array
+
+ROOT = "palm_frame"
+SPEED = 10.0  # rad/s: URDF asks for a limit
+
+
+def robot_urdf(hand: RobotHand) -> str:
+    """Its root is the palm's frame P; a body with several joints has a link between any two."""
+    model, anatomy = hand.model, hand.anatomy
+    robot = ET.Element("robot", name=hand.name)
+    ET.SubElement(robot, "link", name=ROOT)
+    R, p = anatomy.R_WP.T, -anatomy.R_WP.T @ anatomy.p_WP
+    for body in range(1, model.nbody):
+        if not _belongs(model, body, anatomy.base):
+            continue
+        parent = int(model.body_parentid[body])
+        at, turned = np.array(model.body_pos[body]), _matrix(model.body_quat[body])
+        if body == anatomy.base:
+            start, at, turned = ROOT, p + R @ at, R @ turned
+        else:
+            start = plain(model.body(parent).name)
+        _body(robot, hand, body, start, (at, turned))
+    ET.indent(robot)
+    return ET.tostring(robot, encoding="unicode")
+
+
+def _belongs(model: mujoco.MjModel, body: int, base: int) -> bool:
+    while body > base:
+        body = int(model.body_parentid[body])
+    return body == base
+
+
+def _matrix(quat: Array) -> Array:
+    """(3, 3) of MuJoCo's wxyz."""
+    return np.asarray(Rotation.from_quat(np.roll(quat, -1)).as_matrix())
+
+
+def _body(
+    robot: ET.Element, hand: RobotHand, body: int, parent: str, pose: tuple[Array, Array]
+) -> None:
+    """The link of a body and the joints before it. A joint stands at its anchor: the link's frame
+    is shifted there and back."""
+    model, name = hand.model, plain(hand.model.body(body).name)
+    first, number = int(model.body_jntadr[body]), int(model.body_jntnum[body])
+    at, turned = pose
+    for k, j in enumerate(range(first, first + number)):
+        anchor = np.array(model.jnt_pos[j])
+        link = f"{name}_{k}"
+        joint = _joint(robot, "revolute", hand.joint_names[j], parent, link)
+        _origin(joint, at + turned @ anchor, turned)
+        ET.SubElement(joint, "axis", xyz=_words(model.jnt_axis[j]))
+        low, high = hand.limits[j]
+        ET.SubElement(
+            joint, "limit", lower=f"{low:.6g}", upper=f"{high:.6g}",
+            effort=f"{hand.torque[j]:.6g}", velocity=f"{SPEED:g}",
+        )  # fmt: skip
+        ET.SubElement(robot, "link", name=link)
+        parent, at, turned = link, -anchor, np.eye(3)
+    _origin(_joint(robot, "fixed", f"{name}_fixed", parent, name), at, turned)
+    ET.SubElement(robot, "link", name=name)
+
+
+def _joint(robot: ET.Element, kind: str, name: str, parent: str, child: str) -> ET.Element:
+    joint = ET.SubElement(robot, "joint", name=name, type=kind)
+    ET.SubElement(joint, "parent", link=parent)
+    ET.SubElement(joint, "child", link=child)
+    return joint
+
+
+def _origin(joint: ET.Element, at: Array, turned: Array) -> None:
+    rpy = Rotation.from_matrix(turned).as_euler("xyz")
+    ET.SubElement(joint, "origin", xyz=_words(at), rpy=_words(rpy))
+
+
+def _words(values: Array) -> str:
+    return " ".join(f"{v:.9g}" for v in values)

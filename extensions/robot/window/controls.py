@@ -1,0 +1,178 @@
+"""What a user asks of the robot hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDoubleSpinBox,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.widgets.measures import NEAR
+from app.widgets.number_box import NumberBox
+from app.widgets.one_line import OneLine
+from extensions.robot.window.job import RobotLink
+from extensions.robot.window.view_model import CLUTCHES, MODELS, clutch_title, model_title
+from tracker.base.errors import GlovetrackError
+
+CLUTCH_KEY = "Ctrl+Shift+E"
+MOST_PORT = 65535
+
+
+class RobotControls(QWidget):
+    """Tells `RobotLink` what is wanted; shows what it says."""
+
+    refused = Signal(str)
+
+    def __init__(self, link: RobotLink, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._link = link
+        self._quiet = False
+        line = OneLine()
+        for widget in (
+            self._connect_button(),
+            self._clutch_button(),
+            self._reset_button(),
+            self._model_box(),
+            self._scale_box(),
+            self._gesture_box(),
+            self._port_box(),
+        ):
+            line.add(widget)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(line)
+        link.changed.connect(self.show_link)
+        self.show_link()
+
+    # --- making
+
+    def _connect_button(self) -> QPushButton:
+        self.connect_robot = QPushButton(self.tr("Connect"))
+        self.connect_robot.setCheckable(True)
+        self.connect_robot.setToolTip(self.tr("Let a simulated robot hand follow the wearer's"))
+        self.connect_robot.toggled.connect(lambda on: self._ask(lambda: self._link.switch(on)))
+        return self.connect_robot
+
+    def _clutch_button(self) -> QPushButton:
+        self.clutch = QPushButton(self.tr("Clutch"))
+        self.clutch.setCheckable(True)
+        self.clutch.setChecked(True)
+        self.clutch.setShortcut(QKeySequence(CLUTCH_KEY))
+        key = QKeySequence(CLUTCH_KEY).toString(QKeySequence.SequenceFormat.NativeText)
+        self.clutch.setToolTip(
+            self.tr("Pressed, the robot follows; else it holds as it is ({})").format(key)
+        )
+        self.clutch.clicked.connect(self._link.engage)
+        return self.clutch
+
+    def _reset_button(self) -> QPushButton:
+        self.reset = QPushButton(self.tr("Reset"))
+        self.reset.setToolTip(self.tr("Robot and things go to where they began"))
+        self.reset.clicked.connect(lambda: self._link.reset())
+        return self.reset
+
+    def _model_box(self) -> QComboBox:
+        self.model = QComboBox()
+        self.model.setAccessibleName(self.tr("Robot hand"))
+        for name in MODELS:
+            self.model.addItem(model_title(name), name)
+        self.model.addItem(self.tr("From a file…"), "")
+        self.model.activated.connect(lambda _i: self._choose_model())
+        return self.model
+
+    def _scale_box(self) -> QWidget:
+        self.scale = QDoubleSpinBox()
+        self.scale.setRange(0.1, 10.0)
+        self.scale.setSingleStep(0.1)
+        self.scale.setKeyboardTracking(False)
+        self.scale.setAccessibleName(self.tr("Scale of the motion"))
+        self.scale.setToolTip(self.tr("How far the robot's palm goes for each way of the wearer's"))
+        self.scale.valueChanged.connect(lambda value: self._ask(lambda: self._link.scale(value)))
+        return _titled(self.tr("Motion ×"), self.scale)
+
+    def _gesture_box(self) -> QWidget:
+        self.gesture = QComboBox()
+        self.gesture.setAccessibleName(self.tr("Gesture of the clutch"))
+        for name in CLUTCHES:
+            self.gesture.addItem(clutch_title(name), name)
+        self.gesture.activated.connect(
+            lambda _i: self._ask(lambda: self._link.change(clutch=self.gesture.currentData()))
+        )
+        return _titled(self.tr("Clutch by"), self.gesture)
+
+    def _port_box(self) -> QWidget:
+        self.port = NumberBox()
+        self.port.setRange(0, MOST_PORT)
+        self.port.setSpecialValueText(self.tr("off"))
+        self.port.setAccessibleName(self.tr("UDP port of the robot's states"))
+        self.port.setToolTip(self.tr("The robot's joints go there as JSON, on this computer"))
+        self.port.valueChanged.connect(lambda port: self._ask(lambda: self._link.send_to(port)))
+        return _titled(self.tr("Send by UDP"), self.port)
+
+    # --- what is chosen
+
+    def _ask(self, work: Callable[[], None]) -> None:
+        if self._quiet:
+            return
+        try:
+            work()
+        except GlovetrackError as error:
+            self.refused.emit(str(error))
+            self.show_link()
+
+    def _choose_model(self) -> None:
+        name = str(self.model.currentData() or "")
+        if not name:
+            title, kinds = self.tr("A hand as MJCF"), self.tr("MuJoCo models (*.xml)")
+            name, _ = QFileDialog.getOpenFileName(self, title, str(Path.home()), kinds)
+        if name:
+            self._ask(lambda: self._link.change(model=name))
+        self.show_link()
+
+    def show_link(self) -> None:
+        """As it is now."""
+        link, self._quiet = self._link, True
+        self.connect_robot.setChecked(link.on)
+        self.model.setItemText(self.model.count() - 1, self._file_title())
+        row = self.model.findData(link.settings.model)
+        self.model.setCurrentIndex(row if row >= 0 else self.model.count() - 1)
+        self.scale.setValue(link.settings.motion_scale)
+        self.gesture.setCurrentIndex(max(0, self.gesture.findData(link.settings.clutch)))
+        self.port.setValue(link.port)
+        self._quiet = False
+        self.show_clutch()
+
+    def show_clutch(self) -> None:
+        """A gesture may have moved it."""
+        usable = self._link.on and not self._link.replays
+        for button in (self.clutch, self.reset):
+            if button.isEnabled() != usable:
+                button.setEnabled(usable)
+        if self.clutch.isChecked() != self._link.engaged:
+            self.clutch.setChecked(self._link.engaged)
+
+    def _file_title(self) -> str:
+        name = self._link.settings.model
+        return self.tr("From a file…") if name in MODELS else Path(name).name
+
+
+def _titled(title: str, widget: QWidget) -> QWidget:
+    """Both find room, or neither."""
+    out = QWidget()
+    row = QHBoxLayout(out)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(NEAR)
+    row.addWidget(QLabel(title))
+    row.addWidget(widget)
+    return out

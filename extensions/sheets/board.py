@@ -1,0 +1,27 @@
+"""The camera's calibration board on a page of paper, in true size."""
+
+from __future__ import annotations
+
+from extensions.sheets.page import PAPERS_MM, Page
+from tracker.calibration.stereo.board import BoardSpec, page_size, print_image
+
+
+def board_page(paper: str = "a4", spec: BoardSpec | None = None) -> Page:
+    """Across the page, with the ruler that it always has."""
+    high_mm, wide_mm = PAPERS_MM[paper]
+    page = Page(wide_mm, high_mm)
+    board, _ = print_image(spec or BoardSpec(), dpi=300)
+    board_wide_mm, board_high_mm = (1000 * side for side in page_size(spec or BoardSpec()))
+    left, foot = (wide_mm - board_wide_mm) / 2, (high_mm - board_high_mm) / 2
+    page.axes.imshow(
+        board,
+        cmap="gray",
+        extent=(left, left + board_wide_mm, foot, foot + board_high_mm),
+        interpolation="none",
+        aspect="auto",
+        vmin=0,
+        vmax=255,
+    )
+    page.axes.set_xlim(0.0, wide_mm)
+    page.axes.set_ylim(0.0, high_mm)
+    return page

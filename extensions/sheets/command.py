@@ -1,0 +1,52 @@
+"""``glovetrack print``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from tracker.base.terminal import add_force
+
+PAPERS = ("a4", "letter")
+
+
+def add_commands(commands: Any) -> None:
+    """Sub-command ``print``."""
+    parser = commands.add_parser(
+        "print", help="create PDF sheets at true scale for building a glove"
+    )
+    parser.add_argument(
+        "what",
+        choices=("markers", "wiring", "board"),
+        help="marker patches and their positions, the wiring, or the camera's calibration board",
+    )
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF file")
+    parser.add_argument(
+        "--glove", default="", help="glove name or file (default: the first bundled glove)"
+    )
+    parser.add_argument("--paper", choices=PAPERS, default=PAPERS[0], help="paper size")
+    add_force(parser)
+    parser.set_defaults(func=_print)
+
+
+def _print(args: argparse.Namespace) -> int:
+    from extensions.sheets.board import board_page
+    from extensions.sheets.markers import marker_pages
+    from extensions.sheets.page import save_pages
+    from extensions.sheets.wiring import wiring_page
+    from tracker.base.files import check_target, whole_file
+    from tracker.glove import library
+
+    check_target(args.out, args.force)
+    hand, glove = library.load(args.glove or library.DEFAULT_GLOVE)
+    if args.what == "markers":
+        pages, title = marker_pages(hand, glove, args.paper), f"Markers of the glove {glove.name}"
+    elif args.what == "wiring":
+        pages, title = [wiring_page(glove, args.paper)], f"Wiring of the glove {glove.name}"
+    else:
+        pages, title = [board_page(args.paper)], "Calibration board"
+    with whole_file(args.out, args.force) as part:
+        save_pages(pages, part, title)
+    print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 % scale")
+    return 0

@@ -1,0 +1,144 @@
+"""What is made is whole or absent, and nothing that exists is lost."""
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tracker.base.errors import FileError
+from tracker.base.files import (
+    DiskError,
+    free_path,
+    kept_name,
+    name_part,
+    slug,
+    whole_file,
+    whole_files,
+    write_kept,
+    write_whole,
+)
+
+
+def test_a_file_appears_when_it_is_whole(tmp_path: Path) -> None:
+    out = tmp_path / "a.txt"
+    with whole_file(out) as part:
+        part.write_text("all")
+        assert not out.exists() and part.parent.parent == tmp_path
+    assert out.read_text() == "all"
+    assert [p.name for p in tmp_path.iterdir()] == ["a.txt"]
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt(), OSError(errno.ENOSPC, "full")])
+def test_what_failed_leaves_nothing(tmp_path: Path, error: BaseException) -> None:
+    wanted = DiskError if isinstance(error, OSError) else KeyboardInterrupt
+    with pytest.raises(wanted), whole_file(tmp_path / "a.txt") as part:
+        part.write_text("half")
+        raise error
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_error_names_the_file_that_was_asked_for(tmp_path: Path) -> None:
+    with pytest.raises(FileError) as caught, whole_file(tmp_path / "a.txt") as part:
+        raise FileError(f"{part} is bad.")
+    assert str(caught.value) == f"{tmp_path / 'a.txt'} is bad."
+
+
+def test_nothing_is_overwritten_unless_forced(tmp_path: Path) -> None:
+    out = tmp_path / "a.txt"
+    out.write_text("old")
+    with pytest.raises(FileError, match="exists already"), whole_file(out):
+        pass
+    with pytest.raises(FileError, match="exists already"):
+        write_whole(out, "new", force=False)
+    assert out.read_text() == "old"
+    write_whole(out, "new")
+    assert out.read_text() == "new"
+
+
+def test_what_is_read_is_never_written(tmp_path: Path) -> None:
+    source, link, hard = tmp_path / "in", tmp_path / "link", tmp_path / "hard"
+    source.write_text("precious")
+    link.symlink_to(source)
+    hard.hardlink_to(source)
+    for out in (source, link, hard):
+        with pytest.raises(FileError, match="is what is read"):
+            write_whole(out, "new", force=True, inputs=[source])
+    assert source.read_text() == "precious"
+
+
+def test_folders_and_devices_are_no_files(tmp_path: Path) -> None:
+    for out in (tmp_path, Path(os.devnull)):
+        with pytest.raises(FileError, match="is a folder|is a device"):
+            write_whole(out, "x", force=True)
+
+
+def test_a_name_that_was_taken_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
+    first, second = tmp_path / "a.json", tmp_path / "a"
+    with pytest.raises(FileError, match="exists already"), whole_files(first, second) as parts:
+        for part in parts:
+            part.write_text("ours")
+        second.write_text("theirs")
+    assert second.read_text() == "theirs"
+    assert not first.exists(), "all or none"
+
+
+def test_a_dangling_link_counts_as_taken(tmp_path: Path) -> None:
+    link = tmp_path / "a"
+    link.symlink_to(tmp_path / "nowhere")
+    with pytest.raises(FileError, match="exists already"):
+        write_whole(link, "x", force=False)
+    assert free_path(link).name == "a_2"
+
+
+_KILLED = """
+import os, sys, pathlib
+from tracker.base.files import whole_file
+with whole_file(pathlib.Path(sys.argv[1])) as part:
+    part.write_text("half")
+    os.kill(os.getpid(), 9)
+"""
+
+
+def test_what_a_killed_process_left_does_not_block_the_next(tmp_path: Path) -> None:
+    out = tmp_path / "a[1].txt"
+    died = subprocess.run([sys.executable, "-c", _KILLED, str(out)], check=False)
+    assert died.returncode == -signal.SIGKILL
+    assert not out.exists() and len(list(tmp_path.iterdir())) == 1
+    write_whole(out, "whole", force=False)
+    assert [p.name for p in tmp_path.iterdir()] == [out.name], "and is swept up"
+
+
+def test_one_at_work_is_not_swept_away(tmp_path: Path) -> None:
+    out = tmp_path / "a.txt"
+    with whole_file(out, force=True) as slow:
+        slow.write_text("slow")
+        write_whole(out, "quick")
+    assert out.read_text() == "slow"
+
+
+def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "a.toml"
+    write_kept(path, "Größe = 1")
+    write_kept(path, b"other")
+    assert path.read_bytes() == b"other"
+    assert [p.name for p in path.parent.iterdir()] == ["a.toml"]
+    with pytest.raises(FileError, match="cannot be written"):
+        write_kept(path / "inside", "")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("ZED 2i (left)", ("zed-2i-left", "ZED-2i-left", "ZED 2i _left")),
+        ("Änne/O'Hara", ("nne-o-hara", "Änne-O-Hara", "Änne_O_Hara")),
+        (" ..", ("unnamed", "", "unnamed")),
+    ],
+)
+def test_any_text_gives_a_name_that_every_file_system_takes(
+    text: str, expected: tuple[str, str, str]
+) -> None:
+    assert (slug(text), name_part(text), kept_name(text)) == expected

@@ -1,0 +1,74 @@
+"""TOML is read as the standard library reads it, within bounds of time and size."""
+
+import os
+import random
+import time
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from tracker.base.errors import FileError
+from tracker.base.files import read_bounded
+from tracker.base.toml_reader import MOST_BYTES, parse_toml, read_text
+
+SECONDS = 2.0
+"""Processor time that a text of the largest allowed size may take."""
+PIECES = ['"', '"', "\\", '"""', "'", "'''", "a", "\n", " = ", "#", "b", "[", "]", "\\n"]
+
+
+@pytest.mark.parametrize(
+    ("begin", "part"),
+    [
+        ('"', '\\"'), ('"""', '\\"'), ("", '"'), ("", "'"), ("", '"""a'), ("", "'''a'"),
+        ("", '"\n'), ("", "'\n"), ('a="', "\\\\"), ("", "[[a]]\n"), ("", "[[a]]\n[a.b]\n"),
+        ("", "\r\n"), ("a=[", "1,"), ("a=[", "#\n"), ('a="""', '""\\"'), ('a="""', "\\\n "),
+        ("a={b=1", ",b=1"), ("", "=" * 2), ("", "- "), ("#", "'\""), ("", "a.b.c=1\n"),
+    ],
+)  # fmt: skip
+def test_any_text_of_the_largest_size_takes_linear_time(begin: str, part: str) -> None:
+    text = begin + part * ((MOST_BYTES - len(begin)) // len(part))
+    started = time.process_time()
+    try:
+        parse_toml(text, "a.toml")
+    except FileError as error:
+        assert str(error).startswith("a.toml")
+    assert time.process_time() - started < SECONDS
+
+
+def test_the_bounds_refuse_no_text_that_is_valid() -> None:
+    rng, valid = random.Random(1), 0
+    for _ in range(60_000):
+        text = "a = " + "".join(rng.choices(PIECES, k=rng.randint(1, 10)))
+        try:
+            wanted = tomllib.loads(text)
+        except tomllib.TOMLDecodeError:
+            with pytest.raises(FileError):
+                parse_toml(text, "a.toml")
+            continue
+        valid += 1
+        assert parse_toml(text, "a.toml") == wanted, text
+    assert valid > 1000
+
+
+def test_a_text_without_its_end_is_named_by_its_line() -> None:
+    with pytest.raises(FileError, match="line 3 has a text without its end"):
+        parse_toml('a = 1\nb = "x"\nc = "y\n', "a.toml")
+
+
+def test_line_ends_of_all_systems_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    path.write_bytes(b"a = 1\r\nb = 2\rc = 3\n")
+    assert read_text(path) == "a = 1\nb = 2\nc = 3\n"
+
+
+def test_only_regular_files_within_the_limit_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    path.write_bytes(bytes(101))
+    with pytest.raises(FileError, match="larger than 100 bytes"):
+        read_bounded(path, 100, "a configuration file")
+    assert read_bounded(path, 101, "a configuration file") == bytes(101)
+    os.mkfifo(tmp_path / "pipe")
+    for endless in (tmp_path / "pipe", Path("/dev/zero"), tmp_path):
+        with pytest.raises(FileError, match="is not a regular file"):
+            read_text(endless)

@@ -1,0 +1,53 @@
+"""A thread that asks to run soon, as the system itself tells of it."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import platform
+import threading
+
+import pytest
+
+from tracker.base.urgency import CALLS, SLICE_NS, _Attributes, run_soon
+
+GETS = {"x86_64": 315, "aarch64": 275}  # number of sched_getattr
+
+
+def told() -> _Attributes:
+    """What Linux has of the calling thread."""
+    found = _Attributes()
+    call, size = GETS[platform.machine()], ctypes.sizeof(found)
+    assert ctypes.CDLL(None).syscall(call, 0, ctypes.byref(found), size, 0) == 0
+    return found
+
+
+def kernel() -> tuple[int, ...]:
+    return tuple(int(part) for part in platform.release().split(".")[:2])
+
+
+def test_a_thread_gets_short_slices_and_keeps_its_priority_and_others_theirs() -> None:
+    if platform.system() != "Linux":
+        assert not run_soon()
+        return
+    seen: list[tuple[bool, _Attributes]] = []
+    before = told()
+
+    def work() -> None:
+        os.setpriority(os.PRIO_PROCESS, 0, before.nice + 3)
+        seen.append((run_soon(), told()))
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    thread.join()
+    ((heard, after),) = seen
+    assert heard
+    told_back = SLICE_NS if kernel() >= (6, 12) else 0  # an older one takes no notice
+    assert (after.policy, after.nice, after.runtime) == (0, before.nice + 3, told_back)
+    assert told().runtime == before.runtime
+
+
+def test_a_machine_whose_call_is_not_known_is_not_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(platform, "machine", lambda: "vax")
+    assert "vax" not in CALLS
+    assert not run_soon()

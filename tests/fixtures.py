@@ -1,0 +1,80 @@
+"""Fixtures that many folders share, and where real recordings are."""
+
+import functools
+import gc
+import os
+import tempfile
+from pathlib import Path
+
+import pytest
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import app  # noqa: F401, I001  (before numpy: it limits BLAS to one thread, as in workers)
+
+from tests import crash_traces
+from tests import kernel_twins  # before the kernels
+
+from tests.live_recordings import LiveRecordings
+from tracker.glove.files import load_glove
+from tracker.glove.model import GloveModel
+from tracker.hand.files import load_hand
+from tracker.hand.model import HandModel
+from tracker.vision import detector
+
+ROOT = Path(__file__).resolve().parents[1]
+RESOURCES = ROOT / "resources"
+DATA = Path(os.environ.get("GLOVETRACK_DATA", ROOT / "data"))
+"""Real recordings and images, which are not part of the project; few tests need them."""
+
+detector.hue_table = functools.lru_cache(maxsize=16)(detector.hue_table)
+"""Hundreds of tests make detectors of the same few profiles, and a table takes 0.1 s to fill."""
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    folder = tempfile.TemporaryDirectory(prefix="glovetrack-tests-")
+    config.add_cleanup(folder.cleanup)
+    crash_traces.register(config, Path(folder.name))
+    kernel_twins.register(config, Path(folder.name))
+
+
+def pytest_collection_finish() -> None:
+    """A million objects of tests and modules stay to the end: the collector need not look again."""
+    gc.collect()
+    gc.freeze()
+
+
+@pytest.fixture
+def compare_large(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Kernels are compared with their twins however large their arrays."""
+    monkeypatch.setattr(kernel_twins.TWINS, "most", 50_000_000)
+
+
+@pytest.fixture(scope="session")
+def data_folder() -> Path:
+    """Real recordings and images; the test is skipped where they are absent."""
+    if not DATA.is_dir():
+        pytest.skip(f"no recordings at {DATA} (set GLOVETRACK_DATA)")
+    return DATA
+
+
+@pytest.fixture(scope="session")
+def hand() -> HandModel:
+    return load_hand(RESOURCES / "hands" / "reference-right.toml")
+
+
+@pytest.fixture(scope="session")
+def glove(hand: HandModel) -> GloveModel:
+    return load_glove(RESOURCES / "gloves" / "vist-small.toml", hand)
+
+
+@pytest.fixture(scope="session")
+def distal_glove(hand: HandModel) -> GloveModel:
+    return load_glove(RESOURCES / "gloves" / "vist-small-distal.toml", hand)
+
+
+@pytest.fixture(scope="session")
+def live_recordings(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> LiveRecordings:
+    """Recordings that the application writes, made once for all processes of a run."""
+    folder = tmp_path_factory.getbasetemp()
+    return LiveRecordings((folder if worker_id == "master" else folder.parent) / "live")

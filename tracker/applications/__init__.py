@@ -1,6 +1,0 @@
-"""What a hand can do: applications of a tracked hand, and the public interface to write one's own.
-
-An application takes a hand (`tracker.applications.hand.HandSample`) and gives what is to be drawn
-(`drawing`), what happened and what devices are to do (`interface`). It knows no thread, no clock
-and no window, so the same hands give the same drawing bit for bit. See docs/applications.md.
-"""

@@ -1,0 +1,1 @@
+"""What every part uses and that knows nothing of hands: clock, errors, files, threads, settings."""

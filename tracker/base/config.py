@@ -1,0 +1,97 @@
+"""Frozen dataclasses of settings out of tables and TOML, and into TOML.
+
+Such a dataclass has a default for each field: a number, a text, a boolean, a tuple of numbers, a
+dict, or another such dataclass. `from_dict` is the one reader; who calls it decides what becomes of
+what it cannot take.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import tomli_w
+
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.toml_reader import parse_toml
+
+T = TypeVar("T")
+Complain = Callable[[str, str], None]
+"""Told the path of a key and what is wrong with it; raises, or lets the default stand."""
+
+UNKNOWN = "is not a setting"
+
+
+class _Wrong(Exception):
+    """A value that its field cannot hold, and why."""
+
+
+def to_toml(params: Any) -> str:
+    """TOML text of a tree of dataclasses; floats keep every digit."""
+    return tomli_w.dumps(dataclasses.asdict(params))
+
+
+def from_toml(kind: type[T], text: str, name: str = "settings.toml") -> T:
+    """A ``kind`` from TOML text; keys that are absent keep their defaults.
+
+    Raises ConfigError naming the first key that is unknown, of a wrong type or not finite.
+    """
+
+    def complain(path: str, why: str) -> None:
+        raise ConfigError(f"{name}: {path} {why}.")
+
+    try:
+        data = parse_toml(text, name)
+    except FileError as error:
+        raise ConfigError(str(error)) from error
+    return from_dict(kind, data, complain)
+
+
+def from_dict(kind: type[T], data: dict[str, Any], complain: Complain, where: str = "") -> T:
+    """A ``kind`` from a table, as JSON or TOML give it; keys that are absent keep their defaults.
+
+    ``complain`` gets the path of each key that is `UNKNOWN` or has a wrong value.
+    """
+    default = kind()
+    known = {f.name: getattr(default, f.name) for f in dataclasses.fields(kind)}  # type: ignore[arg-type]
+    values: dict[str, Any] = {}
+    for key, value in data.items():
+        path = f"{where}.{key}" if where else key
+        usual = known.get(key)
+        if key not in known:
+            complain(path, UNKNOWN)
+        elif dataclasses.is_dataclass(usual) and isinstance(value, dict):
+            values[key] = from_dict(type(usual), value, complain, path)
+        else:
+            try:
+                values[key] = _taken(usual, value)
+            except _Wrong as wrong:
+                complain(path, str(wrong))
+    return dataclasses.replace(default, **values)  # type: ignore[type-var]
+
+
+def _taken(usual: Any, value: Any) -> Any:
+    """The value in the type of its field. Raises _Wrong."""
+    if dataclasses.is_dataclass(usual):
+        raise _Wrong("must be a table")
+    if isinstance(usual, tuple) and isinstance(value, list):
+        return tuple(_number(v) for v in value)
+    if isinstance(usual, float):
+        return _number(value)
+    if type(value) is not type(usual):
+        raise _Wrong(f"must be a {type(usual).__name__}")
+    return value
+
+
+def _number(value: Any) -> float:
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        raise _Wrong("must be a float")
+    try:
+        number = float(value)
+    except OverflowError:  # an integer of hundreds of digits
+        number = math.inf
+    if not math.isfinite(number):
+        raise _Wrong("must be a finite number")
+    return number

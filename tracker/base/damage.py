@@ -1,0 +1,106 @@
+"""Damaged messages of a session: each costs only itself, and is counted.
+
+What reads a session leaves such a message out and goes on. `gather` collects what was left out of
+every file that a piece of work opens, for the sentences at its end.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+
+from tracker.base.errors import FileError
+
+MOST_KEPT = 100_000  # messages of a file that are told apart; later ones are not counted
+MOST_NAMED = 8  # topics that a sentence names
+DAMAGE = (ValueError, KeyError, TypeError, IndexError, OverflowError, struct.error, FileError)
+"""What decoding a damaged message raises."""
+
+
+class LeftOut:
+    """Messages of one file that were damaged and therefore left out.
+
+    A message that is read several times counts once. May be used by several threads.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._found: set[tuple[str, int]] = set()
+        gathered = _gathered.get()
+        if gathered is not None:
+            gathered.append(self)
+
+    def add(self, topic: str, log_time: int) -> None:
+        """Count the message of ``topic`` with ``log_time`` (ns)."""
+        if len(self._found) < MOST_KEPT:
+            self._found.add((topic, log_time))
+
+    @contextmanager
+    def reading(self, topic: str, log_time: int) -> Iterator[None]:
+        """Ends the block without an error where the message turns out to be damaged."""
+        try:
+            yield
+        except DAMAGE:
+            self.add(topic, log_time)
+
+    def merge(self, other: LeftOut) -> None:
+        """Count what ``other`` has found in the same file, too."""
+        for topic, log_time in other._found:
+            self.add(topic, log_time)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def by_topic(self) -> dict[str, int]:
+        """How many, of each topic that has any, in alphabetical order."""
+        return dict(sorted(Counter(topic for topic, _ in self._found).items()))
+
+    def sentence(self) -> str:
+        """What was left out; empty where nothing was."""
+        counts = self.by_topic()
+        if not counts:
+            return ""
+        named = [f"{n} on {topic}" for topic, n in list(counts.items())[:MOST_NAMED]]
+        more = len(counts) - MOST_NAMED
+        if more > 0:
+            named.append(f"others on {more} more topics")
+        return f"Damaged messages in {self.path.name} were left out: {', '.join(named)}."
+
+
+_gathered: ContextVar[list[LeftOut] | None] = ContextVar("gathered", default=None)
+
+
+@contextmanager
+def gather() -> Iterator[list[LeftOut]]:
+    """What is left out of the files that this thread opens within the block."""
+    found: list[LeftOut] = []
+    token = _gathered.set(found)
+    try:
+        yield found
+    finally:
+        _gathered.reset(token)
+
+
+def pass_on(found: Iterable[LeftOut]) -> None:
+    """Add what another process has gathered to what this thread gathers, if it does."""
+    gathered = _gathered.get()
+    if gathered is not None:
+        gathered.extend(found)
+
+
+def merged(found: Iterable[LeftOut]) -> list[LeftOut]:
+    """One for each file of which something was left out."""
+    by_path: dict[Path, LeftOut] = {}
+    for each in list(found):
+        if len(each):
+            by_path.setdefault(each.path, LeftOut(each.path)).merge(each)
+    return list(by_path.values())
+
+
+def sentences(found: Iterable[LeftOut]) -> list[str]:
+    """One for each file of which something was left out."""
+    return [each.sentence() for each in merged(found)]

@@ -1,0 +1,305 @@
+"""Strict reading of TOML: unknown keys, wrong types and NaN are errors that name file and line."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import re
+import sys
+import tomllib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.base.errors import FileError
+from tracker.base.files import read_bounded
+
+MOST_BYTES = 1_000_000
+"""Of a configuration file; the longest of ours has a hundredth of it."""
+_DEEPEST = 16
+_MOST_TABLES = 1000
+_MOST_DIGITS = 400
+_LARGEST = 2**63 - 1
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,63}")
+_NAME_RULE = "a letter, then at most 63 letters, digits, _ and -"
+_LABEL_RULE = "at most 64 characters that can be printed, and no comma"
+_TOKEN = re.compile(
+    r'"""(?:[^"\\]++|\\.|"(?!""))*+"{3,5}'  # texts of several lines
+    r"|'''(?:[^']++|'(?!''))*+'{3,5}"
+    r'|(?P<open>"""|\'\'\')'  # one that does not end: nothing after it is read
+    r'|"(?:[^"\\\n]++|\\.)*+"'  # texts of one line
+    r"|'[^'\n]*+'"
+    r"|(?P<open_line>[\"'])"
+    r"|#[^\n]*+|[A-Za-z0-9_+-]++|[ \t]++|.",
+    re.DOTALL,
+)
+
+
+class TomlTable:
+    """One table of a file, read key by key; `finish` complains about keys nobody asked for."""
+
+    def __init__(self, data: dict[str, Any], where: str, source: Source) -> None:
+        self._data, self._where, self._source = data, where, source
+        self._used: set[str] = set()
+
+    def fail(self, key: str, why: str) -> FileError:
+        """The error to raise for ``key`` of this table."""
+        path = f"{self._where}.{key}" if self._where else key
+        line = self._source.line(self._where, key)
+        return FileError(f"{self._source.name}{line}: {_short(path)} {_short(why, 400)}.")
+
+    def has(self, key: str) -> bool:
+        return key in self._data
+
+    def _take(self, key: str, default: Any) -> Any:
+        self._used.add(key)
+        if key in self._data:
+            return self._data[key]
+        if default is ...:
+            raise self.fail(key, "is missing")
+        return default
+
+    def text(self, key: str, default: Any = ..., among: Iterable[str] | None = None) -> str:
+        value = self._take(key, default)
+        if not isinstance(value, str) or not value:
+            raise self.fail(key, "must be a text")
+        if among is not None and value not in (choices := list(among)):
+            raise self.fail(key, f"is {value!r}; it must be one of {', '.join(choices)}")
+        return value
+
+    def name(self, key: str) -> str:
+        """A text that may stand in topics, names of columns and of files."""
+        return self._checked_name(key, self.text(key))
+
+    def _checked_name(self, key: str, value: str) -> str:
+        if not _NAME.fullmatch(value):
+            raise self.fail(key, f"has the name {_short(value)!r}; {_NAME_RULE}")
+        return value
+
+    def integer(self, key: str, default: Any = ...) -> int:
+        value = self._take(key, default)
+        if not isinstance(value, int) or isinstance(value, bool):
+            raise self.fail(key, "must be a whole number")
+        if abs(value) > _LARGEST:
+            raise self.fail(key, "is too large a number")
+        return value
+
+    def number(
+        self, key: str, default: Any = ..., low: float = -math.inf, high: float = math.inf
+    ) -> float:
+        return self._number(key, self._take(key, default), low, high)
+
+    def _number(self, key: str, value: Any, low: float, high: float) -> float:
+        if not isinstance(value, int | float) or isinstance(value, bool):
+            raise self.fail(key, "must be a number")
+        if not abs(value) <= sys.float_info.max:  # NaN, infinite, or an integer beyond all floats
+            raise self.fail(key, "must be a finite number")
+        if not low <= value <= high:
+            raise self.fail(key, f"is {value:g}; it must lie between {low:g} and {high:g}")
+        return float(value)
+
+    def vector(
+        self, key: str, n: int, default: Any = ..., limit: float = math.inf
+    ) -> NDArray[np.float64]:
+        value = self._take(key, default)
+        if not isinstance(value, list | tuple) or len(value) != n:
+            raise self.fail(key, f"must be a list of {n} numbers")
+        return np.array([self._number(key, v, -limit, limit) for v in value])
+
+    def unit(self, key: str, n: int, tolerance: float = 1e-3) -> NDArray[np.float64]:
+        """A unit vector or quaternion, normalised."""
+        value = self.vector(key, n)
+        norm = float(np.linalg.norm(value))
+        if abs(norm - 1) > tolerance:
+            raise self.fail(key, f"has length {norm:.4g}; it must be 1 within {tolerance:g}")
+        return value / norm
+
+    def names(self, key: str, among: Iterable[str], default: Any = ...) -> tuple[str, ...]:
+        value = self._take(key, default)
+        choices = list(among)
+        if not isinstance(value, list) or not all(v in choices for v in value):
+            raise self.fail(key, f"must be a list out of {', '.join(choices)}")
+        if len(set(value)) != len(value):
+            raise self.fail(key, "names something twice")
+        return tuple(value)
+
+    def table(self, key: str, default: Any = ...) -> TomlTable:
+        value = self._take(key, default)
+        if not isinstance(value, dict):
+            raise self.fail(key, "must be a table")
+        where = f"{self._where}.{key}" if self._where else key
+        return TomlTable(value, where, self._source)
+
+    def label(self, key: str) -> str:
+        """A text that people choose and see, such as a hue."""
+        value = self.text(key)
+        if not _is_label(value):
+            raise self.fail(key, f"is {_short(value)!r}; {_LABEL_RULE}")
+        return value
+
+    def tables(self, key: str, labels: bool = False) -> dict[str, TomlTable]:
+        """The sub-tables of ``key`` by name; none if the key is absent.
+
+        Names are as `name` allows, or with ``labels`` as `label` does.
+        """
+        group = self.table(key, {})
+        self._count(key, len(group._data))
+        for name in group._data:
+            if labels and not _is_label(name):
+                raise group.fail(name, f"is no name: {_LABEL_RULE}")
+            if not labels and not _NAME.fullmatch(name):
+                raise group.fail(name, f"is no name: {_NAME_RULE}")
+        return {name: group.table(name) for name in group._data}
+
+    def table_list(self, key: str) -> list[TomlTable]:
+        """An array of tables; empty if the key is absent."""
+        value = self._take(key, [])
+        if not isinstance(value, list) or not all(isinstance(v, dict) for v in value):
+            raise self.fail(key, f"must be written as [[{key}]] tables")
+        self._count(key, len(value))
+        return [TomlTable(v, f"{key}[{i}]", self._source) for i, v in enumerate(value)]
+
+    def _count(self, key: str, n: int) -> None:
+        if n > _MOST_TABLES:
+            raise self.fail(key, f"has {n} tables; there may be {_MOST_TABLES}")
+
+    def keys(self) -> list[str]:
+        return list(self._data)
+
+    def finish(self) -> None:
+        """Raise for the first key that was not asked for."""
+        for key in self._data:
+            if key not in self._used:
+                raise self.fail(key, "is not a key that this file may have")
+
+
+class Source:
+    """The text behind a table, for line numbers in messages."""
+
+    def __init__(self, name: str, text: str) -> None:
+        self.name, self._lines = name, text.splitlines()
+
+    def line(self, where: str, key: str) -> str:
+        """``', line N'`` of a key where it can be found, else nothing."""
+        header = self._header([*where.split("."), key] if where else [key])
+        if header is not None:
+            return f", line {header + 1}"
+        start = self._table_start(where)
+        if start is None:
+            return ""
+        for n in range(start, len(self._lines)):
+            text = self._lines[n].strip()
+            if n > start and text.startswith("["):
+                break
+            if text.split("=")[0].strip() == key:
+                return f", line {n + 1}"
+        return f", line {start + 1}" if where else ""
+
+    def _header(self, path: list[str]) -> int | None:
+        """Number of the line that begins the table of that path, however its name is quoted."""
+        for n, text in enumerate(self._lines):
+            text = text.strip()
+            if text.startswith("[") and not text.startswith("[["):
+                with contextlib.suppress(ValueError):
+                    if _only_path(tomllib.loads(text)) == path:
+                        return n
+        return None
+
+    def _table_start(self, where: str) -> int | None:
+        if not where:
+            return 0
+        if where.endswith("]"):
+            name, _, index = where[:-1].partition("[")
+            hits = [n for n, t in enumerate(self._lines) if t.strip() == f"[[{name}]]"]
+            return hits[int(index)] if int(index) < len(hits) else None
+        return next((n for n, t in enumerate(self._lines) if t.strip() == f"[{where}]"), None)
+
+
+def read_toml(text: str, name: str) -> TomlTable:
+    """The root table of a TOML text; ``name`` stands for the file in messages.
+
+    Raises FileError if it is no TOML.
+    """
+    return TomlTable(parse_toml(text, name), "", Source(name, text))
+
+
+def parse_toml(text: str, name: str) -> dict[str, Any]:
+    """The tables of a TOML text. Raises FileError if it is none, or nobody could have written it.
+
+    The standard library's parser has no bound of its own on digits and nesting, and takes a time
+    that grows with the square of the parts of a dotted key.
+    """
+    _check_bounds(text, name)
+    try:
+        return tomllib.loads(text)
+    except ValueError as error:  # TOMLDecodeError is one; so are integers of thousands of digits
+        raise FileError(f"{name} is not valid TOML: {error}.") from error
+    except RecursionError as error:
+        raise FileError(f"{name} is not valid TOML: it is nested too deeply.") from error
+
+
+def _check_bounds(text: str, name: str) -> None:
+    """Raises FileError, with line and key, for what no person writes into such a file."""
+    if len(text) > MOST_BYTES:
+        raise FileError(f"{name} is larger than {MOST_BYTES} bytes: not a configuration file.")
+    line, key, depth, parts, bare = 1, "", 0, 1, ""
+    for found in _TOKEN.finditer(text):
+        if found["open"] or found["open_line"]:  # the tokens after it would take quadratic time
+            raise FileError(f"{name} is not valid TOML: line {line} has a text without its end.")
+        token = found[0]
+        first = token[0]
+        why = ""
+        if first in "\"'" or first == "_" or first.isalnum():
+            bare = token
+            if first.isdigit() and len(token) > _MOST_DIGITS:
+                why = f"is a number of {len(token)} digits"
+        elif first == ".":
+            parts += 1
+            if parts > _DEEPEST:
+                key, why = bare, f"has more than {_DEEPEST} parts"
+        elif first in "[{":
+            depth += 1
+            if depth > _DEEPEST:
+                why = f"is nested more than {_DEEPEST} deep"
+        elif first in "]}":
+            depth -= 1
+        elif first == "=":
+            key = bare
+        if why:
+            raise FileError(f"{name}, line {line}: {_short(key or bare) or 'a table'} {why}.")
+        if first not in ". \t\"'_" and not first.isalnum():
+            parts = 1
+        line += token.count("\n")
+
+
+def _is_label(text: str) -> bool:
+    return 0 < len(text) <= 64 and text.isprintable() and "," not in text
+
+
+def _only_path(data: dict[str, Any]) -> list[str]:
+    """Keys from the root down to an empty table."""
+    path = []
+    while data:
+        ((key, data),) = data.items()
+        path.append(key)
+    return path
+
+
+def _short(text: str, most: int = 60) -> str:
+    """What a message shows of a text that may be long or hold anything."""
+    text = "".join(c if c.isprintable() else "?" for c in text[: most + 1])
+    return text if len(text) <= most else f"{text[: most - 1]}…"
+
+
+def read_text(path: Path, limit: int = MOST_BYTES) -> str:
+    """A small text file whole. Raises FileError where it is missing, huge or not UTF-8."""
+    try:
+        text = read_bounded(path, limit, "a configuration file").decode("utf-8")
+        return text.replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError as error:
+        raise FileError(f"{path} is not a UTF-8 text file.") from error
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error.strerror}.") from error

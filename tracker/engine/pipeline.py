@@ -1,0 +1,320 @@
+"""The stages joined: packets and blobs in, the hand out. No threads, no clock of its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from tracker.base.errors import ConfigError
+from tracker.base.records import record
+from tracker.engine.ahead import Ahead, Worn
+from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.guided.events import guided_of
+from tracker.fusion.chain.inertial import InertialEngine
+from tracker.fusion.chain.pose_reset import RESET_SAID, is_reset
+from tracker.fusion.engine import Engine
+from tracker.fusion.hybrid import HybridEngine
+from tracker.fusion.vist.engine import VistEngine
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    CameraImuSample,
+    CameraPose,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    IntArray,
+    Tracking,
+    Validity,
+)
+from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
+from tracker.online.frame_timing import FrameTiming, FrameTimingKept
+from tracker.online.pair_offset import PairOffset, PairOffsetKept
+from tracker.online.rig_watch import RigState, RigWatch
+from tracker.online.time_offset import TimeOffset
+from tracker.vision.crowding import MOST_BLOBS, thinned
+from tracker.vision.lenses import check_lenses, through
+from tracker.vision.rig import StereoRig, ideal_rig
+
+SILENCE = 0.2
+"""s without packets, at an image's exposure, after which the hand follows the images alone. A stall
+of the computer or the USB line is mostly shorter; its packets still arrive."""
+NO_PACKETS = "No packets from the {} glove: the hand follows the images alone."
+PACKETS_AGAIN = "Packets from the {} glove arrive again."
+CROWDED = "More than {} coloured patches in an image: {} were ignored so far."
+CROWDED_EVERY = 10.0
+"""s between two sentences about ignored blobs."""
+
+ANOTHER = (
+    "The hand was given up: patches on it are not where the glove's markers of their hues would "
+    "be. Fit the colours, or look whether two of their hues are exchanged."
+)
+
+
+def build_engine(
+    hand: HandModel, glove: GloveModel, rig: StereoRig | None, settings: Settings
+) -> Engine:
+    """The engine that ``settings`` name.
+
+    Raises ConfigError where there is none of that name, or it needs the rig and there is none.
+    """
+    if settings.engine not in ENGINES:
+        raise ConfigError(
+            f"There is no engine {settings.engine!r}; there are {', '.join(ENGINES)}."
+        )
+    if settings.engine in WITHOUT_IMAGES:
+        return InertialEngine(hand, glove, settings.chain)
+    if rig is None:
+        raise ConfigError(
+            f"The engine {settings.engine!r} needs a camera with a stereo calibration; without one "
+            "the engine 'inertial' shows the hand by its IMUs."
+        )
+    if settings.engine == "chain":
+        return ChainEngine(hand, glove, rig, settings.chain)
+    if settings.engine == "vist":
+        return VistEngine(hand, glove, rig, settings.vist)
+    variant = {"switching": "switching_offset", "madgwick": "madgwick_adaptive"}[settings.engine]
+    return HybridEngine(hand, glove, rig, settings.chain, settings.hybrid, variant)
+
+
+@record("pipeline")
+@dataclass(eq=False)
+class PipelineKept:
+    """All of a pipeline that changes; ``engine`` is what its engine keeps, ``packet`` when (s) the
+    last packet arrived, ``by_images`` whether the hand follows the images alone."""
+
+    engine: Any
+    timing: FrameTimingKept
+    camera: CameraTiltKept
+    pair: PairOffsetKept = field(default_factory=PairOffsetKept)
+    packet: float = -np.inf
+    by_images: bool = False
+
+
+class Pipeline:
+    """One hand, one glove, one stereo camera, one engine.
+
+    ``rig`` is None where no camera is calibrated; ``self.rig`` is an ideal one then, which stands
+    for it where the window needs one. Raises ConfigError for an unknown engine, and for one that
+    needs the rig where there is none.
+
+    ``engine`` is open for what only some know, such as a wearer's profile; ``timing`` says how late
+    images are stamped, ``pair_offset`` how much later the right camera exposes, and what is taken
+    off; ``ahead`` where the hand is expected.
+    """
+
+    def __init__(
+        self,
+        hand: HandModel,
+        glove: GloveModel,
+        rig: StereoRig | None,
+        settings: Settings | None = None,
+    ) -> None:
+        self.hand, self.glove, self.calibrated_rig = hand, glove, rig
+        self.settings = settings or Settings()
+        check_lenses(self.settings.lenses, self.settings.engine, rig)
+        self.engine = build_engine(hand, glove, rig, self.settings)
+        self._uses_images = self.settings.engine not in WITHOUT_IMAGES
+        self.rig = rig = rig or ideal_rig()
+        self._watch = RigWatch(rig)
+        self._camera = CameraTilt(rig.pose)
+        offset = TimeOffset(hand, glove, rig)
+        self.timing = FrameTiming(offset, self.settings.timing)
+        self.pair_offset = PairOffset(rig)
+        self._results: list[FrameResult] = []
+        self._words: list[str] = []
+        self._source_words: list[str] = []
+        self._told = False
+        self.ignored_blobs = 0  # so far, of images with more than `MOST_BLOBS`
+        self._crowded_due = -np.inf  # t of images, s
+        self._packet = -np.inf  # arrival of the last packet, s
+        self._by_images = False
+        self.ahead = Ahead(Worn(hand, glove), self.engine, self.timing, self.pair_offset)
+
+    def with_engine(self, name: str) -> Pipeline:
+        """The same hand with another engine, which looks for it anew.
+
+        Raises ConfigError for an unknown name.
+        """
+        settings = replace(self.settings, engine=name)
+        return Pipeline(self.hand, self.glove, self.calibrated_rig, settings)
+
+    @property
+    def keypoint_names(self) -> tuple[str, ...]:
+        """Rows of ``Estimate.keypoints``."""
+        return self.glove.keypoint_names(self.hand)
+
+    def feed_imu(self, sample: ImuSample) -> Estimate:
+        """Take a packet; the hand at the packet's instant."""
+        self._watch.packet(sample.t, sample.t_arrival)
+        self._packet = sample.t_arrival
+        self._follow_images(False)
+        self.timing.packet(sample)
+        estimate = self.engine.feed_imu(sample)
+        self._collect()
+        return estimate
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        """Take what was seen in an image; see `take_results`. Swapped images are not used."""
+        if not self._uses_images:
+            self.engine.feed_frame(frame)
+            self._results += self.engine.take_results()
+            return
+        frame = self._bounded(through(frame, self.settings.lenses))
+        self.pair_offset.remember(frame)
+        frame = self._in_step(frame)
+        if self._watch.usable(frame):
+            self.engine.feed_frame(self._posed(self.timing.corrected(frame)))
+            self._collect()
+        else:
+            nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
+            self._results.append(nothing)
+
+    def _bounded(self, frame: BlobFrame) -> BlobFrame:
+        """With at most `MOST_BLOBS` in each image; what is ignored is counted and reported."""
+        frame, ignored = thinned(frame)
+        self.ignored_blobs += ignored
+        if ignored and frame.t >= self._crowded_due:
+            self._crowded_due = frame.t + CROWDED_EVERY
+            self._source_words.append(CROWDED.format(MOST_BLOBS, self.ignored_blobs))
+        return frame
+
+    def without_packets(self, frame: BlobFrame) -> Estimate | None:
+        """The hand at the instant of an image that was just fed, where packets have been missing
+        for `SILENCE`; None while they arrive, before the first and without a camera.
+
+        It depends on what was fed alone, so that a session that is tracked again has it, too.
+        Nothing in it is called measured.
+        """
+        if not self._uses_images or not frame.t - self._packet > SILENCE:
+            return None
+        if self._packet == -np.inf:
+            return None
+        self._follow_images(True)
+        return inferred(self.engine.predict(frame.t))
+
+    def _follow_images(self, on: bool) -> None:
+        if on != self._by_images:
+            self._by_images = on
+            text = NO_PACKETS if on else PACKETS_AGAIN
+            self._source_words.append(text.format(self.glove.side))
+
+    def feed_event(self, event: Event) -> None:
+        """Take what was said: guided poses, which some engines learn from, and pose resets."""
+        if is_reset(event):
+            self._words.append(self._reset_pose())
+            return
+        said = guided_of(event)
+        if said is None:
+            return
+        if isinstance(said, str):
+            self._words.append(said)
+        elif not isinstance(self.engine, ChainEngine):
+            if not self._told:
+                name, self._told = self.settings.engine, True
+                self._words.append(f"The engine {name} learns nothing from guided poses.")
+        else:
+            self.engine.hear(said, event.t)
+
+    def _reset_pose(self) -> str:
+        """A sentence that says what was done."""
+        if isinstance(self.engine, ChainEngine):
+            return self.engine.reset_pose()
+        return (
+            f"{RESET_SAID}: engine {self.settings.engine} has none. "
+            "Choose engine chain or inertial."
+        )
+
+    def feed_camera_imu(self, sample: CameraImuSample) -> None:
+        """Take a sample of the camera's own IMU: images without a pose get one of it."""
+        self._camera.feed(sample)
+
+    def camera_pose(self, t: float) -> CameraPose:
+        """Where the camera is taken to be in an image of ``t`` that brings no pose."""
+        return self._camera.pose(t) or self.rig.pose
+
+    def _posed(self, frame: BlobFrame) -> BlobFrame:
+        pose = frame.pose or self._camera.pose(frame.t)
+        return frame if pose is frame.pose else replace(frame, pose=pose)
+
+    def _in_step(self, frame: BlobFrame) -> BlobFrame:
+        """The image as if both cameras had exposed when the left one did."""
+        late, t = self.pair_offset.applied, frame.t - self.timing.applied
+        if late == 0.0:
+            return frame
+        then, after = (self.engine.expected(at) for at in (t, t + late))
+        if then is None or after is None:
+            return frame
+        return self.pair_offset.moved_back(frame, then.p_G, after.p_G)
+
+    def _collect(self) -> None:
+        """Learn from results as they come, so that it does not matter when they are taken."""
+        for result in self.engine.take_results():
+            self._watch.check(result)
+            if result.another and ANOTHER not in self._words:
+                self._words.append(ANOTHER)
+            restored = self.timing.restored(result)
+            self.pair_offset.learn(restored)
+            self._results.append(restored)
+
+    def take_results(self) -> list[FrameResult]:
+        """What was made of images since the last call, oldest first."""
+        results, self._results = sorted(self._results, key=lambda r: r.t), []
+        return results
+
+    @property
+    def rig_state(self) -> RigState:
+        """Whether the camera is still the one that was calibrated."""
+        return self._watch.state
+
+    def take_words(self) -> list[str]:
+        """Sentences about the camera and guided poses since the last call, for the log."""
+        words, self._words = self._words, []
+        return words + self.take_source_words() + self._watch.take_words()
+
+    def take_source_words(self) -> list[str]:
+        """Sentences since the last call about what the hand follows: packets, or images alone."""
+        words, self._source_words = self._source_words, []
+        return words
+
+    def predict(self, t: float) -> Estimate:
+        """The hand at any instant near now. Moves nothing."""
+        return self.engine.predict(t)
+
+    def calibration(self) -> Calibration:
+        """Estimated parameters with their uncertainty."""
+        return self.engine.calibration()
+
+    def get_state(self) -> PipelineKept:
+        """Everything that changes and that estimates depend on; `set_state` goes on identically."""
+        timing, camera = self.timing.get_state(), self._camera.get_state()
+        pair = self.pair_offset.get_state()
+        engine = self.engine.get_state()
+        return PipelineKept(engine, timing, camera, pair, self._packet, self._by_images)
+
+    def set_state(self, state: PipelineKept) -> None:
+        """Go on from `get_state`."""
+        self.engine.set_state(state.engine)
+        self.timing.set_state(state.timing)
+        self._camera.set_state(state.camera)
+        self.pair_offset.set_state(state.pair)
+        self._packet, self._by_images = state.packet, state.by_images
+
+
+def inferred(estimate: Estimate) -> Estimate:
+    """The same with nothing called measured."""
+    return replace(
+        estimate,
+        keypoint_state=_at_most_inferred(estimate.keypoint_state),
+        angle_state=_at_most_inferred(estimate.angle_state),
+    )
+
+
+def _at_most_inferred(state: IntArray) -> IntArray:
+    return np.where(state == Validity.MEASURED, Validity.INFERRED, state).astype(state.dtype)

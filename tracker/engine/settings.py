@@ -1,0 +1,36 @@
+"""All settings of a tracking run, as one tree that a session carries along. Quick to import."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.hybrid_params import HybridParams
+from tracker.fusion.vist.params import VistParams
+from tracker.online.frame_timing import TimingParams
+from tracker.streaming.params import StreamParams
+
+ENGINES = {
+    "chain": "chain (cameras and IMUs, our own)",
+    "vist": "vist (Lee et al. 2021)",
+    "switching": "switching (fingers by their IMUs alone)",
+    "madgwick": "Madgwick (fingers by their IMUs alone)",
+    "inertial": "inertial (IMUs alone, no place)",
+}
+"""Names and titles of the engines, the default one first; `tracker.engine.pipeline` builds them."""
+
+WITHOUT_IMAGES = frozenset({"inertial"})
+"""Engines that use no image, and need no camera."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """``engine`` is one of `ENGINES`, ``lenses`` of `tracker.vision.lenses`."""
+
+    engine: str = "chain"
+    lenses: str = "both"
+    chain: ChainParams = field(default_factory=ChainParams)
+    hybrid: HybridParams = field(default_factory=HybridParams)
+    vist: VistParams = field(default_factory=VistParams)
+    timing: TimingParams = field(default_factory=TimingParams)
+    streams: StreamParams = field(default_factory=StreamParams)

@@ -1,0 +1,92 @@
+"""Noticing a left glove on a right one's files, and the other way round, from what is seen.
+
+A glove's patches lie mirrored on the other hand, so the hand is not found, or by mistake and lost
+again: blobs enough, and no hand among them. Then the same packets and images are tried on the
+mirrored glove and hand.
+"""
+
+from __future__ import annotations
+
+from tracker.engine.pipeline import Pipeline
+from tracker.glove.mirror import OTHER, mirrored_glove, mirrored_hand
+from tracker.glove.model import GloveModel
+from tracker.messages import BlobFrame, ImuSample, Tracking
+
+ENOUGH = 8  # blobs in each image, of a glove that is there to be found
+PATIENCE = 2.0  # s of search with as many, before the mirrored glove is tried
+TRIAL = 8.0  # s that it is tried for; again only after a hand was found meanwhile
+SURE = 1.0  # s for which the mirrored hand has to be tracked, and ours not found
+
+
+class SideWatch:
+    """Fed with what a hand's ``pipeline`` is fed with; costs nothing while that finds the hand."""
+
+    def __init__(self, pipeline: Pipeline, patience: float = PATIENCE) -> None:
+        """``patience``: s of search before the mirrored glove is tried."""
+        self._pipeline, self._patience = pipeline, patience
+        self._trial: Pipeline | None = None
+        self._waited = self._tried = self._sure = 0.0
+        self._last: float | None = None
+        self._over = False
+        self._sees_many = False
+        self._words: list[str] = []
+        self.is_other = False  # said, and our hand was not found since
+
+    def packet(self, sample: ImuSample, tracking: Tracking) -> None:
+        """A packet, and what our own pipeline knows after it."""
+        step = 0.0 if self._last is None else min(max(sample.t - self._last, 0.0), 0.1)
+        self._last = sample.t
+        if tracking in (Tracking.TRACKING, Tracking.COASTING):
+            self._begin_anew()
+        elif self._trial is not None:
+            self._try(self._trial, sample, step)
+        elif self._sees_many and not self._over:
+            self._waited += step
+            if self._waited >= self._patience:
+                self._trial = _mirrored(self._pipeline)
+
+    def frame(self, blobs: BlobFrame) -> None:
+        """What was found in an image."""
+        self._sees_many = sees(blobs, ENOUGH)
+        if self._trial is not None:
+            self._trial.feed_frame(blobs)
+            self._trial.take_results()
+
+    def take_words(self) -> list[str]:
+        """Sentences since the last call, for the log."""
+        words, self._words = self._words, []
+        return words
+
+    def _begin_anew(self) -> None:
+        self._trial, self._over, self.is_other = None, False, False
+        self._waited = self._tried = self._sure = 0.0
+
+    def _try(self, trial: Pipeline, sample: ImuSample, step: float) -> None:
+        found = trial.feed_imu(sample).tracking == Tracking.TRACKING
+        self._tried += step
+        self._sure = self._sure + step if found else 0.0
+        if self._sure >= SURE:
+            self.is_other = True
+            self._words.append(other_side_words(self._pipeline.glove))
+        if self._sure >= SURE or self._tried >= TRIAL:
+            self._trial, self._over = None, True
+
+
+def other_side_words(glove: GloveModel) -> str:
+    """Said of what is taken for ``glove`` and is its mirror image."""
+    side, other = glove.side, OTHER[glove.side]
+    return (
+        f"This looks like a glove of the {other} hand: its patches are mirrored. The file "
+        f"{glove.name} is of the {side} hand; choose a {other} one."
+    )
+
+
+def sees(blobs: BlobFrame, least: int) -> bool:
+    """Whether each image has as many blobs."""
+    counts = [len(b) for b in (blobs.left, blobs.right) if b is not None]
+    return bool(counts) and min(counts) >= least
+
+
+def _mirrored(pipeline: Pipeline) -> Pipeline:
+    hand, glove = mirrored_hand(pipeline.hand), mirrored_glove(pipeline.glove)
+    return Pipeline(hand, glove, pipeline.calibrated_rig, pipeline.settings)

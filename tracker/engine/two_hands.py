@@ -1,0 +1,210 @@
+"""Two gloves before one camera: a pipeline each, and blobs shared out between them.
+
+A hand alone goes through its pipeline as if there were no other: images pass untouched and
+estimates are the same to the last bit. `Hands` is either: what feeds one feeds the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tracker.base.errors import ConfigError
+from tracker.base.records import record
+from tracker.engine.pipeline import Pipeline, PipelineKept
+from tracker.messages import (
+    BlobFrame,
+    CameraImuSample,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Search,
+)
+from tracker.vision.sharing import share, taken_twice
+
+SIDES = ("left", "right")
+CLASH_BLOBS = 6
+"""Blobs that two hands took for their own in one image: one of the hands is not there."""
+AGAIN_EVERY, ANEW_EVERY = 0.045, 0.25
+"""s at least between two searches for a hand that is not there while the other one is tracked, and
+waits for it meanwhile: one from nothing takes some 20 ms."""
+
+
+class Sided(NamedTuple):
+    """A packet, and the side of its glove."""
+
+    sample: ImuSample
+    side: str
+
+    @property
+    def t_arrival(self) -> float:
+        return self.sample.t_arrival
+
+
+class OneHand:
+    """One pipeline, asked as `TwoHands` is."""
+
+    def __init__(self, pipeline: Pipeline) -> None:
+        self.pipelines = {pipeline.glove.side: pipeline}
+        self._pipeline = pipeline
+
+    def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
+        """Take a packet; the hand at the packet's instant."""
+        return self._pipeline.feed_imu(sample)
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        """Take what was seen in an image."""
+        self._pipeline.feed_frame(frame)
+
+    def feed_event(self, event: Event) -> None:
+        """Take what was said."""
+        self._pipeline.feed_event(event)
+
+    def take_results(self, side: str) -> list[FrameResult]:
+        """What was made of images since the last call, oldest first."""
+        return self._pipeline.take_results()
+
+    def with_engine(self, name: str) -> OneHand:
+        """Another engine, at its start. Raises ConfigError for an unknown name."""
+        return OneHand(self._pipeline.with_engine(name))
+
+    def get_state(self) -> PipelineKept:
+        """Everything that changes and that estimates depend on."""
+        return self._pipeline.get_state()
+
+
+@record("two_hands")
+@dataclass(eq=False)
+class TwoHandsKept:
+    """All of two hands that changes. ``left`` and ``right`` are their pipelines', ``last`` what the
+    newest image gave each of them; the left one's first. Instants (s) of the last images in which a
+    hand could be searched for, as it was bent and from nothing."""
+
+    left: PipelineKept
+    right: PipelineKept
+    last: list[FrameResult | None]
+    last_again: float = -np.inf
+    last_anew: float = -np.inf
+
+
+class TwoHands:
+    """A pipeline for each side, fed with its own glove's packets and with one camera's images.
+
+    ``make`` builds the pipeline of a side anew; it is asked again when a hand turns out to have
+    been found where the other one is. Raises ConfigError where a glove is of the other side.
+    """
+
+    def __init__(self, make: Mapping[str, Callable[[], Pipeline]]) -> None:
+        self.pipelines = {side: make[side]() for side in SIDES}
+        for side, pipeline in self.pipelines.items():
+            if pipeline.glove.side != side:
+                raise ConfigError(
+                    f"The glove {pipeline.glove.name} is made for the {pipeline.glove.side} hand "
+                    f"and cannot track the {side} one."
+                )
+        self._fresh = {side: p.get_state() for side, p in self.pipelines.items()}
+        self._last: dict[str, FrameResult | None] = dict.fromkeys(SIDES)
+        self._results: dict[str, list[FrameResult]] = {side: [] for side in SIDES}
+        self._last_again = self._last_anew = -np.inf
+
+    def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
+        """Take a packet of one glove; that hand at the packet's instant."""
+        estimate = self.pipelines[side].feed_imu(sample)
+        self._collect()
+        return estimate
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        """Take what was seen in an image of both hands."""
+        pipelines = list(self.pipelines.values())
+        expected = [p.ahead.in_view(frame) for p in pipelines]
+        pose = frame.pose or pipelines[0].camera_pose(frame.t)
+        search = self._search(frame.t)
+        parts = share(frame, expected, pipelines[0].rig, pose)
+        for pipeline, own, other in zip(pipelines, parts, reversed(expected), strict=True):
+            pipeline.feed_frame(own if other is None else replace(own, search=search))
+        self._collect()
+
+    def _search(self, t: float) -> Search:
+        """How far a hand may be looked for in the image of ``t`` beside one that is tracked."""
+        again, anew = t - self._last_again >= AGAIN_EVERY, t - self._last_anew >= ANEW_EVERY
+        if anew:
+            self._last_again = self._last_anew = t
+            return Search.ANEW
+        if again:
+            self._last_again = t
+        return Search.AGAIN if again else Search.NEAR
+
+    def feed_camera_imu(self, sample: CameraImuSample) -> None:
+        """Take a sample of the camera's own IMU."""
+        for pipeline in self.pipelines.values():
+            pipeline.feed_camera_imu(sample)
+
+    def feed_event(self, event: Event) -> None:
+        """Take what was said, of one hand if it says which."""
+        for side, pipeline in self.pipelines.items():
+            if event.data.get("hand", side) == side:
+                pipeline.feed_event(event)
+
+    def take_results(self, side: str) -> list[FrameResult]:
+        """What a hand's pipeline made of images since the last call, oldest first."""
+        results, self._results[side] = self._results[side], []
+        return results
+
+    def with_engine(self, name: str) -> TwoHands:
+        """Other engines, at their start. Raises ConfigError for an unknown name."""
+        return TwoHands({s: partial(p.with_engine, name) for s, p in self.pipelines.items()})
+
+    def _collect(self) -> None:
+        for side, pipeline in self.pipelines.items():
+            found = pipeline.take_results()
+            self._results[side] += found
+            if found:
+                self._last[side] = found[-1]
+                self._part()
+
+    def _part(self) -> None:
+        """Of two hands that took the same blobs, the one with fewer markers starts anew.
+
+        Blobs that a tracked hand expects are kept from the other, so this is a start: both hands
+        were looked for in the same image, and one was found where the other is.
+        """
+        left, right = (self._last[side] for side in SIDES)
+        if left is None or right is None or left.t != right.t:
+            return
+        if in_common(left, right) < CLASH_BLOBS:
+            return
+        weaker = SIDES[int(agreement(left) > agreement(right))]
+        self.pipelines[weaker].set_state(self._fresh[weaker])
+        self._last[weaker] = None
+
+    def get_state(self) -> TwoHandsKept:
+        """Everything that changes and that estimates depend on."""
+        left, right = (self.pipelines[side].get_state() for side in SIDES)
+        last = [self._last[side] for side in SIDES]
+        return TwoHandsKept(left, right, last, self._last_again, self._last_anew)
+
+    def set_state(self, state: Any) -> None:
+        """Go on from `get_state`."""
+        self.pipelines["left"].set_state(state.left)
+        self.pipelines["right"].set_state(state.right)
+        self._last = dict(zip(SIDES, state.last, strict=True))
+        self._last_again, self._last_anew = state.last_again, state.last_anew
+
+
+Hands = OneHand | TwoHands
+
+
+def in_common(a: FrameResult, b: FrameResult) -> int:
+    """Blobs that both took, in both images."""
+    return taken_twice(a.match_left, b.match_left) + taken_twice(a.match_right, b.match_right)
+
+
+def agreement(result: FrameResult) -> float:
+    """Share of the markers that should be seen which are, times how many those are."""
+    seen = float(((result.match_left >= 0) | (result.match_right >= 0)).sum())
+    return seen**2 / max(float(result.visible.sum()), 1.0)
