@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 import shutil
 import sysconfig
 import tempfile
@@ -128,7 +129,6 @@ def installed_project(text: str) -> str:
         'build-backend = "backend"\nbackend-path = ["packaging"]': (
             'build-backend = "setuptools.build_meta"'
         ),
-        f'{NAME} = "app.': f'{NAME} = "{NAME}.app.',
         FOUND: f'include = ["{NAME}*"]',
         **{f"\n{p} = [": f'\n"{NAME}.{p}" = [' for p in PACKAGES},
     }
@@ -136,7 +136,9 @@ def installed_project(text: str) -> str:
         if old not in text and not old.startswith("\n"):
             raise ValueError(f"pyproject.toml has no {old!r} any more: packaging/backend.py")
         text = text.replace(old, new)
-    return text
+    ours = "|".join(PACKAGES)
+    entry_point = rf'^("?[\w.-]+"? = ")(?=(?:{ours})\.[\w.]+:\w+"$)'
+    return re.sub(entry_point, rf"\1{NAME}.", text, flags=re.MULTILINE)
 
 
 def with_full_names(code: str) -> str:

@@ -16,8 +16,6 @@ from pathlib import Path
 
 from app.words import decimal, mark, tr
 
-ENGINE = "tracker/"
-"""Where the sentences of the engine stand, as a ``.ts`` file locates them."""
 LEAST = 6  # letters of its own that a template needs: ": ." fits everything
 HUES = "red|green|blue|yellow"
 """Words of colour files that the engine enumerates: "red, green and blue"."""
@@ -26,13 +24,18 @@ FIGURE = r"[-+]?\d+\.\d+( ?(mm|px|s|ms|°|°/s|%|Hz|V))?"
 SIDES = {"left": mark("Left"), "right": mark("Right")}
 
 
+def is_engines(file: str) -> bool:
+    """Whether a source file is the engine's or an extension's engine side."""
+    return file.startswith(("tracker/", "extensions/")) and "/window/" not in file
+
+
 def templates_in(ts: Path) -> Iterator[tuple[str, str]]:
     """The engine's sentences in a ``.ts`` file, each with its translation."""
     for message in ET.parse(ts).getroot().iter("message"):
         location, target = message.find("location"), message.find("translation")
         if location is None or target is None or not target.text:
             continue
-        if location.get("filename", "").startswith(ENGINE) and target.get("type") is None:
+        if is_engines(location.get("filename", "")) and target.get("type") is None:
             yield message.findtext("source") or "", target.text
 
 

@@ -15,33 +15,38 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from app.platform.engine_sentences import ENGINE, LEAST, own
+from app.platform.engine_sentences import LEAST, is_engines, own
 from app.platform.translation import CONTEXT, place
 from tracker.engine.settings import ENGINES
 
-ROOT = Path(__file__).resolve().parents[1]
-ENGINE_ROOT = ROOT.parent / "tracker"
+ROOT = Path(__file__).resolve().parents[2]
+WINDOW = ("app", "extensions")
+ENGINES_SIDE = ("tracker", "extensions")
 NOT_SHOWN = (
-    "applications/page",
-    "cli",
-    "conformance",
-    "evaluation",
-    "fusion/ablations",
-    "isaac",
-    "kernels",
-    "offline",
-    "session/commands",
-    "session/export/bids",
-    "session/report",
-    "sheets",
-    "simulation",
-    "streaming/foxglove",
-    "streaming/payload_read",
-    "streaming/remote/client",
-    "streaming/remote/osc",
-    "streaming/remote/reception",
-    "streaming/remote/request",
-    "workers",
+    "extensions/applications/command",
+    "extensions/applications/page",
+    "extensions/applications/session_",
+    "extensions/applications/sources",
+    "extensions/applications/swarm/simulated_vehicles",
+    "extensions/conformance",
+    "extensions/evaluation",
+    "extensions/movement",
+    "extensions/robot/pick",
+    "extensions/robot/teleop_",
+    "extensions/sheets",
+    "tracker/base/workers",
+    "tracker/cli",
+    "tracker/fusion/ablations",
+    "tracker/kernels",
+    "tracker/offline",
+    "tracker/session/commands",
+    "tracker/simulation",
+    "tracker/streaming/foxglove",
+    "tracker/streaming/payload_read",
+    "tracker/streaming/remote/client",
+    "tracker/streaming/remote/osc",
+    "tracker/streaming/remote/reception",
+    "tracker/streaming/remote/request",
 )
 """What speaks to the command line, to other programs, or in a file: that stays English."""
 SAYS = ("tr", "mark", "translate")
@@ -95,14 +100,22 @@ def _sentence(text: str) -> Iterator[str]:
         yield text
 
 
-def engine_sentences(root: Path = ENGINE_ROOT) -> dict[str, str]:
+def _sources(root: Path, folders: Sequence[str]) -> Iterator[tuple[str, Path]]:
+    """Each module's path from the root of the tree, tests left out."""
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*.py")):
+            inside = path.relative_to(root).as_posix()
+            if "/tests/" not in inside:
+                yield inside, path
+
+
+def engine_sentences(root: Path = ROOT) -> dict[str, str]:
     """Each sentence that the window may show, and the file it stands in."""
     found: dict[str, str] = {}
-    for path in sorted(root.rglob("*.py")):
-        inside = path.relative_to(root).as_posix()
-        if not inside.startswith(NOT_SHOWN):
+    for inside, path in _sources(root, ENGINES_SIDE):
+        if is_engines(inside) and not inside.startswith(NOT_SHOWN):
             for text in sentences_in(path.read_text("utf-8")):
-                found.setdefault(text, f"{ENGINE}{inside}")
+                found.setdefault(text, inside)
     return found
 
 
@@ -127,9 +140,10 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
     sentences of the engine."""
     own = {"words.py", "translation.py", "translations.py"}
     found: dict[str, str] = {}
-    for path in sorted(p for p in root.rglob("*.py") if p.name not in own):
-        for text, _line in words_in(path.read_text("utf-8")):
-            found.setdefault(text, path.relative_to(root.parent).as_posix())
+    for inside, path in _sources(root, WINDOW):
+        if path.name not in own and not (inside.startswith("extensions/") and is_engines(inside)):
+            for text, _line in words_in(path.read_text("utf-8")):
+                found.setdefault(text, inside)
     for title in ENGINES.values():  # the one table of the engine that menus show
         found.setdefault(title, "tracker/engine/settings.py")
     for text, inside in engine_sentences().items():

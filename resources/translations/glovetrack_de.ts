@@ -223,66 +223,6 @@
       <translation>{} ist ohne Tracking: erst das Tracking wiederholen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Application</source>
-      <translation>Anwendung</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Restart</source>
-      <translation>Neu beginnen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Show all</source>
-      <translation>Alles zeigen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Move the eye until all that is drawn is in sight</source>
-      <translation>Den Blick bewegen, bis alles Gezeichnete zu sehen ist</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Settings</source>
-      <translation>Einstellungen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Page</source>
-      <translation>Seite</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Show it in browsers of this machine, a headset's too</source>
-      <translation>In Browsern dieses Rechners zeigen, auch in dem einer Brille</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>No application</source>
-      <translation>Keine Anwendung</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/panel.py" />
-      <source>Applications</source>
-      <translation>Anwendungen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/panel.py" />
-      <source>Making the hand's skin</source>
-      <translation>Haut der Hand wird gemacht</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/panel.py" />
-      <source>No hand yet</source>
-      <translation>Noch keine Hand</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/panel.py" />
-      <source>The hand's skin is being made…</source>
-      <translation>Die Haut der Hand wird gemacht…</translation>
-    </message>
-    <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>The file stays on this computer until you send it. It will hold:</source>
       <translation>Die Datei bleibt auf diesem Computer, bis Sie sie versenden. Sie wird enthalten:</translation>
@@ -1309,6 +1249,11 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
+      <source>Making the hand's skin</source>
+      <translation>Haut der Hand wird gemacht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
       <source>What the hand shows now, and how much of it</source>
       <translation>Was die Hand jetzt zeigt, und wie sehr</translation>
     </message>
@@ -1321,6 +1266,16 @@
       <location filename="app/panels/hand/panel.py" />
       <source>Not tracked yet: Replay, Track again</source>
       <translation>Noch ohne Tracking: Wiedergabe, Tracking wiederholen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>No hand yet</source>
+      <translation>Noch keine Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>The hand's skin is being made…</source>
+      <translation>Die Haut der Hand wird gemacht…</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
@@ -1954,6 +1909,11 @@
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
+      <source>Settings</source>
+      <translation>Einstellungen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/track_dialog.py" />
       <source>Track {} again</source>
       <translation>Tracking von {} wiederholen</translation>
     </message>
@@ -2458,96 +2418,6 @@
       <translation>Abgelehnt</translation>
     </message>
     <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Connect</source>
-      <translation>Verbinden</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Let a simulated robot hand follow the wearer's</source>
-      <translation>Eine simulierte Roboterhand der Hand der Person folgen lassen</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Clutch</source>
-      <translation>Kupplung</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Robot and things go to where they began</source>
-      <translation>Roboter und Dinge gehen an ihren Anfang zurück</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Robot hand</source>
-      <translation>Roboterhand</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>From a file…</source>
-      <translation>Aus einer Datei…</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Scale of the motion</source>
-      <translation>Maßstab der Bewegung</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>How far the robot's palm goes for each way of the wearer's</source>
-      <translation>Wie weit die Handfläche des Roboters für jeden Weg der Hand geht</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Motion ×</source>
-      <translation>Bewegung ×</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Gesture of the clutch</source>
-      <translation>Geste der Kupplung</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Clutch by</source>
-      <translation>Kupplung durch</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>off</source>
-      <translation>aus</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>UDP port of the robot's states</source>
-      <translation>UDP-Anschluss für die Zustände des Roboters</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>The robot's joints go there as JSON, on this computer</source>
-      <translation>Die Gelenke des Roboters gehen als JSON dorthin, auf diesem Rechner</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Send by UDP</source>
-      <translation>Per UDP senden</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>A hand as MJCF</source>
-      <translation>Eine Hand als MJCF</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>MuJoCo models (*.xml)</source>
-      <translation>MuJoCo-Modelle (*.xml)</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Pressed, the robot follows; else it holds as it is ({})</source>
-      <translation>Gedrückt folgt der Roboter; sonst hält er, wie er ist ({})</translation>
-    </message>
-    <message>
       <location filename="app/panels/sensors.py" />
       <source>Sensors</source>
       <translation>Sensoren</translation>
@@ -2896,211 +2766,6 @@
       <location filename="app/storage/system_bin.py" />
       <source>{} exists again, so the one in the bin stays there.</source>
       <translation>{} gibt es wieder, daher bleibt die Datei im Papierkorb.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Reach forward and touch the object with a fingertip.</source>
-      <translation>Greifen Sie nach vorn und berühren Sie das Objekt mit einer Fingerspitze.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Close the hand, by a grasp or a pinch, to move the arm. An open palm stops it.</source>
-      <translation>Schließen Sie die Hand, mit Griff oder Kneifen, um den Arm zu bewegen. Eine offene Hand hält ihn an.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Grasp the building to move and turn it. Pinch with the middle finger and raise the hand to enlarge it, with the index finger and slide to fade the old plan. Hold the palm open to go back to the map.</source>
-      <translation>Greifen Sie das Gebäude, um es zu bewegen und zu drehen. Kneifen Sie mit dem Mittelfinger und heben Sie die Hand, um es zu vergrößern; kneifen Sie mit dem Zeigefinger und schieben Sie, um den alten Plan zu überblenden. Eine offene Hand führt zur Karte zurück.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Show a thumb up to remove the walls.</source>
-      <translation>Daumen hoch entfernt die Wände.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Hold the hand where the cameras see it.</source>
-      <translation>Halten Sie die Hand ins Blickfeld der Kameras.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Press deeper to feel it more, or slide along the surface.</source>
-      <translation>Drücken Sie tiefer, um es stärker zu spüren, oder gleiten Sie über die Oberfläche.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Touch the object from another side, or with another finger.</source>
-      <translation>Berühren Sie das Objekt von einer anderen Seite oder mit einem anderen Finger.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>The arm is stopped. Show a thumb up to go on.</source>
-      <translation>Der Arm steht. Mit Daumen hoch geht es weiter.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Move the closed hand to carry the block. Pinch again to open the gripper.</source>
-      <translation>Bewegen Sie die geschlossene Hand, um den Block zu tragen. Kneifen Sie noch einmal, um den Greifer zu öffnen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Move the hand: the arm follows. Pinch at the block to close the gripper.</source>
-      <translation>Bewegen Sie die Hand: Der Arm folgt. Kneifen Sie am Block, um den Greifer zu schließen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Point at a building with the index finger and hold still to open it.</source>
-      <translation>Zeigen Sie mit dem Zeigefinger auf ein Gebäude und halten Sie still, um es zu öffnen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Point with the index finger and push into the swarm.</source>
-      <translation>Zeigen Sie mit dem Zeigefinger und stoßen Sie in den Schwarm.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Pinch inside the swarm and move the hand to drag it.</source>
-      <translation>Kneifen Sie im Schwarm und bewegen Sie die Hand, um ihn zu ziehen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Grasp inside the swarm and pull to stretch it.</source>
-      <translation>Greifen Sie im Schwarm und ziehen Sie, um ihn zu strecken.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Make a fist to join the groups.</source>
-      <translation>Eine Faust vereint die Gruppen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Cut through the swarm with the open palm to split it.</source>
-      <translation>Schneiden Sie mit der offenen Hand durch den Schwarm, um ihn zu teilen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Sweep the open palm beside the swarm to leave a wall.</source>
-      <translation>Streichen Sie mit der offenen Hand neben dem Schwarm entlang, um eine Wand zu hinterlassen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>put down {:.0f} mm ahead and {:.0f} mm to the left of the arm's foot</source>
-      <translation>abgesetzt {:.0f} mm vor und {:.0f} mm links vom Fuß des Arms</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>nudges: {}</source>
-      <translation>Stöße: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>splits: {}</source>
-      <translation>Teilungen: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>gripper closed</source>
-      <translation>Greifer geschlossen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>gripper open</source>
-      <translation>Greifer offen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Touches: {}</source>
-      <translation>Berührungen: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>last: {}, {:.1f} mm deep</source>
-      <translation>zuletzt: {}, {:.1f} mm tief</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>fingertips that touch now: {}</source>
-      <translation>Fingerspitzen mit Berührung: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Moves: {}</source>
-      <translation>Bewegungen: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>block lifted: {} ×</source>
-      <translation>Block gehoben: {} ×</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>marked positions: {}</source>
-      <translation>markierte Positionen: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Open: {}</source>
-      <translation>Offen: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>moved by {:.0f} cm, turned by {:.0f}°</source>
-      <translation>um {:.0f} cm bewegt, um {:.0f}° gedreht</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>size {:.1f} ×</source>
-      <translation>Größe {:.1f} ×</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>old plan {:.0f} % visible</source>
-      <translation>alter Plan zu {:.0f} % sichtbar</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>Drones: {}</source>
-      <translation>Drohnen: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>dragged by {:.0f} cm</source>
-      <translation>um {:.0f} cm gezogen</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>stretched to {:.1f} ×</source>
-      <translation>auf {:.1f} × gestreckt</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/words.py" />
-      <source>walls: {}, the last of {:.0f} cm²</source>
-      <translation>Wände: {}, die letzte mit {:.0f} cm²</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/view_model.py" />
-      <source>Applications run on a tracked hand: open the demo, devices or a session.</source>
-      <translation>Anwendungen laufen mit einer verfolgten Hand: Demo, Geräte oder eine Sitzung öffnen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/view_model.py" />
-      <source>Nothing has happened yet.</source>
-      <translation>Noch ist nichts geschehen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/view_model.py" />
-      <source>For browsers of this machine, a headset's too: {}</source>
-      <translation>Für Browser dieses Rechners, auch den einer Brille: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/view_model.py" />
-      <source>It failed and rests: {}</source>
-      <translation>Sie ist ausgefallen und ruht: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/window/view_model.py" />
-      <source>The page needs a package that is not installed: pip install "{}"</source>
-      <translation>Die Seite braucht ein Paket, das nicht installiert ist: pip install "{}"</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -3680,281 +3345,6 @@ change {}: {}</source>
       <translation>Beide sind bis aufs letzte Bit gleich (Zeitpunkte: {}).</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Hand open, fingers straight</source>
-      <translation>Hand offen, Finger gerade</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>A fist, in the grip of the other hand</source>
-      <translation>Eine Faust, im Griff der anderen Hand</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Grip the fist of the other hand</source>
-      <translation>Die Faust der anderen Hand umgreifen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>A firm fist, the thumb over the fingers</source>
-      <translation>Eine feste Faust, der Daumen über den Fingern</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Thumb on the tip of the index finger</source>
-      <translation>Daumen auf die Spitze des Zeigefingers</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Thumb on the tip of the middle finger</source>
-      <translation>Daumen auf die Spitze des Mittelfingers</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Thumb on the tip of the ring finger</source>
-      <translation>Daumen auf die Spitze des Ringfingers</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Thumb on the tip of the little finger</source>
-      <translation>Daumen auf die Spitze des kleinen Fingers</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Turn the open hand from side to side about the forearm</source>
-      <translation>Die offene Hand um den Unterarm hin und her drehen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>open</source>
-      <translation>offen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>fist</source>
-      <translation>Faust</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>right grips left</source>
-      <translation>rechts umgreift links</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>left grips right</source>
-      <translation>links umgreift rechts</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>index</source>
-      <translation>Zeigef.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>middle</source>
-      <translation>Mittelf.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>ring</source>
-      <translation>Ringf.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>little</source>
-      <translation>kleiner F.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>turn</source>
-      <translation>drehen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Signal</source>
-      <translation>Signal</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Shape of the hand</source>
-      <translation>Form der Hand</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Placement in the room</source>
-      <translation>Lage im Raum</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Scripted steps</source>
-      <translation>Vorgegebene Schritte</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>All positions are numbers</source>
-      <translation>Alle Positionen sind Zahlen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Rotations have length 1</source>
-      <translation>Drehungen haben Länge 1</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>A hand is tracked</source>
-      <translation>Eine Hand wird verfolgt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Time never goes back</source>
-      <translation>Die Zeit läuft nie zurück</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>No record is earlier than its measurement</source>
-      <translation>Kein Eintrag ist früher als seine Messung</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Regular sampling intervals</source>
-      <translation>Gleichmäßige Abtastung</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>No gaps</source>
-      <translation>Keine Lücken</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Plausible joint speeds</source>
-      <translation>Plausible Gelenkgeschwindigkeiten</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>All 21 joints are present</source>
-      <translation>Alle 21 Gelenke sind vorhanden</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>The same joints throughout</source>
-      <translation>Durchgehend dieselben Gelenke</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Plausible joint radii</source>
-      <translation>Plausible Gelenkradien</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Hand length, wrist to middle fingertip</source>
-      <translation>Handlänge, Handgelenk bis Mittelfingerspitze</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Constant bone lengths</source>
-      <translation>Konstante Knochenlängen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Knuckles in order</source>
-      <translation>Knöchel in der richtigen Reihenfolge</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Joints in order, from knuckle to tip</source>
-      <translation>Gelenke in der richtigen Reihenfolge, vom Knöchel zur Spitze</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Fingers bend towards the palm</source>
-      <translation>Finger beugen sich zur Handfläche</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>The wrist is within reach of the origin</source>
-      <translation>Das Handgelenk ist in Reichweite des Ursprungs</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>The wrist position is not frozen</source>
-      <translation>Die Position des Handgelenks ist nicht eingefroren</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Rotations: −z along the bones, order xyzw</source>
-      <translation>Drehungen: −z entlang der Knochen, Reihenfolge xyzw</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Wrist and joints turn together</source>
-      <translation>Handgelenk und Gelenke drehen sich gemeinsam</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Steps are labelled</source>
-      <translation>Schritte sind gekennzeichnet</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Steps are complete and in order</source>
-      <translation>Schritte sind vollständig und in Reihenfolge</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Every step is recorded</source>
-      <translation>Jeder Schritt ist aufgenommen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Hand open, at the start</source>
-      <translation>Offene Hand, am Anfang</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Fist</source>
-      <translation>Faust</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Right hand grips the left fist</source>
-      <translation>Rechte Hand umfasst die linke Faust</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Left hand grips the right fist</source>
-      <translation>Linke Hand umfasst die rechte Faust</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Pinch, thumb and index finger</source>
-      <translation>Kneifen, Daumen und Zeigefinger</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Pinch, thumb and middle finger</source>
-      <translation>Kneifen, Daumen und Mittelfinger</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Pinch, thumb and ring finger</source>
-      <translation>Kneifen, Daumen und Ringfinger</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Pinch, thumb and little finger</source>
-      <translation>Kneifen, Daumen und kleiner Finger</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Wrist turned from side to side</source>
-      <translation>Handgelenk hin und her gedreht</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/view_model.py" />
-      <source>Hand open, at the end</source>
-      <translation>Offene Hand, am Ende</translation>
-    </message>
-    <message>
       <location filename="app/viewmodels/device_settings.py" />
       <source>not reported</source>
       <translation>nicht gemeldet</translation>
@@ -4446,6 +3836,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/gestures.py" />
+      <source>fist</source>
+      <translation>Faust</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
       <source>point</source>
       <translation>Zeigen</translation>
     </message>
@@ -4591,8 +3986,33 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
+      <source>A firm fist, the thumb over the fingers</source>
+      <translation>Eine feste Faust, der Daumen über den Fingern</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
       <source>A fist with the thumb straight</source>
       <translation>Eine Faust mit gestrecktem Daumen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the index finger</source>
+      <translation>Daumen auf die Spitze des Zeigefingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the middle finger</source>
+      <translation>Daumen auf die Spitze des Mittelfingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the ring finger</source>
+      <translation>Daumen auf die Spitze des Ringfingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the little finger</source>
+      <translation>Daumen auf die Spitze des kleinen Fingers</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
@@ -4608,6 +4028,26 @@ change {}: {}</source>
       <location filename="app/viewmodels/guided_words.py" />
       <source>thumb straight</source>
       <translation>Daumen gestreckt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>index</source>
+      <translation>Zeigef.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>middle</source>
+      <translation>Mittelf.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>ring</source>
+      <translation>Ringf.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>little</source>
+      <translation>kleiner F.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
@@ -5131,6 +4571,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
+      <source>off</source>
+      <translation>aus</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
       <source>opening</source>
       <translation>öffnet</translation>
     </message>
@@ -5138,71 +4583,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/remote.py" />
       <source>{}, {} s ago</source>
       <translation>{}, vor {} s</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>Shadow hand</source>
-      <translation>Shadow-Hand</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>its button alone</source>
-      <translation>nur seinen Knopf</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>pointing</source>
-      <translation>Zeigen</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>Follows</source>
-      <translation>Folgt</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>Hands that were overtaken by a newer one: {}</source>
-      <translation>Hände, die von einer neueren überholt wurden: {}</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>No robot follows</source>
-      <translation>Kein Roboter folgt</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>The robot is being made ready</source>
-      <translation>Der Roboter wird vorbereitet</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>The robot waits for a hand</source>
-      <translation>Der Roboter wartet auf eine Hand</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>The robot as it was recorded</source>
-      <translation>Der Roboter, wie er aufgenommen wurde</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>Released: the robot holds</source>
-      <translation>Losgelassen: der Roboter hält</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>The hand is lost: the robot holds</source>
-      <translation>Die Hand ist verloren: der Roboter hält</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>fingertips {} mm off</source>
-      <translation>Fingerspitzen {} mm daneben</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/view_model.py" />
-      <source>{} ms behind (99 %)</source>
-      <translation>{} ms zurück (99 %)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -6955,96 +6335,6 @@ change {}: {}</source>
       <translation>{} (nicht verbunden)</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>Conformance</source>
-      <translation>Konformität</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>End the recording that is under way first.</source>
-      <translation>Erst die laufende Aufnahme beenden.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>Judging {}</source>
-      <translation>{} wird beurteilt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>A beep at each beat before a step</source>
-      <translation>Ein Ton bei jedem Takt vor einem Schritt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>Ten gestures, judged by the rules of robot labs</source>
-      <translation>Zehn Gesten, nach den Regeln von Roboterlabors beurteilt</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>Open the hand and close it a few times first, so that its size is known. Then do what the hand on the left does: three beats to come to each gesture, and hold it until the ring is full. It takes {} seconds and is recorded.</source>
-      <translation>Die Hand erst einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann tun, was die Hand links tut: drei Takte, um zu jeder Geste zu kommen, und sie halten, bis der Ring voll ist. Es dauert {} Sekunden und wird aufgenommen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Verdict</source>
-      <translation>Urteil</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Rule</source>
-      <translation>Regel</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Figure</source>
-      <translation>Wert</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Limit</source>
-      <translation>Grenze</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Rules</source>
-      <translation>Regeln</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Open the &amp;page</source>
-      <translation>&amp;Seite öffnen</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>With a plot for each rule, to be kept and sent</source>
-      <translation>Mit einem Schaubild zu jeder Regel, zum Aufheben und Verschicken</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>The take is judged…</source>
-      <translation>Die Aufnahme wird beurteilt…</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>The take cannot be judged</source>
-      <translation>Die Aufnahme kann nicht beurteilt werden</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>All rules are kept</source>
-      <translation>Alle Regeln sind eingehalten</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Not all rules are kept</source>
-      <translation>Nicht alle Regeln sind eingehalten</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/window/guide/result.py" />
-      <source>{} of {} rules, on {}</source>
-      <translation>{} von {} Regeln, bei {}</translation>
-    </message>
-    <message>
       <location filename="app/wizards/firmware.py" />
       <source>Glove firmware</source>
       <translation>Firmware des Handschuhs</translation>
@@ -7875,6 +7165,536 @@ change {}: {}</source>
       <translation>geprüft: {:.3f} px</translation>
     </message>
     <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>Application</source>
+      <translation>Anwendung</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>Restart</source>
+      <translation>Neu beginnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>Show all</source>
+      <translation>Alles zeigen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>Move the eye until all that is drawn is in sight</source>
+      <translation>Den Blick bewegen, bis alles Gezeichnete zu sehen ist</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>Page</source>
+      <translation>Seite</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>Show it in browsers of this machine, a headset's too</source>
+      <translation>In Browsern dieses Rechners zeigen, auch in dem einer Brille</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/controls.py" />
+      <source>No application</source>
+      <translation>Keine Anwendung</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/panel.py" />
+      <source>Applications</source>
+      <translation>Anwendungen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Applications run on a tracked hand: open the demo, devices or a session.</source>
+      <translation>Anwendungen laufen mit einer verfolgten Hand: Demo, Geräte oder eine Sitzung öffnen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Nothing has happened yet.</source>
+      <translation>Noch ist nichts geschehen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>For browsers of this machine, a headset's too: {}</source>
+      <translation>Für Browser dieses Rechners, auch den einer Brille: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>It failed and rests: {}</source>
+      <translation>Sie ist ausgefallen und ruht: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>The page needs a package that is not installed: pip install "{}"</source>
+      <translation>Die Seite braucht ein Paket, das nicht installiert ist: pip install "{}"</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/dialog.py" />
+      <source>Conformance</source>
+      <translation>Konformität</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/dialog.py" />
+      <source>End the recording that is under way first.</source>
+      <translation>Erst die laufende Aufnahme beenden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/dialog.py" />
+      <source>Judging {}</source>
+      <translation>{} wird beurteilt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/lead.py" />
+      <source>A beep at each beat before a step</source>
+      <translation>Ein Ton bei jedem Takt vor einem Schritt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/lead.py" />
+      <source>Ten gestures, judged by the rules of robot labs</source>
+      <translation>Zehn Gesten, nach den Regeln von Roboterlabors beurteilt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/lead.py" />
+      <source>Open the hand and close it a few times first, so that its size is known. Then do what the hand on the left does: three beats to come to each gesture, and hold it until the ring is full. It takes {} seconds and is recorded.</source>
+      <translation>Die Hand erst einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann tun, was die Hand links tut: drei Takte, um zu jeder Geste zu kommen, und sie halten, bis der Ring voll ist. Es dauert {} Sekunden und wird aufgenommen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Verdict</source>
+      <translation>Urteil</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Rule</source>
+      <translation>Regel</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Figure</source>
+      <translation>Wert</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Limit</source>
+      <translation>Grenze</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Rules</source>
+      <translation>Regeln</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Open the &amp;page</source>
+      <translation>&amp;Seite öffnen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>With a plot for each rule, to be kept and sent</source>
+      <translation>Mit einem Schaubild zu jeder Regel, zum Aufheben und Verschicken</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>The take is judged…</source>
+      <translation>Die Aufnahme wird beurteilt…</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>The take cannot be judged</source>
+      <translation>Die Aufnahme kann nicht beurteilt werden</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>All rules are kept</source>
+      <translation>Alle Regeln sind eingehalten</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>Not all rules are kept</source>
+      <translation>Nicht alle Regeln sind eingehalten</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/result.py" />
+      <source>{} of {} rules, on {}</source>
+      <translation>{} von {} Regeln, bei {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Hand open, fingers straight</source>
+      <translation>Hand offen, Finger gerade</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>A fist, in the grip of the other hand</source>
+      <translation>Eine Faust, im Griff der anderen Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Grip the fist of the other hand</source>
+      <translation>Die Faust der anderen Hand umgreifen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Turn the open hand from side to side about the forearm</source>
+      <translation>Die offene Hand um den Unterarm hin und her drehen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>open</source>
+      <translation>offen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>right grips left</source>
+      <translation>rechts umgreift links</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>left grips right</source>
+      <translation>links umgreift rechts</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>turn</source>
+      <translation>drehen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Signal</source>
+      <translation>Signal</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Shape of the hand</source>
+      <translation>Form der Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Placement in the room</source>
+      <translation>Lage im Raum</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Scripted steps</source>
+      <translation>Vorgegebene Schritte</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>All positions are numbers</source>
+      <translation>Alle Positionen sind Zahlen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Rotations have length 1</source>
+      <translation>Drehungen haben Länge 1</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>A hand is tracked</source>
+      <translation>Eine Hand wird verfolgt</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Time never goes back</source>
+      <translation>Die Zeit läuft nie zurück</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>No record is earlier than its measurement</source>
+      <translation>Kein Eintrag ist früher als seine Messung</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Regular sampling intervals</source>
+      <translation>Gleichmäßige Abtastung</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>No gaps</source>
+      <translation>Keine Lücken</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Plausible joint speeds</source>
+      <translation>Plausible Gelenkgeschwindigkeiten</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>All 21 joints are present</source>
+      <translation>Alle 21 Gelenke sind vorhanden</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>The same joints throughout</source>
+      <translation>Durchgehend dieselben Gelenke</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Plausible joint radii</source>
+      <translation>Plausible Gelenkradien</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Hand length, wrist to middle fingertip</source>
+      <translation>Handlänge, Handgelenk bis Mittelfingerspitze</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Constant bone lengths</source>
+      <translation>Konstante Knochenlängen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Knuckles in order</source>
+      <translation>Knöchel in der richtigen Reihenfolge</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Joints in order, from knuckle to tip</source>
+      <translation>Gelenke in der richtigen Reihenfolge, vom Knöchel zur Spitze</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Fingers bend towards the palm</source>
+      <translation>Finger beugen sich zur Handfläche</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>The wrist is within reach of the origin</source>
+      <translation>Das Handgelenk ist in Reichweite des Ursprungs</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>The wrist position is not frozen</source>
+      <translation>Die Position des Handgelenks ist nicht eingefroren</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Rotations: −z along the bones, order xyzw</source>
+      <translation>Drehungen: −z entlang der Knochen, Reihenfolge xyzw</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Wrist and joints turn together</source>
+      <translation>Handgelenk und Gelenke drehen sich gemeinsam</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Steps are labelled</source>
+      <translation>Schritte sind gekennzeichnet</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Steps are complete and in order</source>
+      <translation>Schritte sind vollständig und in Reihenfolge</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Every step is recorded</source>
+      <translation>Jeder Schritt ist aufgenommen</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Hand open, at the start</source>
+      <translation>Offene Hand, am Anfang</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Fist</source>
+      <translation>Faust</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Right hand grips the left fist</source>
+      <translation>Rechte Hand umfasst die linke Faust</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Left hand grips the right fist</source>
+      <translation>Linke Hand umfasst die rechte Faust</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Pinch, thumb and index finger</source>
+      <translation>Kneifen, Daumen und Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Pinch, thumb and middle finger</source>
+      <translation>Kneifen, Daumen und Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Pinch, thumb and ring finger</source>
+      <translation>Kneifen, Daumen und Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Pinch, thumb and little finger</source>
+      <translation>Kneifen, Daumen und kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Wrist turned from side to side</source>
+      <translation>Handgelenk hin und her gedreht</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/view_model.py" />
+      <source>Hand open, at the end</source>
+      <translation>Offene Hand, am Ende</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Connect</source>
+      <translation>Verbinden</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Let a simulated robot hand follow the wearer's</source>
+      <translation>Eine simulierte Roboterhand der Hand der Person folgen lassen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Clutch</source>
+      <translation>Kupplung</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Robot and things go to where they began</source>
+      <translation>Roboter und Dinge gehen an ihren Anfang zurück</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Robot hand</source>
+      <translation>Roboterhand</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>From a file…</source>
+      <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Scale of the motion</source>
+      <translation>Maßstab der Bewegung</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>How far the robot's palm goes for each way of the wearer's</source>
+      <translation>Wie weit die Handfläche des Roboters für jeden Weg der Hand geht</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Motion ×</source>
+      <translation>Bewegung ×</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Gesture of the clutch</source>
+      <translation>Geste der Kupplung</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Clutch by</source>
+      <translation>Kupplung durch</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>UDP port of the robot's states</source>
+      <translation>UDP-Anschluss für die Zustände des Roboters</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>The robot's joints go there as JSON, on this computer</source>
+      <translation>Die Gelenke des Roboters gehen als JSON dorthin, auf diesem Rechner</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Send by UDP</source>
+      <translation>Per UDP senden</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>A hand as MJCF</source>
+      <translation>Eine Hand als MJCF</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>MuJoCo models (*.xml)</source>
+      <translation>MuJoCo-Modelle (*.xml)</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/controls.py" />
+      <source>Pressed, the robot follows; else it holds as it is ({})</source>
+      <translation>Gedrückt folgt der Roboter; sonst hält er, wie er ist ({})</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Shadow hand</source>
+      <translation>Shadow-Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>its button alone</source>
+      <translation>nur seinen Knopf</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>pointing</source>
+      <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Follows</source>
+      <translation>Folgt</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Hands that were overtaken by a newer one: {}</source>
+      <translation>Hände, die von einer neueren überholt wurden: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>No robot follows</source>
+      <translation>Kein Roboter folgt</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>The robot is being made ready</source>
+      <translation>Der Roboter wird vorbereitet</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>The robot waits for a hand</source>
+      <translation>Der Roboter wartet auf eine Hand</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>The robot as it was recorded</source>
+      <translation>Der Roboter, wie er aufgenommen wurde</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>Released: the robot holds</source>
+      <translation>Losgelassen: der Roboter hält</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>The hand is lost: the robot holds</source>
+      <translation>Die Hand ist verloren: der Roboter hält</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>fingertips {} mm off</source>
+      <translation>Fingerspitzen {} mm daneben</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/window/view_model.py" />
+      <source>{} ms behind (99 %)</source>
+      <translation>{} ms zurück (99 %)</translation>
+    </message>
+    <message>
       <location filename="tracker/engine/settings.py" />
       <source>chain (cameras and IMUs, our own)</source>
       <translation>chain (Kameras und IMUs, das eigene)</translation>
@@ -7900,59 +7720,89 @@ change {}: {}</source>
       <translation>inertial (nur IMUs, ohne Ort)</translation>
     </message>
     <message>
-      <location filename="extensions/applications/arm/stream.py" />
-      <source>That is no command for an arm: {}.</source>
-      <translation>Das ist kein Befehl für einen Arm: {}.</translation>
+      <location filename="tracker/base/damage.py" />
+      <source>Damaged messages in {} were left out: {}.</source>
+      <translation>Beschädigte Nachrichten in {} wurden ausgelassen: {}.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/arm/stream.py" />
-      <source>A robot is at host:port, not {}.</source>
-      <translation>Ein Roboter ist unter host:port, nicht {}.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>{} is not a regular file.</source>
+      <translation>{} ist keine gewöhnliche Datei.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/registry.py" />
-      <source>There is no application {}; there are {}.</source>
-      <translation>Es gibt keine Anwendung {}; es gibt {}.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>{} is larger than {} bytes: not {}.</source>
+      <translation>{} ist größer als {} Byte: keine {}.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/swarm/vehicles.py" />
-      <source>Vehicles are at host:port, such as 127.0.0.1:14550, not {}.</source>
-      <translation>Fahrzeuge sind unter host:port, etwa 127.0.0.1:14550, nicht {}.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>{} exists already and {}; choose another name.</source>
+      <translation>{} gibt es schon und {}; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} is no mesh that can be read: .obj or .stl.</source>
-      <translation>{} ist kein lesbares Netz: .obj oder .stl.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>{} exists already; choose another name, or --force to replace it.</source>
+      <translation>{} gibt es schon; einen anderen Namen wählen, oder --force ersetzt es.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} holds no mesh: it takes four triangles to enclose anything.</source>
-      <translation>{} enthält kein Netz: um etwas zu umschließen, braucht es vier Dreiecke.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>The folder {} is not empty; choose another one, or --force to replace files in it.</source>
+      <translation>Der Ordner {} ist nicht leer; wählen Sie einen anderen, oder --force, um Dateien darin zu ersetzen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} names points that it does not have, or that are nowhere.</source>
-      <translation>{} nennt Punkte, die es nicht hat oder die nirgends sind.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>{} exists already; choose another name.</source>
+      <translation>{} gibt es schon; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>There is no mesh {}; a file is told with its ending.</source>
-      <translation>Es gibt kein Netz {}; eine Datei wird mit ihrer Endung genannt.</translation>
+      <location filename="tracker/base/files.py" />
+      <source>{} is what is read; choose another name.</source>
+      <translation>{} wird gerade gelesen; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
+      <location filename="tracker/base/registry.py" />
+      <source>There is no {} {}; available: {}.</source>
+      <translation>{} {} gibt es nicht; vorhanden: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/registry.py" />
+      <source>The {} {} cannot be loaded: {} is not a {}.</source>
+      <translation>{} {} kann nicht geladen werden: {} ist kein {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/shared_memory.py" />
+      <source>The system has no {} MB of shared memory left, in which images are handed from one process to the other.</source>
+      <translation>Das System hat keine {} MB gemeinsamen Speicher mehr, in dem Bilder von einem Prozess zum anderen gehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/toml_reader.py" />
+      <source>{} is larger than {} bytes: not a configuration file.</source>
+      <translation>{} ist größer als {} Bytes: keine Konfigurationsdatei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/toml_reader.py" />
+      <source>{} is not valid TOML: {}.</source>
+      <translation>{} ist kein gültiges TOML: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/toml_reader.py" />
+      <source>{} is not valid TOML: it is nested too deeply.</source>
+      <translation>{} ist kein gültiges TOML: zu tief verschachtelt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/toml_reader.py" />
+      <source>{} is not valid TOML: line {} has a text without its end.</source>
+      <translation>{} ist kein gültiges TOML: In Zeile {} fehlt das Ende eines Textes.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/toml_reader.py" />
+      <source>{} is not a UTF-8 text file.</source>
+      <translation>{} ist keine UTF-8-Textdatei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/base/toml_reader.py" />
       <source>{} cannot be read: {}.</source>
       <translation>{} kann nicht gelesen werden: {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} is no OBJ file: {}.</source>
-      <translation>{} ist keine OBJ-Datei: {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} is no STL file: {}.</source>
-      <translation>{} ist keine STL-Datei: {}.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/colours_fit.py" />
@@ -8305,44 +8155,54 @@ change {}: {}</source>
       <translation>{} und {} sind vertauscht: die Stecker tauschen oder eine Handschuhdatei mit dieser Reihenfolge wählen.</translation>
     </message>
     <message>
-      <location filename="tracker/base/damage.py" />
-      <source>Damaged messages in {} were left out: {}.</source>
-      <translation>Beschädigte Nachrichten in {} wurden ausgelassen: {}.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>No packets from the {} glove: the hand follows the images alone.</source>
+      <translation>Keine Pakete vom Handschuh ({}): Die Hand folgt nur den Bildern.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} is not a regular file.</source>
-      <translation>{} ist keine gewöhnliche Datei.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>Packets from the {} glove arrive again.</source>
+      <translation>Pakete vom Handschuh ({}) kommen wieder an.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} is larger than {} bytes: not {}.</source>
-      <translation>{} ist größer als {} Byte: keine {}.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>More than {} coloured patches in an image: {} were ignored so far.</source>
+      <translation>Mehr als {} farbige Flecken in einem Bild: {} wurden bisher ignoriert.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} exists already and {}; choose another name.</source>
-      <translation>{} gibt es schon und {}; einen anderen Namen wählen.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>The hand was given up: patches on it are not where the glove's markers of their hues would be. Fit the colours, or look whether two of their hues are exchanged.</source>
+      <translation>Die Hand wurde aufgegeben: Flecken auf ihr liegen nicht dort, wo die Marker des Handschuhs in ihren Farben wären. Die Farben anpassen, oder nachsehen, ob zwei von ihnen vertauscht sind.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} exists already; choose another name, or --force to replace it.</source>
-      <translation>{} gibt es schon; einen anderen Namen wählen, oder --force ersetzt es.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>{}: engine {} has none. Choose engine chain or inertial.</source>
+      <translation>{}: Das Verfahren {} hat das nicht. Wählen Sie chain oder inertial.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>The folder {} is not empty; choose another one, or --force to replace files in it.</source>
-      <translation>Der Ordner {} ist nicht leer; wählen Sie einen anderen, oder --force, um Dateien darin zu ersetzen.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>There is no engine {}; there are {}.</source>
+      <translation>Es gibt kein Verfahren {}; es gibt {}.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} exists already; choose another name.</source>
-      <translation>{} gibt es schon; einen anderen Namen wählen.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>The engine {} needs a camera with a stereo calibration; without one the engine 'inertial' shows the hand by its IMUs.</source>
+      <translation>Das Verfahren {} braucht eine Kamera mit Stereo-Kalibrierung; ohne eine zeigt das Verfahren „inertial“ die Hand nach ihren IMUs.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} is what is read; choose another name.</source>
-      <translation>{} wird gerade gelesen; einen anderen Namen wählen.</translation>
+      <location filename="tracker/engine/pipeline.py" />
+      <source>The engine {} learns nothing from guided poses.</source>
+      <translation>Das Verfahren {} lernt nichts aus angeleiteten Haltungen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/engine/side_watch.py" />
+      <source>This looks like a glove of the {} hand: its patches are mirrored. The file {} is of the {} hand; choose a {} one.</source>
+      <translation>Das sieht nach einem Handschuh für {} aus: seine Flecken sind gespiegelt. Die Datei {} ist für {}; eine für {} wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/engine/two_hands.py" />
+      <source>The glove {} is made for the {} hand and cannot track the {} one.</source>
+      <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
     </message>
     <message>
       <location filename="tracker/firmware/command.py" />
@@ -8430,6 +8290,11 @@ change {}: {}</source>
       <translation>Nur das Verfahren chain nimmt und lernt das Profil einer Person.</translation>
     </message>
     <message>
+      <location filename="tracker/glove/library.py" />
+      <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
+      <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
+    </message>
+    <message>
       <location filename="tracker/inertial/finger3d.py" />
       <source>There is no finger estimator {}; there are {}.</source>
       <translation>Es gibt keinen Fingerschätzer {}; es gibt {}.</translation>
@@ -8438,11 +8303,6 @@ change {}: {}</source>
       <location filename="tracker/inertial/finger3d.py" />
       <source>The glove {} has no IMU on {}.</source>
       <translation>Der Handschuh {} hat keine IMU auf {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/glove/library.py" />
-      <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
-      <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
     </message>
     <message>
       <location filename="tracker/live/exchange_watch.py" />
@@ -8588,126 +8448,6 @@ change {}: {}</source>
       <location filename="tracker/online/rig_watch.py" />
       <source>The two images fit the stereo calibration again.</source>
       <translation>Die beiden Bilder passen wieder zur Stereo-Kalibrierung.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>No packets from the {} glove: the hand follows the images alone.</source>
-      <translation>Keine Pakete vom Handschuh ({}): Die Hand folgt nur den Bildern.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>Packets from the {} glove arrive again.</source>
-      <translation>Pakete vom Handschuh ({}) kommen wieder an.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>More than {} coloured patches in an image: {} were ignored so far.</source>
-      <translation>Mehr als {} farbige Flecken in einem Bild: {} wurden bisher ignoriert.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>The hand was given up: patches on it are not where the glove's markers of their hues would be. Fit the colours, or look whether two of their hues are exchanged.</source>
-      <translation>Die Hand wurde aufgegeben: Flecken auf ihr liegen nicht dort, wo die Marker des Handschuhs in ihren Farben wären. Die Farben anpassen, oder nachsehen, ob zwei von ihnen vertauscht sind.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>{}: engine {} has none. Choose engine chain or inertial.</source>
-      <translation>{}: Das Verfahren {} hat das nicht. Wählen Sie chain oder inertial.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>There is no engine {}; there are {}.</source>
-      <translation>Es gibt kein Verfahren {}; es gibt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>The engine {} needs a camera with a stereo calibration; without one the engine 'inertial' shows the hand by its IMUs.</source>
-      <translation>Das Verfahren {} braucht eine Kamera mit Stereo-Kalibrierung; ohne eine zeigt das Verfahren „inertial“ die Hand nach ihren IMUs.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>The engine {} learns nothing from guided poses.</source>
-      <translation>Das Verfahren {} lernt nichts aus angeleiteten Haltungen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/anatomy.py" />
-      <source>The robot hand's fingers are not found: their bodies are to be named thumb (or th), index (ff), middle (mf), ring (rf) and little (lf).</source>
-      <translation>Die Finger der Roboterhand wurden nicht gefunden: ihre Körper sollen thumb (oder th), index (ff), middle (mf), ring (rf) und little (lf) heißen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/anatomy.py" />
-      <source>The robot hand's fingers have no palm in common.</source>
-      <translation>Die Finger der Roboterhand haben keine gemeinsame Handfläche.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/anatomy.py" />
-      <source>The robot hand's {} has no tip: a site named tip, or a geom.</source>
-      <translation>{} der Roboterhand hat keine Spitze: eine site namens tip oder ein geom.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/command.py" />
-      <source>A robot is asked {}, not {}.</source>
-      <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/hand.py" />
-      <source>The robot hand {} is larger than {} bytes.</source>
-      <translation>Die Roboterhand {} ist größer als {} Byte.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/library.py" />
-      <source>There is no robot hand {}: it is {} or a file of MJCF.</source>
-      <translation>Es gibt keine Roboterhand {}: es ist {} oder eine MJCF-Datei.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/mirror.py" />
-      <source>The robot hand cannot be mirrored: it has {}.</source>
-      <translation>Die Roboterhand lässt sich nicht spiegeln: sie hat {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/process.py" />
-      <source>The recorded robot is another one than its model says.</source>
-      <translation>Der aufgenommene Roboter ist ein anderer, als sein Modell sagt.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/process.py" />
-      <source>The robot's process has ended.</source>
-      <translation>Der Prozess des Roboters ist zu Ende.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>A hand is right or left, not {}.</source>
-      <translation>Eine Hand ist rechts oder links, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>The clutch is {}, not {}.</source>
-      <translation>Die Kupplung ist {}, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>Objects are {}, not {}.</source>
-      <translation>Gegenstände sind {}, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.</source>
-      <translation>Die Bewegung wird mit 0.1 bis 10 skaliert, die Reichweite mit 0.5 bis 2.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>A robot's speeds are greater than zero.</source>
-      <translation>Die Geschwindigkeiten eines Roboters sind größer als null.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>What the session says of its robot is damaged.</source>
-      <translation>Was die Sitzung über ihren Roboter sagt, ist beschädigt.</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/teleop.py" />
-      <source>The recorded robot is another one: {}.</source>
-      <translation>Der aufgenommene Roboter ist ein anderer: {}.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/camera.py" />
@@ -9070,66 +8810,6 @@ change {}: {}</source>
       <translation>Rohe Messwerte bleiben, wie sie sind: {} weglassen.</translation>
     </message>
     <message>
-      <location filename="extensions/conformance/export.py" />
-      <source>The Isaac record has its own {}: leave them out.</source>
-      <translation>Die Isaac-Aufzeichnung hat ihre eigenen {}: weglassen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/export.py" />
-      <source>LeRobot's data set has our {}: leave them out.</source>
-      <translation>Der Datensatz von LeRobot hat unsere {}: weglassen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/film.py" />
-      <source>Films need {}, which this computer has not; take the images as recorded.</source>
-      <translation>Filme brauchen {}, das dieser Rechner nicht hat; die Bilder nehmen, wie sie aufgenommen sind.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/film.py" />
-      <source>{} could not be made by {}: {}.</source>
-      <translation>{} konnte von {} nicht erzeugt werden: {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/images.py" />
-      <source>The images of camera {} are not all of one size: a data set wants that. Export it with --images none.</source>
-      <translation>Die Bilder der Kamera {} sind nicht alle gleich groß: ein Datensatz verlangt das. Mit --images none exportieren.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/images.py" />
-      <source>{} has a part without images of camera {}.</source>
-      <translation>{} hat einen Teil ohne Bilder der Kamera {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>Move the hand.</source>
-      <translation>Die Hand bewegen.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>There is no episode: parts between notes need two frames at least.</source>
-      <translation>Es gibt keine Episode: Teile zwischen Notizen brauchen mindestens zwei Zeitschritte.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>LeRobot counts whole frames a second; {} Hz is none.</source>
-      <translation>LeRobot zählt ganze Zeitschritte je Sekunde; {} Hz ist kein solcher Wert.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>{} holds no estimates; track it first.</source>
-      <translation>{} enthält keine Schätzungen; erst tracken.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>{} has images of camera {} that are no JPEG or PNG.</source>
-      <translation>{} hat Bilder der Kamera {}, die weder JPEG noch PNG sind.</translation>
-    </message>
-    <message>
-      <location filename="extensions/lerobot/stats.py" />
-      <source>An image is damaged.</source>
-      <translation>Ein Bild ist beschädigt.</translation>
-    </message>
-    <message>
       <location filename="tracker/session/export/mcap.py" />
       <source>A session is copied as it is: leave out {}.</source>
       <translation>Eine Sitzung wird kopiert, wie sie ist: {} weglassen.</translation>
@@ -9198,6 +8878,11 @@ change {}: {}</source>
       <location filename="tracker/session/export/run.py" />
       <source>{} holds one session; of several make {}.</source>
       <translation>{} enthält eine Sitzung; aus mehreren {} machen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/series.py" />
+      <source>{} holds no estimates; track it first.</source>
+      <translation>{} enthält keine Schätzungen; erst tracken.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/series.py" />
@@ -9370,29 +9055,9 @@ change {}: {}</source>
       <translation>Die Aufnahme {} ist schon zu Ende.</translation>
     </message>
     <message>
-      <location filename="tracker/base/shared_memory.py" />
-      <source>The system has no {} MB of shared memory left, in which images are handed from one process to the other.</source>
-      <translation>Das System hat keine {} MB gemeinsamen Speicher mehr, in dem Bilder von einem Prozess zum anderen gehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/side_watch.py" />
-      <source>This looks like a glove of the {} hand: its patches are mirrored. The file {} is of the {} hand; choose a {} one.</source>
-      <translation>Das sieht nach einem Handschuh für {} aus: seine Flecken sind gespiegelt. Die Datei {} ist für {}; eine für {} wählen.</translation>
-    </message>
-    <message>
       <location filename="tracker/streaming/datagram.py" />
       <source>{}: ports are 1 to 65535.</source>
       <translation>{}: Anschlüsse sind 1 bis 65535.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/stream.py" />
-      <source>The Isaac record holds OpenXR's joints.</source>
-      <translation>Die Isaac-Aufzeichnung enthält die Gelenke von OpenXR.</translation>
-    </message>
-    <message>
-      <location filename="extensions/conformance/stream.py" />
-      <source>{} cannot be made: {}.</source>
-      <translation>{} kann nicht angelegt werden: {}.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/params.py" />
@@ -9460,36 +9125,6 @@ change {}: {}</source>
       <translation>Der Strom {} geht wieder.</translation>
     </message>
     <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is larger than {} bytes: not a configuration file.</source>
-      <translation>{} ist größer als {} Bytes: keine Konfigurationsdatei.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not valid TOML: {}.</source>
-      <translation>{} ist kein gültiges TOML: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not valid TOML: it is nested too deeply.</source>
-      <translation>{} ist kein gültiges TOML: zu tief verschachtelt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not valid TOML: line {} has a text without its end.</source>
-      <translation>{} ist kein gültiges TOML: In Zeile {} fehlt das Ende eines Textes.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not a UTF-8 text file.</source>
-      <translation>{} ist keine UTF-8-Textdatei.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/two_hands.py" />
-      <source>The glove {} is made for the {} hand and cannot track the {} one.</source>
-      <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
-    </message>
-    <message>
       <location filename="tracker/vision/detector.py" />
       <source>An image must be colour with 8 bits a channel; this one has shape {} and type {}.</source>
       <translation>Ein Bild muss farbig sein, mit 8 Bit je Kanal; dieses hat die Form {} und den Typ {}.</translation>
@@ -9518,6 +9153,186 @@ change {}: {}</source>
       <location filename="tracker/vision/rig.py" />
       <source>The two rectified cameras must share one matrix P[:, :3].</source>
       <translation>Die beiden rektifizierten Kameras müssen eine Matrix P[:, :3] teilen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/arm/stream.py" />
+      <source>That is no command for an arm: {}.</source>
+      <translation>Das ist kein Befehl für einen Arm: {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/arm/stream.py" />
+      <source>A robot is at host:port, not {}.</source>
+      <translation>Ein Roboter ist unter host:port, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/registry.py" />
+      <source>There is no application {}; there are {}.</source>
+      <translation>Es gibt keine Anwendung {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/swarm/vehicles.py" />
+      <source>Vehicles are at host:port, such as 127.0.0.1:14550, not {}.</source>
+      <translation>Fahrzeuge sind unter host:port, etwa 127.0.0.1:14550, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/touch/meshes.py" />
+      <source>{} is no mesh that can be read: .obj or .stl.</source>
+      <translation>{} ist kein lesbares Netz: .obj oder .stl.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/touch/meshes.py" />
+      <source>{} holds no mesh: it takes four triangles to enclose anything.</source>
+      <translation>{} enthält kein Netz: um etwas zu umschließen, braucht es vier Dreiecke.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/touch/meshes.py" />
+      <source>{} names points that it does not have, or that are nowhere.</source>
+      <translation>{} nennt Punkte, die es nicht hat oder die nirgends sind.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/touch/meshes.py" />
+      <source>There is no mesh {}; a file is told with its ending.</source>
+      <translation>Es gibt kein Netz {}; eine Datei wird mit ihrer Endung genannt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/touch/meshes.py" />
+      <source>{} is no OBJ file: {}.</source>
+      <translation>{} ist keine OBJ-Datei: {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/touch/meshes.py" />
+      <source>{} is no STL file: {}.</source>
+      <translation>{} ist keine STL-Datei: {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/export.py" />
+      <source>LeRobot's data set has our {}: leave them out.</source>
+      <translation>Der Datensatz von LeRobot hat unsere {}: weglassen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/film.py" />
+      <source>Films need {}, which this computer has not; take the images as recorded.</source>
+      <translation>Filme brauchen {}, das dieser Rechner nicht hat; die Bilder nehmen, wie sie aufgenommen sind.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/film.py" />
+      <source>{} could not be made by {}: {}.</source>
+      <translation>{} konnte von {} nicht erzeugt werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/images.py" />
+      <source>The images of camera {} are not all of one size: a data set wants that. Export it with --images none.</source>
+      <translation>Die Bilder der Kamera {} sind nicht alle gleich groß: ein Datensatz verlangt das. Mit --images none exportieren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/images.py" />
+      <source>{} has a part without images of camera {}.</source>
+      <translation>{} hat einen Teil ohne Bilder der Kamera {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/plan.py" />
+      <source>Move the hand.</source>
+      <translation>Die Hand bewegen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/plan.py" />
+      <source>There is no episode: parts between notes need two frames at least.</source>
+      <translation>Es gibt keine Episode: Teile zwischen Notizen brauchen mindestens zwei Zeitschritte.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/plan.py" />
+      <source>LeRobot counts whole frames a second; {} Hz is none.</source>
+      <translation>LeRobot zählt ganze Zeitschritte je Sekunde; {} Hz ist kein solcher Wert.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/plan.py" />
+      <source>{} has images of camera {} that are no JPEG or PNG.</source>
+      <translation>{} hat Bilder der Kamera {}, die weder JPEG noch PNG sind.</translation>
+    </message>
+    <message>
+      <location filename="extensions/lerobot/stats.py" />
+      <source>An image is damaged.</source>
+      <translation>Ein Bild ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/anatomy.py" />
+      <source>The robot hand's fingers are not found: their bodies are to be named thumb (or th), index (ff), middle (mf), ring (rf) and little (lf).</source>
+      <translation>Die Finger der Roboterhand wurden nicht gefunden: ihre Körper sollen thumb (oder th), index (ff), middle (mf), ring (rf) und little (lf) heißen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/anatomy.py" />
+      <source>The robot hand's fingers have no palm in common.</source>
+      <translation>Die Finger der Roboterhand haben keine gemeinsame Handfläche.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/anatomy.py" />
+      <source>The robot hand's {} has no tip: a site named tip, or a geom.</source>
+      <translation>{} der Roboterhand hat keine Spitze: eine site namens tip oder ein geom.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/command.py" />
+      <source>A robot is asked {}, not {}.</source>
+      <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/hand.py" />
+      <source>The robot hand {} is larger than {} bytes.</source>
+      <translation>Die Roboterhand {} ist größer als {} Byte.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/library.py" />
+      <source>There is no robot hand {}: it is {} or a file of MJCF.</source>
+      <translation>Es gibt keine Roboterhand {}: es ist {} oder eine MJCF-Datei.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/mirror.py" />
+      <source>The robot hand cannot be mirrored: it has {}.</source>
+      <translation>Die Roboterhand lässt sich nicht spiegeln: sie hat {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/process.py" />
+      <source>The recorded robot is another one than its model says.</source>
+      <translation>Der aufgenommene Roboter ist ein anderer, als sein Modell sagt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/process.py" />
+      <source>The robot's process has ended.</source>
+      <translation>Der Prozess des Roboters ist zu Ende.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/settings.py" />
+      <source>A hand is right or left, not {}.</source>
+      <translation>Eine Hand ist rechts oder links, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/settings.py" />
+      <source>The clutch is {}, not {}.</source>
+      <translation>Die Kupplung ist {}, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/settings.py" />
+      <source>Objects are {}, not {}.</source>
+      <translation>Gegenstände sind {}, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/settings.py" />
+      <source>The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.</source>
+      <translation>Die Bewegung wird mit 0.1 bis 10 skaliert, die Reichweite mit 0.5 bis 2.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/settings.py" />
+      <source>A robot's speeds are greater than zero.</source>
+      <translation>Die Geschwindigkeiten eines Roboters sind größer als null.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/settings.py" />
+      <source>What the session says of its robot is damaged.</source>
+      <translation>Was die Sitzung über ihren Roboter sagt, ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="extensions/robot/teleop.py" />
+      <source>The recorded robot is another one: {}.</source>
+      <translation>Der aufgenommene Roboter ist ein anderer: {}.</translation>
     </message>
   </context>
 </TS>

@@ -25,7 +25,10 @@ from app.tools.translations import (
 from app.viewmodels.recording import position_text
 from app.window.main_window import MainWindow
 
-APP = Path(__file__).resolve().parents[2] / "app"
+ROOT = Path(__file__).resolve().parents[2]
+APP = ROOT / "app"
+WINDOWS = [APP, *(ROOT / "extensions").glob("*/window")]
+"""Folders of code that shows words in the window."""
 SETTERS = {
     "setText", "setToolTip", "setWindowTitle", "addAction", "addMenu", "setPlaceholderText",
     "addRow", "addTab", "setAccessibleName", "setTabText", "setLabelText", "setStatusTip",
@@ -66,7 +69,7 @@ def test_words_that_pass_tr_by_are_noticed():
 
 
 def test_no_words_are_handed_to_qt_untranslated():
-    found = {str(p): untranslated(p.read_text("utf-8")) for p in APP.rglob("*.py")}
+    found = {str(p): untranslated(p.read_text("utf-8")) for f in WINDOWS for p in f.rglob("*.py")}
     assert {p: texts for p, texts in found.items() if texts} == {}
 
 
@@ -128,9 +131,11 @@ def test_words_of_view_models_that_pass_tr_by_are_noticed():
 
 def test_no_words_are_left_english_in_what_is_handed_to_widgets():
     found = {}
-    for path in (p for part in PARTS for p in (APP / part).rglob("*.py")):
-        if path.relative_to(APP).as_posix() not in SPOKEN_TO_PROGRAMS:
-            found[path.relative_to(APP).as_posix()] = left_english(path.read_text("utf-8"))
+    folders = [*(APP / part for part in PARTS), *WINDOWS[1:]]
+    for path in (p for folder in folders for p in folder.rglob("*.py")):
+        inside = path.relative_to(ROOT).as_posix()
+        if inside.removeprefix("app/") not in SPOKEN_TO_PROGRAMS:
+            found[inside] = left_english(path.read_text("utf-8"))
     assert {p: texts for p, texts in found.items() if texts} == {}
 
 

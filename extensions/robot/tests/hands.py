@@ -24,7 +24,7 @@ for package in ("mujoco", "gymnasium_robotics"):
     if find_spec(package) is None:
         pytest.skip(f"the extra robot is not installed: no {package}", allow_module_level=True)
 
-RESOURCES = Path(__file__).parents[2] / "resources"
+RESOURCES = Path(__file__).parents[3] / "resources"
 
 
 @cache

@@ -34,7 +34,7 @@ from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.websocket import WebSocketPublisher
 
-RESOURCES = Path(__file__).parents[2] / "resources"
+RESOURCES = Path(__file__).parents[3] / "resources"
 ANCHOR = ClockAnchor(wall_ns=1_760_000_000_123_456_789, monotonic_ns=5_000_000_321)
 GLOVE = RESOURCES / "gloves" / "vist-small.toml"
 

@@ -35,22 +35,23 @@ _WRITERS = {
     "parquet": "tables:export_parquet",
     "h5": "h5:export_h5",
     "c3d": "c3d:export_c3d",
-    "trc": "opensim:export_trc",
-    "mot": "opensim:export_mot",
-    "sto": "osim:export_sto",
-    "osim": "osim:export_osim",
+    "trc": "+movement.opensim:export_trc",
+    "mot": "+movement.opensim:export_mot",
+    "sto": "+movement.osim:export_sto",
+    "osim": "+movement.osim:export_osim",
     "bvh": "bvh:export_bvh",
     "glb": "glb:export_glb",
     "urdf": "urdf:export_urdf",
     "mp4": "overlay:export_mp4",
     "png": "overlay:export_png",
     "mcap": "mcap:export_mcap",
-    "bids": "bids:export_bids",
+    "bids": "+movement.bids:export_bids",
     "imu.csv": "imu:export_imu_csv",
     "imu.parquet": "imu:export_imu_parquet",
-    "isaac": "isaac:export_isaac",
+    "isaac": "+conformance.export:export_isaac",
 }
 """Module and function for each format, imported when it is asked for: the libraries are slow."""
+_INSTALLED_IN = (__package__ or "").removesuffix("tracker.session.export")
 _BESIDE = {"urdf": (TRAJECTORY,)}
 """Endings of what a writer makes beside its file, in place of the file's own."""
 
@@ -137,7 +138,8 @@ def _export_one(
     others = [path_out.with_suffix(ending) for ending in _BESIDE.get(format, ())]
     forget_orphan(sidecar, path_out)
     module, _, function = _WRITERS[format].partition(":")
-    write = getattr(import_module(f"{__package__}.{module}"), function)
+    home = f"{_INSTALLED_IN}extensions" if module.startswith("+") else __package__
+    write = getattr(import_module(f"{home}.{module.removeprefix('+')}"), function)
     names = (sidecar, *others, path_out)
     with whole_files(*names, force=force, inputs=[path_in]) as (beside, *parts, partial):
         with SessionReader(path_in, watch=watch, side=side) as reader:

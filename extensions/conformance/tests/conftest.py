@@ -1,0 +1,11 @@
+"""Fixtures of the window's tests."""
+
+from tests.gui.conftest import (  # noqa: F401
+    engine,
+    live,
+    no_leaks,
+    qtbot,
+    store,
+    window,
+)
+from tests.session.conftest import maker, record, session_info  # noqa: F401

@@ -1,0 +1,71 @@
+"""Parts that packages declare as entry points."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from tracker.base.errors import ConfigError
+from tracker.base.registry import Registry
+
+
+def install(folder: Path, name: str, entries: dict[str, str]) -> None:
+    """A package's metadata in ``folder``, as pip writes it."""
+    about = folder / f"{name}-1.dist-info"
+    about.mkdir(parents=True)
+    (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1\n")
+    lines = "".join(f"{key} = {value}\n" for key, value in entries.items())
+    (about / "entry_points.txt").write_text(f"[glovetrack.fruit]\n{lines}")
+
+
+@pytest.fixture
+def registry(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Registry[str]:
+    module = "APPLE = 'Apple'\nSTONE = 3\n"
+    (tmp_path / "orchard_of_fruit.py").write_text(module)
+    here = "orchard_of_fruit"
+    install(tmp_path / "first", "aaa", {"apple": f"{here}:STONE", "zebra": f"{here}:APPLE"})
+    install(
+        tmp_path / "second",
+        "glovetrack",
+        {"apple": f"{here}:APPLE", "gone": "removed_folder:X", "stone": f"{here}:STONE"},
+    )
+    for folder in (tmp_path / "second", tmp_path / "first", tmp_path):
+        monkeypatch.syspath_prepend(str(folder))
+    yield Registry("fruit", "fruit", str)
+    sys.modules.pop(here, None)
+
+
+def test_our_own_come_first_and_keep_their_names(registry: Registry[str]) -> None:
+    assert registry.names() == ["apple", "gone", "stone", "zebra"]
+    assert registry.get("apple") == "Apple"
+
+
+def test_what_cannot_be_loaded_costs_itself_alone(
+    registry: Registry[str], caplog: pytest.LogCaptureFixture
+) -> None:
+    assert list(registry.all()) == ["apple", "zebra"]
+    assert "gone" in caplog.text and "stone" in caplog.text
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("pear", "There is no fruit 'pear'; available: apple, gone, stone, zebra."),
+        ("gone", "The fruit gone cannot be loaded: No module named 'removed_folder'"),
+        ("stone", "The fruit stone cannot be loaded: orchard_of_fruit:STONE is not a str."),
+    ],
+)
+def test_errors_name_the_part_and_the_cause(registry: Registry[str], name: str, why: str) -> None:
+    with pytest.raises(ConfigError) as error:
+        registry.get(name)
+    assert str(error.value) == why
+
+
+def test_a_package_installed_while_the_program_runs_is_found(
+    registry: Registry[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    install(tmp_path / "third", "zzz", {"fig": "orchard_of_fruit:APPLE"})
+    monkeypatch.syspath_prepend(str(tmp_path / "third"))
+    assert registry.names() == ["apple", "gone", "stone", "fig", "zebra"]

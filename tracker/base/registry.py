@@ -1,0 +1,88 @@
+"""What can be added to the program by other packages: one registry for each kind of part.
+
+A package declares a part as an entry point of the group ``glovetrack.KIND``, which names a module's
+attribute: the descriptor. Parts of this program are declared in the same way, in `pyproject.toml`,
+so an extension here and a stranger's package are attached by the same means. A module that holds a
+descriptor is imported to list it, and should therefore be quick to import: what is slow belongs
+into the functions of the descriptor.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+from functools import lru_cache
+from importlib.metadata import EntryPoint, entry_points
+from typing import Generic, TypeVar
+
+from tracker.base.errors import ConfigError
+
+D = TypeVar("D")
+OURS = "glovetrack"
+"""Name of this program's distribution."""
+_log = logging.getLogger(__name__)
+
+
+class Registry(Generic[D]):
+    """The parts of one kind, by name.
+
+    ``kind`` is the last word of the entry-point group, ``noun`` what one part is called in
+    messages; every descriptor must be a ``descriptor``.
+    """
+
+    def __init__(self, kind: str, noun: str, descriptor: type[D]) -> None:
+        self.group = f"glovetrack.{kind}"
+        self.noun = noun
+        self._descriptor = descriptor
+
+    def names(self) -> list[str]:
+        """The names of all parts, those of this program first; nothing is imported."""
+        return list(_entries(self.group, tuple(sys.path)))
+
+    def get(self, name: str) -> D:
+        """One part. Raises ConfigError if there is none of that name or it cannot be loaded."""
+        entry = _entries(self.group, tuple(sys.path)).get(name)
+        if entry is None:
+            known = ", ".join(self.names()) or "none"
+            raise ConfigError(f"There is no {self.noun} {name!r}; available: {known}.")
+        try:
+            found = entry.load()
+        except Exception as error:
+            raise ConfigError(f"The {self.noun} {name} cannot be loaded: {error}") from error
+        if not isinstance(found, self._descriptor):
+            raise ConfigError(
+                f"The {self.noun} {name} cannot be loaded: {entry.value} is not a "
+                f"{self._descriptor.__name__}."
+            )
+        return found
+
+    def all(self) -> dict[str, D]:
+        """All parts that can be loaded; the others are left out and logged."""
+        out = {}
+        for name in self.names():
+            try:
+                out[name] = self.get(name)
+            except ConfigError as error:
+                _log.warning("%s", error)
+        return out
+
+
+@lru_cache(maxsize=64)
+def _entries(group: str, path: tuple[str, ...]) -> dict[str, EntryPoint]:
+    """The entry points of a group while `sys.path` is ``path``, by name.
+
+    Where two packages declare the same name, this program's own comes before others, and one of
+    the others before a later one.
+    """
+    found = sorted(entry_points(group=group), key=lambda entry: not _is_ours(entry))
+    out: dict[str, EntryPoint] = {}
+    for entry in found:
+        if entry.name in out:
+            _log.warning("%s: the name %s is declared twice", group, entry.name)
+            continue
+        out[entry.name] = entry
+    return out
+
+
+def _is_ours(entry: EntryPoint) -> bool:
+    return entry.dist is not None and entry.dist.name == OURS
