@@ -8,6 +8,7 @@ writes to.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -15,10 +16,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.arrays import Array as Array
+from tracker.base.arrays import IntArray as IntArray
+from tracker.base.frozen_dict import FrozenDict
 from tracker.base.records import record
 
-Array = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+EYES = ("left", "right")
+"""The two cameras of a stereo camera, in the order of a pair of images."""
 
 
 class Validity(IntEnum):
@@ -294,7 +298,10 @@ class Event:
     t: float
     kind: str  # "note", "device", "tracking", "recording", "error", "pulse", "gesture"
     text: str
-    data: dict[str, object] = field(default_factory=dict)
+    data: Mapping[str, object] = field(default_factory=FrozenDict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "data", FrozenDict(self.data))
 
 
 class Shed(IntEnum):
@@ -314,7 +321,10 @@ class Status:
 
     t: float
     tracking: Tracking
-    values: dict[str, float]
+    values: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "values", FrozenDict(self.values))
 
 
 @dataclass(frozen=True, eq=False)

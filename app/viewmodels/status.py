@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, PURPLE, TRACKING, WARN, StateLook
@@ -112,7 +113,7 @@ def fields(status: Status | None, replayed: bool = False) -> list[Field]:
     return [*shown, _shed({})]
 
 
-def _fields(status: Status | None, v: dict[str, float]) -> list[Field]:
+def _fields(status: Status | None, v: Mapping[str, float]) -> list[Field]:
     return [
         _glove(v),
         _rate("frame_rate_hz", tr("Camera"), v, tr("Stereo images each second")),
@@ -123,7 +124,7 @@ def _fields(status: Status | None, v: dict[str, float]) -> list[Field]:
     ]
 
 
-def _shed(values: dict[str, float]) -> Field:
+def _shed(values: Mapping[str, float]) -> Field:
     """What is left out on a computer that is too slow; no text where that is nothing."""
     level = int(values.get("load_shed", 0.0))
     if level <= 0:
@@ -133,7 +134,7 @@ def _shed(values: dict[str, float]) -> Field:
     return Field("shed", tr("System overloaded:"), names, WARN, said, tr("Overloaded"))
 
 
-def _glove(values: dict[str, float]) -> Field:
+def _glove(values: Mapping[str, float]) -> Field:
     """Its rate, and a warning while its battery is low."""
     field = _rate("imu_rate_hz", tr("Glove"), values, tr("Packets of the glove each second"))
     if not values.get("battery_low") or field.look not in (GOOD, IDLE):
@@ -151,14 +152,14 @@ def _hand(status: Status | None) -> Field:
     return _rate("estimate_rate_hz", tr("Hand"), values, tip)
 
 
-def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:
+def _rate(key: str, name: str, values: Mapping[str, float], tip: str) -> Field:
     rate = values.get(key, math.nan)
     if not math.isfinite(rate):
         return Field(key, name, "–", IDLE, tip)
     return Field(key, name, f"{rate:.0f} Hz", GOOD if rate > 0 else BAD, tip)
 
 
-def _latency(values: dict[str, float]) -> Field:
+def _latency(values: Mapping[str, float]) -> Field:
     tip = "\n".join([tr("Of each stage, median (99th percentile):"), *_stages(values)])
     total = values.get("latency_total_ms", math.nan)
     if not math.isfinite(total):
@@ -170,7 +171,7 @@ def _latency(values: dict[str, float]) -> Field:
     return Field("latency", tr("Latency"), text, look, tip, short)
 
 
-def _stages(values: dict[str, float]) -> list[str]:
+def _stages(values: Mapping[str, float]) -> list[str]:
     """A line per stage, from the counters that `/tracker/status` has."""
     return [
         f"{tr(name)}: {_ms(values, f'latency_{key}_ms')} ({_ms(values, f'latency_{key}_p99_ms')})"
@@ -178,12 +179,12 @@ def _stages(values: dict[str, float]) -> list[str]:
     ]
 
 
-def _ms(values: dict[str, float], key: str) -> str:
+def _ms(values: Mapping[str, float], key: str) -> str:
     value = values.get(key, math.nan)
     return f"{local(value):.1f} ms" if math.isfinite(value) else "–"
 
 
-def _losses(values: dict[str, float]) -> Field:
+def _losses(values: Mapping[str, float]) -> Field:
     tip = tr("Packets of the glove that never arrived; images that came faster than they were read")
     lost, dropped = values.get("imu_lost", math.nan), values.get("frames_dropped", math.nan)
     if not math.isfinite(lost) and not math.isfinite(dropped):

@@ -27,13 +27,13 @@ from app.window.pauses import keep_pauses_short
 from app.window.report_files import make_room
 from tracker.base.errors import FileError, GlovetrackError
 from tracker.base.files import write_whole
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, Event, Tracking
 from tracker.streaming.params import StreamParams
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
 SAMPLE_MS = 50
 UNSAID = ("pulse", "gesture")  # kinds of events that come many times a second
-KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 SCREENSHOT_AFTER = 0.6
 """Share of the time after which an image of a tracked hand is taken as soon as there is one."""
 
@@ -207,7 +207,7 @@ def _take(view: Snapshot, figures: Figures) -> None:
     truth = view.truth()
     if truth is not None:
         names = view.setup.glove.keypoint_names(view.setup.hand)
-        rows = [names.index(k) for k in KEYPOINTS if k in names]
+        rows = [names.index(k) for k in MARKED_KEYPOINTS if k in names]
         delta = estimate.keypoints[rows] - truth.keypoints[rows]
         if np.isfinite(delta).all():
             figures.error.append(np.linalg.norm(delta, axis=1))
@@ -273,5 +273,7 @@ def _error_text(figures: Figures) -> str:
     if not figures.error:
         return "no estimate with a position"
     errors = 1000 * np.array(figures.error)
-    each = ", ".join(f"{k} {m:.1f}" for k, m in zip(KEYPOINTS, errors.mean(axis=0), strict=True))
+    each = ", ".join(
+        f"{k} {m:.1f}" for k, m in zip(MARKED_KEYPOINTS, errors.mean(axis=0), strict=True)
+    )
     return f"{errors.mean():.1f} mm on average ({each}), median {np.median(errors):.1f} mm"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracker.base.files import check_target, disk_error
-from tracker.session.description import SIDES
+from tracker.hand.names import SIDES
 
 
 def report_paths(out: Path) -> list[Path]:

@@ -13,7 +13,6 @@ from extensions.conformance.export import arrivals, hand_records, readers_of_han
 from extensions.conformance.finding import FAIL, UNKNOWN, Finding
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.isaac.record import HandRecord
-from extensions.conformance.isaac.writer import SIDES
 from extensions.conformance.placement import judge_placement
 from extensions.conformance.shape import judge_shape
 from extensions.conformance.signal import judge_signal
@@ -31,6 +30,7 @@ from extensions.conformance.take import (
 )
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
+from tracker.hand.names import SIDES
 from tracker.messages import CameraPose, Event, Message
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build

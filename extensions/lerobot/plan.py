@@ -12,6 +12,7 @@ import numpy as np
 from extensions.lerobot.layout import Camera, HandNames, Layout
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
+from tracker.messages import EYES
 from tracker.session.export.options import NONE, VIDEO, ExportOptions
 from tracker.session.images import image_size
 from tracker.session.mcap.input import RawMessage
@@ -121,7 +122,7 @@ def _first_sound(reader: SessionReader, topic: str) -> RawMessage | None:
 
 
 def _cameras(reader: SessionReader) -> Iterator[Camera]:
-    for name in topics.SIDES:
+    for name in EYES:
         raw = _first_sound(reader, topics.image(name))
         if raw is None:
             continue

@@ -13,10 +13,11 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.engine.two_hands import ANEW_EVERY, TwoHands
 from tracker.glove import library
+from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking
 from tracker.session.engine_state import pack, unpack
 from tracker.simulation.meeting import Meeting
-from tracker.simulation.two_hands import SIDES, Dressed, Sided, TwoHandsSimulation
+from tracker.simulation.two_hands import Dressed, Sided, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s, from which on the wearers' sizes are known somewhat

@@ -9,9 +9,10 @@ import pytest
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.two_hands import TwoHands
 from tracker.glove import library
+from tracker.hand.names import SIDES
 from tracker.live.exchange_watch import ExchangeWatch
 from tracker.messages import BlobFrame, ImuSample
-from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracker.base.arrays import Array
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
 
@@ -101,15 +101,13 @@ class TomlTable:
             raise self.fail(key, f"is {value:g}; it must lie between {low:g} and {high:g}")
         return float(value)
 
-    def vector(
-        self, key: str, n: int, default: Any = ..., limit: float = math.inf
-    ) -> NDArray[np.float64]:
+    def vector(self, key: str, n: int, default: Any = ..., limit: float = math.inf) -> Array:
         value = self._take(key, default)
         if not isinstance(value, list | tuple) or len(value) != n:
             raise self.fail(key, f"must be a list of {n} numbers")
         return np.array([self._number(key, v, -limit, limit) for v in value])
 
-    def unit(self, key: str, n: int, tolerance: float = 1e-3) -> NDArray[np.float64]:
+    def unit(self, key: str, n: int, tolerance: float = 1e-3) -> Array:
         """A unit vector or quaternion, normalised."""
         value = self.vector(key, n)
         norm = float(np.linalg.norm(value))

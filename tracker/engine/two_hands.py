@@ -16,6 +16,7 @@ import numpy as np
 from tracker.base.errors import ConfigError
 from tracker.base.records import record
 from tracker.engine.pipeline import Pipeline, PipelineKept
+from tracker.hand.names import SIDES
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -27,7 +28,6 @@ from tracker.messages import (
 )
 from tracker.vision.sharing import share, taken_twice
 
-SIDES = ("left", "right")
 CLASH_BLOBS = 6
 """Blobs that two hands took for their own in one image: one of the hands is not there."""
 AGAIN_EVERY, ANEW_EVERY = 0.045, 0.25

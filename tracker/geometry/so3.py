@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tracker.messages import Array
+from tracker.base.arrays import Array
 
 _SMALL = 1e-8
 

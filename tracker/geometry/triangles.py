@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.arrays import Array, IntArray
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
-from tracker.messages import Array, IntArray
 
 GROUP = 12  # triangles
 FACE = 0  # rows of `Triangles.normals`; edges 1 to 3 and corners 4 to 6 follow

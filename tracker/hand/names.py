@@ -5,6 +5,12 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
+SIDES = ("left", "right")
+"""Sides of hands and gloves, in the order in which both hands are listed."""
+
+MARKED_KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
+"""What the markers of the glove show, and what accuracy is stated for (Lee et al. 2021)."""
+
 FINGERS = ("index", "middle", "ring", "little")
 
 SEGMENTS = (

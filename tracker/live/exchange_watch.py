@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 from tracker.engine.side_watch import ENOUGH, PATIENCE, SURE, TRIAL, sees
-from tracker.engine.two_hands import SIDES, TwoHands
+from tracker.engine.two_hands import TwoHands
 from tracker.glove.mirror import OTHER
+from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, ImuSample, Tracking
 
 

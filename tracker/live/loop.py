@@ -7,7 +7,7 @@ a session read back in that order gives the same states bit for bit.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -116,7 +116,7 @@ class LiveLoop:
         self._pipeline_lock = threading.RLock()
         self._finishing: list[RecordingThread] = []
         self._next_report = 0.0
-        self._at_start: dict[str, dict[str, float]] = {}  # figures when the recording began
+        self._at_start: dict[str, Mapping[str, float]] = {}  # figures when the recording began
         self._said = SaidOnce(0.0 if alone else SAID_BEFORE)
         self._exchange = _exchange_watch(hands)
         for side, hand in self.seen.items():

@@ -11,8 +11,9 @@ from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import keep as keep_worn
 from tracker.glove import library
+from tracker.hand.names import SIDES
 from tracker.offline.options import TrackOptions
-from tracker.session.description import COLOURS, GLOVE, HAND, SIDES, SessionInfo, of_side
+from tracker.session.description import COLOURS, GLOVE, HAND, SessionInfo, of_side
 from tracker.session.export.run import path_of_side
 from tracker.vision.colours import parse_profile
 

@@ -13,6 +13,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.files import check_target
 from tracker.geometry import so3
 from tracker.glove import library
+from tracker.hand.names import SIDES
 from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
 from tracker.session.description import SessionInfo, describe
 from tracker.session.writer import RecorderParams, new_session
@@ -24,7 +25,7 @@ from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
 from tracker.simulation.scripted import show
 from tracker.simulation.shows import WORD
-from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import StereoRig, ideal_rig

@@ -28,6 +28,7 @@ from tracker.glove import library
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
+    EYES,
     BlobFrame,
     CameraImuSample,
     EngineState,
@@ -396,7 +397,7 @@ def _of_reader(
     if not _is_searched(reader, options):
         kinds = (ImuSample, CameraImuSample, Event, BlobFrame, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
-    if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
+    if not any(topics.image(c) in reader.topic_names for c in EYES):
         what = (
             "no images to try other colours on" if options.colours else "neither blobs nor images"
         )
@@ -416,7 +417,7 @@ def _is_searched(reader: SessionReader, options: TrackOptions) -> bool:
     """
     if options.colours:
         return True
-    if any(topics.blobs(c) in reader.topic_names for c in topics.SIDES):
+    if any(topics.blobs(c) in reader.topic_names for c in EYES):
         return False
     return options.smooth or not (reader.has_start_state and _goes_on(reader, options))
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from tracker.base.clock import monotonic, nanoseconds, seconds
 from tracker.base.errors import DeviceError
-from tracker.messages import Event, StereoFrame
+from tracker.messages import EYES, Event, StereoFrame
 from tracker.sensors.image_input import Image, ImageInput, Pair
 from tracker.sensors.image_watch import ImageWatch, WatchParams
 from tracker.vision.rig import StereoRig
@@ -162,7 +162,7 @@ class StereoCamera:
             return ""
         if (pair[1] is None) != self.rig.one_camera:
             return ONE_FOR_TWO if pair[1] is None else TWO_FOR_ONE
-        for image, camera, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
+        for image, camera, side in zip(pair, (self.rig.left, self.rig.right), EYES, strict=True):
             if image is None:
                 continue
             height, width = image.shape[:2]
@@ -209,15 +209,15 @@ class StereoCamera:
         watch = self._watch[k]
         watch.look(image, t)
         if watch.black:
-            self._say(SIDES[k], f"The {SIDES[k]} camera's image is black: is the lens covered?")
+            self._say(EYES[k], f"The {EYES[k]} camera's image is black: is the lens covered?")
         elif watch.frozen and self._source.live:
-            self._say(SIDES[k], f"The {SIDES[k]} camera's image is frozen; it is not used.")
+            self._say(EYES[k], f"The {EYES[k]} camera's image is frozen; it is not used.")
         elif watch.torn:
-            text = f"The {SIDES[k]} camera's image is torn: a part of it did not arrive."
-            self._say(SIDES[k], text)
-        elif SIDES[k] in self._said and not watch.repeated:
-            del self._said[SIDES[k]]
-            self._tell(f"The {SIDES[k]} camera's image is back.")
+            text = f"The {EYES[k]} camera's image is torn: a part of it did not arrive."
+            self._say(EYES[k], text)
+        elif EYES[k] in self._said and not watch.repeated:
+            del self._said[EYES[k]]
+            self._tell(f"The {EYES[k]} camera's image is back.")
         return None if watch.black else image
 
     def _watch_rate(self) -> None:
@@ -240,7 +240,6 @@ class StereoCamera:
         self._events.append(Event(self._clock(), "device", text))
 
 
-SIDES = ("left", "right")
 ONE_FOR_TWO = (
     "The camera gives one image, but the calibration is for two: calibrate it as one camera."
 )

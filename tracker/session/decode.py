@@ -11,6 +11,7 @@ import numpy as np
 from tracker.base.clock import ClockAnchor
 from tracker.base.damage import LeftOut
 from tracker.messages import (
+    EYES,
     BlobFrame,
     Calibration,
     CameraImuSample,
@@ -78,9 +79,9 @@ class MessageDecoder:
         table: dict[type, list[str]] = {
             ImuSample: [*imus, topics.packets(side)],
             CameraImuSample: [topics.CAMERA_IMU],
-            StereoFrame: [*(topics.image(c) for c in topics.SIDES), *camera],
+            StereoFrame: [*(topics.image(c) for c in EYES), *camera],
             BlobFrame: [
-                *(f(c) for c in topics.SIDES for f in (topics.cloth, topics.blobs)),
+                *(f(c) for c in EYES for f in (topics.cloth, topics.blobs)),
                 *camera,
             ],
             Estimate: [*hand, topics.TF],

@@ -10,6 +10,7 @@ import numpy as np
 from tracker.base.clock import NS, seconds
 from tracker.base.damage import LeftOut
 from tracker.messages import (
+    EYES,
     BlobFrame,
     Blobs,
     CameraImuSample,
@@ -42,7 +43,7 @@ class Timing:
 def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
     """Of a file that is not ours: half of each period. Raises FileError on damage."""
     imus = [topics.imu(info.side, n) for n in info.glove.imu_names]
-    frames = [f(c) for c in topics.SIDES for f in (topics.image, topics.blobs)]
+    frames = [f(c) for c in EYES for f in (topics.image, topics.blobs)]
     return Timing(
         _half_period(source, imus, NS // 100),
         _half_period(source, frames, NS // 30),
@@ -82,7 +83,7 @@ class SensorDecoder:
         self._imus = Grouper[sensors.ImuMessage](
             frozenset(info.glove.imu_names), timing.imu_tolerance, timing.patience
         )
-        both = frozenset(topics.SIDES)
+        both = frozenset(EYES)
         self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.patience)
         self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
         self._poses: dict[int, CameraPose] = {}
@@ -98,9 +99,9 @@ class SensorDecoder:
             topics.CAMERA_POSE: self._exact_pose,
         }
         table |= {topics.imu(side, name): self._imu for name in self._info.glove.imu_names}
-        table |= {topics.image(camera): self._image for camera in topics.SIDES}
-        table |= {topics.cloth(camera): self._keep_cloth for camera in topics.SIDES}
-        table |= {topics.blobs(camera): self._detections for camera in topics.SIDES}
+        table |= {topics.image(camera): self._image for camera in EYES}
+        table |= {topics.cloth(camera): self._keep_cloth for camera in EYES}
+        table |= {topics.blobs(camera): self._detections for camera in EYES}
         return table
 
     def take_camera(self, transforms: list[motion.Transform]) -> None:

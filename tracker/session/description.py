@@ -17,7 +17,6 @@ from tracker.vision.rig import StereoRig
 HAND, GLOVE = "hand.toml", "glove.toml"
 COLOURS, SETTINGS = "colours.toml", "settings.toml"
 METADATA = "glovetrack"
-SIDES = ("left", "right")
 MAIN = "right"
 """Of a session of both hands, the one that is shown where one is."""
 

@@ -13,7 +13,8 @@ from tracker.base.errors import FileError
 from tracker.base.toml_reader import MOST_BYTES
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
-from tracker.messages import EngineState, Estimate, Message, StereoFrame
+from tracker.hand.names import SIDES
+from tracker.messages import EYES, EngineState, Estimate, Message, StereoFrame
 from tracker.session import description, edits, engine_state
 from tracker.session.decode import MESSAGE_KINDS, Decoded, MessageDecoder
 from tracker.session.decode_estimate import EstimateDecoder
@@ -186,8 +187,8 @@ class SessionReader:
     @cached_property
     def sides(self) -> tuple[str, ...]:
         """Of a session of both hands left and right; of one hand empty."""
-        names = [description.of_side(description.GLOVE, side) for side in description.SIDES]
-        return description.SIDES if self.attachments.keys() >= set(names) else ()
+        names = [description.of_side(description.GLOVE, side) for side in SIDES]
+        return SIDES if self.attachments.keys() >= set(names) else ()
 
     @cached_property
     def info(self) -> SessionInfo:
@@ -236,9 +237,9 @@ class SessionReader:
         """The stereo camera. Raises FileError that says what of it is missing."""
         if self.info.rig is not None:
             return self.info.rig
-        missing = [
-            t for t in map(topics.camera_info, topics.SIDES) if t not in self.topic_names
-        ] or ["a transform from world to camera_left"]
+        missing = [t for t in map(topics.camera_info, EYES) if t not in self.topic_names] or [
+            "a transform from world to camera_left"
+        ]
         raise FileError(f"{self.path} tells no stereo camera: {' and '.join(missing)} missing.")
 
     def rig_changes(self) -> list[tuple[float, StereoRig]]:

@@ -10,14 +10,14 @@ import numpy as np
 from tracker.base.damage import LeftOut
 from tracker.base.errors import ConfigError, FileError
 from tracker.geometry import so3
-from tracker.messages import CameraPose
+from tracker.messages import EYES, CameraPose
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.ros import motion, sensors, topics
 from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig
 
-_INFOS = {topics.camera_info(c): c for c in topics.SIDES}
+_INFOS = {topics.camera_info(c): c for c in EYES}
 _LOOK_FOR_RIG = 500  # messages
 _BEFORE_CONTENT = 12  # bytes of CDR header and stamp, which differ where nothing else does
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tracker.base.damage import DAMAGE, gather
 from tracker.base.errors import GlovetrackError
-from tracker.messages import Validity
+from tracker.messages import EYES, Validity
 from tracker.session import description
 from tracker.session.edits import NAME, lines, masks
 from tracker.session.hand_columns import read_hand
@@ -273,7 +273,7 @@ def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:
         return []
     wanted = [topics.imu(hand.side, n) for hand in info.hands for n in hand.glove.imu_names]
     out = [Finding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
-    seen = any(f(c) in tracks for c in topics.SIDES for f in (topics.image, topics.blobs))
+    seen = any(f(c) in tracks for c in EYES for f in (topics.image, topics.blobs))
     if not seen:
         out.append(Finding("warning", "neither images nor blobs of a camera", "/camera"))
     return out

@@ -14,6 +14,7 @@ from tracker.base.clock import nanoseconds
 from tracker.base.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.hand.names import SIDES
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -34,8 +35,6 @@ from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import BodyShape, Instant, Solids, together
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import StereoRig, ideal_rig
-
-SIDES = ("left", "right")
 
 
 class Dressed(NamedTuple):

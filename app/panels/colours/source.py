@@ -31,7 +31,6 @@ from app.widgets.measures import TIGHT
 from tracker.base.errors import GlovetrackError
 
 LIVE = 0
-SIDES = ("left", "right")
 
 
 class ColoursSource(QWidget):

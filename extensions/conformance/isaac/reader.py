@@ -11,9 +11,9 @@ from mcap.reader import make_reader
 
 from extensions.conformance.isaac.record import HandRecord, decode
 from extensions.conformance.isaac.schema import NAME
-from extensions.conformance.isaac.writer import SIDES
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
+from tracker.hand.names import SIDES
 
 
 def read_records(path: Path) -> Iterator[tuple[str, HandRecord]]:

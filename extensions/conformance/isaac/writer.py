@@ -11,8 +11,8 @@ from mcap.writer import CompressionType, Writer
 from extensions.conformance.isaac.record import HandRecord, encode
 from extensions.conformance.isaac.schema import NAME, binary_schema
 from tracker import __version__
+from tracker.hand.names import SIDES
 
-SIDES = ("left", "right")
 ENCODING = "flatbuffer"
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from tracker.engine.pipeline import Pipeline
 from tracker.glove import library
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.live.load import LoadWatch
 from tracker.messages import (
     Array,
@@ -40,7 +41,6 @@ HOST_FAULTS = ("starved glove", "starved camera", "starved")
 bunches then, images late, and only the newest of those that came meanwhile."""
 FAULTS = (*virtual_glove.FAULTS, *virtual_camera.FAULTS, *HOST_FAULTS)
 SHORTEST_WAIT, LONGEST_WAIT = 0.02, 0.3  # s
-KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 FPS = 30.0
 MOTION_S = 120.0  # of one wearer; then another begins
 WARM_UP = 3.0  # s before the first fault
@@ -121,7 +121,7 @@ class Bench:
         profile = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
         self._detector = Detector(profile, float(glove.marker_size.mean()), self._sim.rig.fx)
         names = list(self.pipeline.keypoint_names)
-        self._rows = np.array([names.index(k) for k in KEYPOINTS])
+        self._rows = np.array([names.index(k) for k in MARKED_KEYPOINTS])
         self._next_image = 1 / fps
         self._silence = SilenceWatch("camera")
         self._load = LoadWatch()

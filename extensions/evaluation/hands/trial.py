@@ -9,14 +9,14 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from extensions.evaluation.vist.metrics import KEYPOINTS
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.engine.two_hands import TwoHands
 from tracker.glove import library
+from tracker.hand.names import MARKED_KEYPOINTS, SIDES
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
 from tracker.simulation.scenario import Simulation
-from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s until which a wearer's hand is learned first
@@ -142,7 +142,7 @@ def _by_itself(hand: Simulation, engine: str) -> _Shown:
 def _shown(hand: Simulation, estimates: list[Estimate]) -> _Shown:
     late = [e for e in estimates if e.t > SETTLED]
     names = hand.glove.keypoint_names(hand.hand)
-    rows = [names.index(name) for name in KEYPOINTS if name in names]
+    rows = [names.index(name) for name in MARKED_KEYPOINTS if name in names]
     t = np.array([e.t for e in late])
     truths = hand.truths(t)
     apart = [

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.vist.judge import Judge, TrialRecord
-from extensions.evaluation.vist.metrics import KEYPOINTS
 from extensions.evaluation.vist.trial import models
 from tracker.engine.pipeline import Pipeline
 from tracker.geometry import so3
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import CameraImuSample, CameraPose, ImuSample
 from tracker.simulation.head import MOVING
 from tracker.simulation.random_postures import RandomPostures
@@ -37,7 +37,7 @@ def mean_error_mm(tells: str) -> float:
             pipeline.feed_camera_imu(m)
         else:
             pipeline.feed_frame(m)
-    columns = [pipeline.keypoint_names.index(k) for k in KEYPOINTS]
+    columns = [pipeline.keypoint_names.index(k) for k in MARKED_KEYPOINTS]
     trial = Judge(simulation, pipeline, columns, "camera").trial(record, 0, outage=0.0)
     return float(trial.error.mean() * 1000)
 

@@ -7,9 +7,9 @@ import pytest
 
 from extensions.evaluation.vist.cases import Case
 from extensions.evaluation.vist.judge import Judge, TrialRecord
-from extensions.evaluation.vist.metrics import KEYPOINTS
 from extensions.evaluation.vist.scenes import motion_of, simulation_of
 from extensions.evaluation.vist.trial import models
+from tracker.hand.names import MARKED_KEYPOINTS
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def judged(simulation, place):
         poses=[simulation.scene.reported_pose(t) for t in times],
         seen=[9] * len(times),
     )
-    columns = [names.index(k) for k in KEYPOINTS]
+    columns = [names.index(k) for k in MARKED_KEYPOINTS]
     pipeline = SimpleNamespace(hand=simulation.hand)
     return Judge(simulation, pipeline, columns, place).trial(record, 0, outage=0.0)
 

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.evaluation.vist.cases import SETTLING, judged_in_outage
-from extensions.evaluation.vist.metrics import DIGITS, KEYPOINTS, Trial
+from extensions.evaluation.vist.metrics import DIGITS, Trial
 from tracker.engine.pipeline import Pipeline
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, CameraPose, Estimate, Tracking
 from tracker.simulation.scenario import Simulation, Truth
 
@@ -59,7 +60,7 @@ class Judge:
         else:
             error = self._place(estimates, truths, [record.poses[i] for i in rows])
         sd = np.array([e.keypoint_sd[self.columns] for e in estimates]).reshape(error.shape)
-        n = len(KEYPOINTS)
+        n = len(MARKED_KEYPOINTS)
         wearer = self.simulation.wearer
         return Trial(
             participant=participant,

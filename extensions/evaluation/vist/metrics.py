@@ -12,10 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy import stats
 
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, IntArray
-
-KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
-"""What the paper measures: three fingertips and the back of the hand."""
 
 TIPS = 3  # the first of them
 
@@ -35,7 +33,7 @@ PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """One participant tracked once; n instants judged, columns in the order of `KEYPOINTS`.
+    """One participant tracked once; n instants judged, columns in the order of `MARKED_KEYPOINTS`.
 
     error (n, 4) m, NaN where the engine says that it is lost; joints (n, 9) m the same of
     `JOINTS`; angles (n, j) rad the same of joint angles of `DIGITS`; sd (n, 4) m the engine's own
@@ -90,7 +88,7 @@ def summarise(trials: Sequence[Trial]) -> Summary:
     pooled = np.concatenate([_present(t) for t in trials]) * 1000
     of_each = [_present(t) * 1000 for t in trials if len(_present(t))]
     means = np.array([e.mean() for e in of_each])
-    by_keypoint = np.array([e.mean(axis=0) for e in of_each]).reshape(-1, len(KEYPOINTS))
+    by_keypoint = np.array([e.mean(axis=0) for e in of_each]).reshape(-1, len(MARKED_KEYPOINTS))
     instants = sum(len(t.t) for t in trials)
     angles = _finite(np.rad2deg([_mean(_finite(t.angles.ravel())) for t in trials]))
     matches = sum(t.matches for t in trials)
@@ -105,9 +103,9 @@ def summarise(trials: Sequence[Trial]) -> Summary:
         ci95_mm=confidence_interval(means),
         pck20=pck(trials, 20.0),
         pck35=pck(trials, 35.0),
-        keypoints={k: _mean(pooled[:, i]) for i, k in enumerate(KEYPOINTS)},
+        keypoints={k: _mean(pooled[:, i]) for i, k in enumerate(MARKED_KEYPOINTS)},
         keypoints_ci95_mm={
-            k: confidence_interval(by_keypoint[:, i]) for i, k in enumerate(KEYPOINTS)
+            k: confidence_interval(by_keypoint[:, i]) for i, k in enumerate(MARKED_KEYPOINTS)
         },
         matched_mean=_mean(np.concatenate([t.seen for t in trials]).astype(float)),
         wrong_match_rate=sum(t.wrong_matches for t in trials) / matches if matches else np.nan,

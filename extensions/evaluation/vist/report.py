@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from extensions.evaluation.vist.cases import ABLATIONS, GUIDED, PAPERS_GLOVE, Case
-from extensions.evaluation.vist.metrics import KEYPOINTS, Trial
+from extensions.evaluation.vist.metrics import Trial
 from extensions.evaluation.vist.paper import CAVEAT, HEAD_NOTE, PAPER
 from extensions.evaluation.vist.report_figures import FIGURES, Group, variants
 from tracker.base.errors import FileError
+from tracker.hand.names import MARKED_KEYPOINTS
 
 TITLES = {
     "free": "Free motion",
@@ -89,7 +90,8 @@ def _head(cases: Sequence[Case], trials: Sequence[Sequence[Trial]]) -> str:
         f"<p>The protocol of Lee et al. 2021 with {people} simulated "
         f"participant{'s' * (people != 1)}, "
         f"{' and '.join(f'{m:g}' for m in minutes)} minutes a trial. Errors are of four keypoints "
-        f"({', '.join(k.replace('_', ' ') for k in KEYPOINTS)}); 3D-PCK is the share of instants "
+        f"({', '.join(k.replace('_', ' ') for k in MARKED_KEYPOINTS)}); "
+        "3D-PCK is the share of instants "
         "at which the worst of the four is within the bound; an instant that the tracker calls "
         f'lost counts as outside.</p><p class="caveat">{html.escape(CAVEAT)}</p>'
     )

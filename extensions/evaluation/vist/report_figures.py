@@ -12,7 +12,6 @@ from matplotlib.figure import Figure
 
 from extensions.evaluation.vist.cases import Case
 from extensions.evaluation.vist.metrics import (
-    KEYPOINTS,
     PCK_BOUNDS_MM,
     Trial,
     by_seen,
@@ -20,6 +19,7 @@ from extensions.evaluation.vist.metrics import (
     summarise,
 )
 from extensions.evaluation.vist.paper import PAPER
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array
 
 Group = Sequence[tuple[Case, Sequence[Trial]]]
@@ -44,18 +44,18 @@ def keypoints(group: Group, path: Path) -> None:
     """Mean error of each keypoint with its 95 % interval over participants (fig. 3C)."""
     figure, ax = _axes()
     width = 0.8 / max(len(group), 1)
-    x = np.arange(len(KEYPOINTS))
+    x = np.arange(len(MARKED_KEYPOINTS))
     for i, (case, trials) in enumerate(group):
         s = summarise(trials)
-        mean = np.array([s.keypoints[k] for k in KEYPOINTS])
-        ci = np.array([s.keypoints_ci95_mm[k] for k in KEYPOINTS])
+        mean = np.array([s.keypoints[k] for k in MARKED_KEYPOINTS])
+        ci = np.array([s.keypoints_ci95_mm[k] for k in MARKED_KEYPOINTS])
         half = np.nan_to_num((ci[:, 1] - ci[:, 0]) / 2)
         whisker = [np.minimum(half, mean), half]  # no error is below zero
         at = x + (i - (len(group) - 1) / 2) * width
         ax.bar(at, mean, width, yerr=whisker, capsize=3, color=colour_of(case),
                hatch=HATCHES.get(case.engine), edgecolor="white", label=case.engine)  # fmt: skip
     _paper_line(ax, group)
-    ax.set_xticks(x, [k.replace("_", " ") for k in KEYPOINTS])
+    ax.set_xticks(x, [k.replace("_", " ") for k in MARKED_KEYPOINTS])
     ax.set_ylabel("mean error, mm (bars: 95 % CI)")
     _save(figure, ax, path)
 

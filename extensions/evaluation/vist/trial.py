@@ -15,7 +15,7 @@ import numpy as np
 import resources
 from extensions.evaluation.vist.cases import PAPERS_GLOVE, Ablation, Case, ablation_of
 from extensions.evaluation.vist.judge import Judge, TrialRecord
-from extensions.evaluation.vist.metrics import JOINTS, KEYPOINTS, Trial
+from extensions.evaluation.vist.metrics import JOINTS, Trial
 from extensions.evaluation.vist.scenes import guided_motion, motion_of, simulation_of
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
@@ -27,6 +27,7 @@ from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -84,7 +85,7 @@ def run_trial(case: Case, participant: int) -> Trial:
         meet_again(pipeline, case, seed)
     record = _track(case, simulation, pipeline, variant, events)
     outage = variant.outage if variant is not None else 0.0
-    columns = [pipeline.keypoint_names.index(k) for k in (*KEYPOINTS, *JOINTS)]
+    columns = [pipeline.keypoint_names.index(k) for k in (*MARKED_KEYPOINTS, *JOINTS)]
     place = "camera" if case.experiment == "head" else "world"
     if outage or not case.has_camera:
         place = "dorsum"

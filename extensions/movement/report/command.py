@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Status, Tracking
 
 STATUS_PERIOD, STATUS_WINDOW = 0.95, 3.0  # s: at least one a second; what rates are counted over
-KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 
 
 @dataclass(eq=False)
@@ -148,7 +148,7 @@ class TruthCheck:
 
     def __init__(self, names: Iterable[str]) -> None:
         names = list(names)
-        self._names = [k for k in KEYPOINTS if k in names]
+        self._names = [k for k in MARKED_KEYPOINTS if k in names]
         self._rows = [names.index(k) for k in self._names]
         self._shown: dict[int, tuple[Array, Array]] = {}  # (4, 3) m and (J,) rad by instant, µs
 

@@ -27,7 +27,6 @@ from tracker.vision.cpd import HuedPixels
 from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility_at
 
-SIDES = ("left", "right")
 GATE = GateParams()
 GATE_SQUARED, GATE_PX = GATE.gate, GATE.gate_px
 ALONE, LEAST_PRIOR = GATE.dummy_cost, GATE.min_prior

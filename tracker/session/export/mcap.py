@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tracker.base.errors import ConfigError
-from tracker.messages import Estimate
+from tracker.messages import EYES, Estimate
 from tracker.session import description, edits, engine_state
 from tracker.session.export.options import ExportOptions
 from tracker.session.mcap.container import Copier, McapOutput
@@ -133,7 +133,7 @@ def _standing_topics(reader: SessionReader) -> list[str]:
     """Topics whose last message holds until the next."""
     sides = [hand.side for hand in reader.info.hands]
     hand = [topics.hand(s, what) for s in sides for what in ("states", "calibration")]
-    camera = [topics.camera_info(c) for c in topics.SIDES]
+    camera = [topics.camera_info(c) for c in EYES]
     told_once = ("robot_description", "model")  # in this order: the second is read with the first
     robot = [t for t in reader.topic_names if topics.robot_of(t)[1] in told_once]
     return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand, *sorted(robot, reverse=True)]

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tracker.messages import IntArray
+from tracker.messages import EYES, IntArray
 from tracker.session.mcap.ordering import ordered
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
@@ -35,8 +35,8 @@ class CauseFinder:
         self._imus = {
             topics.imu(info.side, imu.name): imu.segment.split("_")[0] for imu in info.glove.imus
         }
-        self._images = [topics.image(c) for c in topics.SIDES]
-        self._blobs = [topics.blobs(c) for c in topics.SIDES]
+        self._images = [topics.image(c) for c in EYES]
+        self._blobs = [topics.blobs(c) for c in EYES]
 
     def of(
         self, keypoints: Sequence[str], kind: str, span_ns: tuple[int, int], unsensed: bool

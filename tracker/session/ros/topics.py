@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 WORLD = "world"
-SIDES = ("left", "right")
 TF, TF_STATIC = "/tf", "/tf_static"
 STATUS, EVENTS = "/tracker/status", "/events"
 CAMERA_POSE = "/camera/left/extrinsics"
