@@ -2,7 +2,7 @@
 
 An application has ``name``, ``title`` and ``between``, is made of its settings (a dataclass) and
 answers ``step(hand: HandSample) -> Step`` with what is drawn and what has happened; see
-``docs/applications.md``.
+``extensions/applications/docs/applications.md``.
 """
 
 from extensions.applications.drawing import Drawing, Line, Mesh, Points, Text

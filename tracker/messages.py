@@ -342,7 +342,7 @@ class EngineState:
 @dataclass(frozen=True)
 class RobotModel:
     """A robot hand that follows the wearer's: what it is. ``urdf`` is its description as ROS has
-    it, ``settings`` JSON of how it is driven (docs/robot.md)."""
+    it, ``settings`` JSON of how it is driven (extensions/robot/docs/robot.md)."""
 
     t: float
     name: str

@@ -59,7 +59,7 @@ def truth(side: str, what: str) -> str:
 ROBOT = (
     "robot_description", "model", "memory", "joint_commands", "joint_states", "scene", "contact",
 )  # fmt: skip
-"""What there is of a robot that follows the hand, see docs/robot.md."""
+"""What there is of a robot that follows the hand, see extensions/robot/docs/robot.md."""
 
 
 def robot(name: str, what: str) -> str:
