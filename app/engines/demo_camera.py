@@ -62,7 +62,7 @@ class DemoChoice:
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     """The simulated wearer or wearers, and the camera."""
-    from tracker.simulation.demo import DemoSpec
+    from tracker.simulation.demo import TABLE, DemoSpec
 
     choice = choice or DemoChoice()
     hands = choice.hands
@@ -79,6 +79,7 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
         light=LIGHT if desk else "",
         other=other,
         one_camera=choice.lenses != "both",
+        table=0.0 if choice.uses_application else TABLE,
     )
 
 

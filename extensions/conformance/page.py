@@ -36,7 +36,7 @@ svg { display: block; max-width: 100% } details summary { cursor: pointer; color
 def page(verdict: Verdict) -> str:
     """The HTML text."""
     mark = "pass" if verdict.ok else "fail"
-    words = "All rules are kept." if verdict.ok else "Not all rules are kept."
+    words = "All rules passed." if verdict.ok else "Not all rules passed."
     body = [
         f"<h1>Conformance of {html.escape(verdict.name)}</h1>",
         f"<p class='verdict {mark}'>{words} {_counts(verdict)}</p>",

@@ -38,13 +38,13 @@ from tracker.offline.track import track
 from tracker.session.export.series import recorded_series
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, new_session
+from tracker.simulation.demo import TABLE
 from tracker.simulation.gestures import Cue, Gestures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import default_pose, ideal_rig
 
 GLOVES = {"right": "vist-small", "left": "vist-small-left"}
-TABLE = 0.75  # m: the simulated camera stands on a table, the origin lies on the floor
 WARM_UP = (Cue("fist", 1.5, 1.0), Cue("open", 1.0, 1.0)) * 2
 """Before the first step, while the hand's size is being found."""
 

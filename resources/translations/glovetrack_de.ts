@@ -7306,13 +7306,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
-      <source>All rules are kept</source>
-      <translation>Alle Regeln sind eingehalten</translation>
+      <source>All rules passed</source>
+      <translation>Alle Regeln bestanden</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
-      <source>Not all rules are kept</source>
-      <translation>Nicht alle Regeln sind eingehalten</translation>
+      <source>Not all rules passed</source>
+      <translation>Nicht alle Regeln bestanden</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
@@ -7461,8 +7461,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/conformance/window/view_model.py" />
-      <source>The wrist is within reach of the origin</source>
-      <translation>Das Handgelenk ist in Reichweite des Ursprungs</translation>
+      <source>The wrist is away from the origin</source>
+      <translation>Das Handgelenk ist vom Ursprung entfernt</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/view_model.py" />

@@ -11,9 +11,10 @@ import pytest
 from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
-from app.window.headless_report import KEYPOINTS, wait_until
+from app.window.headless_report import wait_until
 from extensions.conformance.window.view_model import Cue, Phase
 from tests.gui.gui_fakes import models
+from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery
@@ -68,7 +69,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     with (tmp_path / "out.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) > 50
-    assert {f"{k}_x" for k in KEYPOINTS} <= set(rows[0])
+    assert {f"{k}_x" for k in MARKED_KEYPOINTS} <= set(rows[0])
 
     demo.library.replay.emit(path)
     qtbot.waitUntil(

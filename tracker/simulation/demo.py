@@ -6,10 +6,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
+
 from tracker.glove.files import parse_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
+from tracker.messages import CameraPose
 from tracker.simulation.asked import Asked, AskedMotion
 from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.motion import Motion
@@ -20,7 +23,7 @@ from tracker.simulation.shows import WORD
 from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
-from tracker.vision.rig import StereoRig, ideal_rig
+from tracker.vision.rig import StereoRig, default_pose, ideal_rig
 
 
 class WornTexts(NamedTuple):
@@ -30,6 +33,8 @@ class WornTexts(NamedTuple):
     glove: str
 
 
+TABLE = 0.75
+"""m: height of a table, where the origin lies on the floor, as OpenXR's stage has it."""
 BACKGROUNDS = 6  # of a desk, drawn once: half the time an image takes goes into what does not move
 
 
@@ -52,11 +57,14 @@ class DemoSpec:
     other: WornTexts | None = None
     one_camera: bool = False  # of two: the left one alone
     right_late: float = 0.0  # s that the right camera exposes after the left one
+    table: float = 0.0  # m from the origin up to the table that the camera stands on
 
     @property
     def rig(self) -> StereoRig:
         """What looks at the scene."""
-        rig = ideal_rig()
+        stand = default_pose()
+        camera = CameraPose(stand.R_GC, stand.p_GC + np.array([0.0, 0.0, self.table]))
+        rig = ideal_rig(pose=camera)
         return with_one_camera(rig) if self.one_camera else rig
 
 
@@ -67,7 +75,7 @@ def build(spec: DemoSpec) -> Simulation:
     if spec.motion:
         motion: Motion = _told(spec, hand, glove)
     else:
-        own = RandomPostures(hand, spec.seed, duration=spec.duration)
+        own = RandomPostures(hand, spec.seed, duration=spec.duration, camera=spec.rig.pose)
         motion = AskedMotion(own, spec.seed)
     room = room_of("desk" if spec.light else "plain", spec.light, seed=spec.seed)
     render = replace(room.render, exposures=spec.exposures)
@@ -117,4 +125,4 @@ def _told(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
     if spec.motion.startswith(WORD):
         wearer = Wearer.random(hand, glove, spec.seed)
         return AskedMotion(show(spec.motion, hand, wearer, spec.duration), spec.seed)
-    return load_motion(Path(spec.motion), hand)
+    return load_motion(Path(spec.motion), hand, spec.rig.pose)

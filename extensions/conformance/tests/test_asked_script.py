@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from extensions.conformance.finding import PASS
-from extensions.conformance.run import TABLE, judge, session_records
+from extensions.conformance.run import judge, session_records
 from extensions.conformance.take import SCRIPT, Step, take_of
 from extensions.conformance.window.view_model import ScriptRun
 from tracker.base.clock import NS
@@ -23,6 +23,7 @@ from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, new_session
 from tracker.simulation.asked import AHEAD, Asked, AskedMotion
+from tracker.simulation.demo import TABLE
 from tracker.simulation.gestures import gesture_angles
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation

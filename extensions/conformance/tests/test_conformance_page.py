@@ -151,7 +151,7 @@ def test_a_wearer_who_follows_the_cues_keeps_every_rule(dialog, clock, engine, t
     qtbot.mouseClick(dialog.lead.start, Qt.MouseButton.LeftButton)
     through(dialog, clock, engine)
     rows = verdict(dialog, qtbot)
-    assert dialog.outcome.heading.text() == "All rules are kept", rows
+    assert dialog.outcome.heading.text() == "All rules passed", rows
     assert len(rows) > 30 and all(row[0] == "● good" for row in rows.values())
     assert rows["Fist"][3].startswith("straightness 0.") and rows["Fist"][4] == "≤ 0.60"
     (take,) = (tmp_path / "takes").glob("*.mcap")
@@ -164,7 +164,7 @@ def test_a_wearer_who_follows_the_cues_keeps_every_rule(dialog, clock, engine, t
     finally:
         QDesktopServices.unsetUrlHandler("file")
     (page,) = [Path(url.toLocalFile()) for url in browser.urls]
-    assert page.parent == take.parent and "All rules are kept." in page.read_text("utf-8")
+    assert page.parent == take.parent and "All rules passed." in page.read_text("utf-8")
 
 
 def test_a_hand_that_stays_open_fails_in_the_steps_that_it_did_not_show(
@@ -176,7 +176,7 @@ def test_a_hand_that_stays_open_fails_in_the_steps_that_it_did_not_show(
     dialog.start()
     through(dialog, clock, engine)
     rows = verdict(dialog, qtbot)
-    assert dialog.outcome.heading.text() == "Not all rules are kept"
+    assert dialog.outcome.heading.text() == "Not all rules passed"
     bad = {rule for rule, row in rows.items() if row[0] == "▲ problem"}
     failed = {"Fist", "Pinch, thumb and index finger", "Wrist turned from side to side"}
     assert failed <= bad and "Hand open, at the start" not in bad

@@ -60,7 +60,7 @@ RULES = {
     "knuckles in order": mark("Knuckles in order"),
     "joints from root to tip": mark("Joints in order, from knuckle to tip"),
     "fingers bend to the palm": mark("Fingers bend towards the palm"),
-    "the wrist is in the room": mark("The wrist is within reach of the origin"),
+    "the wrist is in the room": mark("The wrist is away from the origin"),
     "the wrist is not frozen": mark("The wrist position is not frozen"),
     "−z along the bones, xyzw": mark("Rotations: −z along the bones, order xyzw"),
     "wrist and joints turn together": mark("Wrist and joints turn together"),

@@ -42,7 +42,7 @@ class VerdictPage(OutcomePage):
         order = {BAD: 0, GOOD: 2}
         told = sorted(rows, key=lambda row: order.get(row.look, 1))
         self.tell(
-            self.tr("All rules are kept") if ok else self.tr("Not all rules are kept"),
+            self.tr("All rules passed") if ok else self.tr("Not all rules passed"),
             self.tr("{} of {} rules, on {}").format(kept, len(rows), take),
             [
                 (f"{r.look.sign} {tr(r.look.word)}", r.layer, r.rule, r.figure, r.limit)
