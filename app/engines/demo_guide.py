@@ -25,6 +25,8 @@ class DemoGuide(WearersGuide):
     How the wearer comes to touch his fingertips is found in a thread: that takes a moment.
     """
 
+    leads = True
+
     def __init__(
         self,
         engine: HoldingEngine,

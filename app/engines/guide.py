@@ -6,7 +6,13 @@ from typing import Protocol
 
 
 class PoseGuide(Protocol):
-    """Poses are named as in `tracker.hand.poses.POSES`."""
+    """Poses are named as in `tracker.hand.poses.POSES`.
+
+    ``leads``: whether a simulated wearer goes to what is shown.
+    """
+
+    @property
+    def leads(self) -> bool: ...
 
     def show(self, pose: str) -> None:
         """A simulated wearer goes to this pose, or (empty) on as before; a real one sees it."""
@@ -31,6 +37,8 @@ class HoldingEngine(Protocol):
 
 class WearersGuide:
     """Of a real wearer, who looks at the screen."""
+
+    leads = False
 
     def __init__(self, engine: HoldingEngine) -> None:
         self._engine = engine

@@ -7256,6 +7256,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/lead.py" />
+      <source>The simulated wearers of this demo do not follow these gestures, so rules on gestures will not be met. The demo of one hand follows them.</source>
+      <translation>Die simulierten Personen dieser Demo zeigen diese Gesten nicht, daher werden die Regeln zu Gesten nicht erfüllt. Die Demo mit einer Hand zeigt sie.</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/guide/lead.py" />
       <source>Open the hand and close it a few times first, so that its size is known. Then do what the hand on the left does: three beats to come to each gesture, and hold it until the ring is full. It takes {} seconds and is recorded.</source>
       <translation>Die Hand erst einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann tun, was die Hand links tut: drei Takte, um zu jeder Geste zu kommen, und sie halten, bis der Ring voll ist. Es dauert {} Sekunden und wird aufgenommen.</translation>
     </message>

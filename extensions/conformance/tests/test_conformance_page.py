@@ -10,9 +10,11 @@ import pytest
 from PySide6.QtCore import QObject, Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 
+from app.engines.guide import WearersGuide
 from app.viewmodels.guided_hand import DRAWN, DrawnHand
 from extensions.conformance.run import WARM_UP, cues
 from extensions.conformance.take import BEAT, BEATS, GRASPS, SCRIPT
+from extensions.conformance.window.guide.lead import ScriptPage
 from extensions.conformance.window.view_model import Phase, ScriptRun
 from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
@@ -252,3 +254,12 @@ def test_the_drawn_hand_turns_from_side_to_side():
     ups = [drawn.shown("flat", "turn", 0.9 + t).R[root][:, 2] for t in np.arange(0, 3, 0.05)]
     apart = np.rad2deg(np.arccos(np.clip(np.array(ups) @ np.array(ups).T, -1, 1)))
     assert apart.max() > 120
+
+
+def test_a_simulated_wearer_who_does_not_follow_is_said_to(window, engine, qtbot):
+    setup = dataclasses.replace(scripted_setup(engine), simulated=True, guide=WearersGuide(engine))
+    for simulated, words in ((True, "do not follow"), (False, "Open the hand")):
+        page = ScriptPage(dataclasses.replace(setup, simulated=simulated), "#ffffff")
+        qtbot.addWidget(page)
+        page.show_run(ScriptRun("right", lambda *_: None), None)
+        assert words in page.notes.text()

@@ -17,6 +17,8 @@ class ScriptPage(LeadingPage):
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
         super().__init__(setup, background, parent)
+        guide = setup.guide
+        self._alone = setup.simulated and not (guide is not None and guide.leads)
         self.beat = self.label("beat")
         self.beat.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.sound.setToolTip(self.tr("A beep at each beat before a step"))
@@ -43,6 +45,14 @@ class ScriptPage(LeadingPage):
     def _show_waiting(self, run: ScriptRun) -> None:
         self.words.setText(self.tr("Ten gestures, judged by the rules of robot labs"))
         self.beat.setText("")
+        if self._alone:
+            self.notes.setText(
+                self.tr(
+                    "The simulated wearers of this demo do not follow these gestures, so rules on "
+                    "gestures will not be met. The demo of one hand follows them."
+                )
+            )
+            return
         self.notes.setText(
             self.tr(
                 "Open the hand and close it a few times first, so that its size is known. Then do "
