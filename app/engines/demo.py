@@ -17,7 +17,6 @@ from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.words import tr
-from extensions.applications.sinks import all_sinks
 from tracker.base.clock import ClockAnchor
 from tracker.base.config import to_toml
 from tracker.base.errors import DeviceError
@@ -144,8 +143,6 @@ def _seen_from(
 ) -> EngineSetup:
     simulation = glove.simulation
     tracked = tracker.hand(simulation.glove.side)
-    stage = tracked.stage
-    stage.sinks += all_sinks(glove.link.vibrate, stage.tell)
 
     def truth(t: float) -> ReferenceHand:
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
@@ -171,7 +168,7 @@ def _seen_from(
         guide=shared.guide or WearersGuide(tracked),
         command=tracked.command,
         reset_pose=tracked.reset_pose,
-        stage=stage,
+        listeners=tracked.attach_listeners(glove.link.vibrate),
         application=shared.application,
         reference_tracking=tracked if shared.fps else None,
         camera=CAMERA if shared.fps else "",

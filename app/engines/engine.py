@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
 from app.engines.guide import PoseGuide
-from extensions.applications.stage import ApplicationStage
 from tracker.base.clock import ClockAnchor
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.history import SearchedImage
+from tracker.live.listeners import Listener
 from tracker.live.recording import Recorder
 from tracker.live.right_of_way import RightOfWay
 from tracker.messages import (
@@ -217,7 +217,7 @@ class EngineSetup:
     calibration_file: str = ""  # of the camera; empty where there is none
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     image_rate: Callable[[], float] | None = None  # images a second that the camera should give
-    stage: ApplicationStage | None = None  # where an application of the hand runs
+    listeners: Mapping[str, Listener] = field(default_factory=dict)  # of the hand, by name
     application: tuple[str, Mapping[str, Any]] = ("", {})  # what a simulated wearer uses, and how
     guide: PoseGuide | None = None  # tells the engine of guided poses
     reset_pose: Callable[[], None] | None = None  # of a live engine: the hand is held flat now

@@ -18,7 +18,6 @@ from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings
 from app.words import told, tr
-from extensions.applications.sinks import all_sinks
 from tracker.base.clock import ClockAnchor
 from tracker.base.config import to_toml
 from tracker.base.errors import DeviceError, GlovetrackError
@@ -131,9 +130,7 @@ def _seen_from(
 ) -> EngineSetup:
     """The engine as it is seen from one hand."""
     tracked = tracker.hand(worn.side)
-    stage = tracked.stage
     hello = worn.report.hello if worn.report else None
-    stage.sinks += all_sinks(link.vibrate if link else None, stage.tell)
     whole = link is not None and shared.has_camera and shared.camera_calibrated
     return replace(
         shared,
@@ -148,7 +145,7 @@ def _seen_from(
         guide=WearersGuide(tracked),
         command=tracked.command,
         reset_pose=tracked.reset_pose,
-        stage=stage,
+        listeners=tracked.attach_listeners(link.vibrate if link else None),
         reference_tracking=tracked if whole else None,
         has_glove=link is not None,
     )

@@ -1,21 +1,57 @@
-"""The thread of an application: it sees every estimate, in order, and is never in the way."""
+"""Applications as a listener of the hand: on a thread of their own, or on that of a replay."""
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator
+from collections import deque
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from extensions.applications.extension import LISTENER
 from extensions.applications.runner import Outcome
+from extensions.applications.sinks import all_sinks
 from extensions.applications.stage import ApplicationStage
 from tracker.base.channels import Closed, Fifo
 from tracker.base.urgency import run_soon
-from tracker.live.right_of_way import RightOfWay
-from tracker.live.telemetry import Telemetry
+from tracker.live.listeners import ListenedHand, Listener, LiveAccess
 from tracker.messages import Estimate
 
 MOST_WAITING = 200  # estimates, 2 s: an application that is too slow loses some
 WAIT = 0.05  # s that the thread waits before it looks again
+
+
+def listener(hand: ListenedHand) -> ReplayedApplication:
+    """A stage for the applications of a hand, live or replayed."""
+    if hand.live is None:
+        return ReplayedApplication(ApplicationStage(hand.hand, hand.glove))
+    stage = ApplicationStage(hand.hand, hand.glove, hand.live.record)
+    stage.sinks += all_sinks(hand.live.vibrate, stage.tell)
+    return LiveApplication(stage, hand.live)
+
+
+def stage_of(listeners: Mapping[str, Listener]) -> ApplicationStage | None:
+    """The stage among the listeners of a hand; None where it has none."""
+    found = listeners.get(LISTENER.name)
+    return found.stage if isinstance(found, ReplayedApplication) else None
+
+
+class ReplayedApplication:
+    """Feeds a stage on the thread that calls `feed`."""
+
+    def __init__(self, stage: ApplicationStage) -> None:
+        self.stage = stage
+
+    def feed(self, estimate: Estimate, t_arrival: float) -> None:
+        """Run the application to the end of this estimate."""
+        deque(self.stage.feed(estimate), maxlen=0)
+
+    def restart(self) -> None:
+        """Start the application over with the next estimate."""
+        self.stage.begin_anew()
+
+    def close(self) -> None:
+        """Stop the devices. May be called again."""
+        self.stage.close()
 
 
 class _Fed(NamedTuple):
@@ -23,26 +59,24 @@ class _Fed(NamedTuple):
     t_arrival: float
 
 
-class ApplicationThread:
-    """Feeds a stage; started with the first estimate that an application is there for."""
+class LiveApplication(ReplayedApplication):
+    """Feeds a stage on a thread of its own, so that no application delays tracking.
 
-    def __init__(
-        self,
-        stage: ApplicationStage,
-        telemetry: Telemetry,
-        clock: Callable[[], float],
-        way: RightOfWay,
-    ) -> None:
-        self._way = way
-        self._stage, self._telemetry, self._clock = stage, telemetry, clock
+    The thread starts with the first estimate while an application is shown.
+    """
+
+    def __init__(self, stage: ApplicationStage, live: LiveAccess) -> None:
+        super().__init__(stage)
+        self._way, self._telemetry, self._clock = live.way, live.telemetry, live.clock
         self._inbox: Fifo[_Fed] = Fifo(MOST_WAITING)
         self._next: _Fed | None = None
         self._thread: threading.Thread | None = None
+        live.telemetry.ask(self._figures)
 
-    def put(self, estimate: Estimate, t_arrival: float) -> None:
-        """An estimate, and when (s) its packet came."""
+    def feed(self, estimate: Estimate, t_arrival: float) -> None:
+        """Queue an estimate for the thread."""
         if self._thread is None:
-            if not self._stage.name:
+            if not self.stage.name:
                 return
             self._thread = threading.Thread(
                 target=self._run, name="glovetrack-application", daemon=True
@@ -50,17 +84,17 @@ class ApplicationThread:
             self._thread.start()
         self._inbox.put(_Fed(estimate, t_arrival))
 
-    def figures(self) -> dict[str, float]:
-        """Estimates that an application was too slow for."""
-        return {"application_missed": self._inbox.overflowed}
-
     def close(self) -> None:
-        """End the thread and let the devices rest. May be called again."""
+        """End the thread and stop the devices. May be called again."""
         self._inbox.close()
         self._inbox.drain()
         if self._thread is not None:
             self._thread.join()
-        self._stage.close()
+        super().close()
+
+    def _figures(self) -> dict[str, float]:
+        """Estimates that an application was too slow for."""
+        return {"application_missed": self._inbox.overflowed}
 
     def _run(self) -> None:
         run_soon()
@@ -68,14 +102,14 @@ class ApplicationThread:
             while True:
                 fed, self._next = self._next or self._inbox.get(WAIT), None
                 if fed is not None:
-                    self._feed(fed)
+                    self._feed_stage(fed)
         except Closed:
             return
 
-    def _feed(self, fed: _Fed) -> None:
-        """Foretold samples wait for their time, unless the next estimate is there before."""
+    def _feed_stage(self, fed: _Fed) -> None:
+        """Foretold samples wait for their time, unless the next estimate arrives before."""
         began = self._clock()
-        outcomes = self._stage.feed(fed.estimate)
+        outcomes = self.stage.feed(fed.estimate)
         while (outcome := self._next_of(outcomes)) is not None:
             now = self._clock()
             if outcome.t == fed.estimate.t:
@@ -88,7 +122,7 @@ class ApplicationThread:
             return next(outcomes, None)
 
     def _wait_until(self, due: float) -> None:
-        """Or until the next estimate is there."""
+        """Or until the next estimate arrives."""
         left = due - self._clock()
         if left > 0 and self._next is None:
             self._next = self._inbox.get(left)

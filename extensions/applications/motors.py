@@ -14,6 +14,7 @@ import numpy as np
 
 from extensions.applications.hand import TIPS
 from extensions.applications.interface import Command, MotorCommand
+from tracker.live.listeners import Vibrate
 from tracker.messages import Event
 
 KIND = "motor"
@@ -29,9 +30,6 @@ PULLS = np.array(
 LASTS_MS = 60  # a motor that hears no more stops by itself
 AGAIN = 0.03  # s after which it is told the same again
 STEP = 8  # of 255: a change that is told at once
-
-Vibrate = Callable[[int, int, int], bool]
-"""channel, amplitude 0..255, duration in ms; whether the motor was told."""
 
 
 @dataclass

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from extensions.applications.arm.stream import ArmSink
-from extensions.applications.motors import MotorSink, Vibrate
+from extensions.applications.motors import MotorSink
 from extensions.applications.stage import Sink
 from extensions.applications.swarm.vehicles import VehicleSink
 from tracker.base.clock import monotonic
+from tracker.live.listeners import Vibrate
 from tracker.messages import Event
 
 

@@ -11,13 +11,13 @@ from tracker.base.errors import ConfigError
 from tracker.base.registry import Registry
 
 
-def install(folder: Path, name: str, entries: dict[str, str]) -> None:
+def install(folder: Path, name: str, entries: dict[str, str], kind: str = "fruit") -> None:
     """A package's metadata in ``folder``, as pip writes it."""
     about = folder / f"{name}-1.dist-info"
     about.mkdir(parents=True)
     (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1\n")
     lines = "".join(f"{key} = {value}\n" for key, value in entries.items())
-    (about / "entry_points.txt").write_text(f"[glovetrack.fruit]\n{lines}")
+    (about / "entry_points.txt").write_text(f"[glovetrack.{kind}]\n{lines}")
 
 
 @pytest.fixture

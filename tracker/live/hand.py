@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
-from extensions.applications.live import ApplicationThread
-from extensions.applications.stage import ApplicationStage
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.side_watch import SideWatch
 from tracker.fusion.chain.engine import ChainEngine
@@ -18,7 +17,7 @@ from tracker.live.frame_results import FrameResults, ShownFrame
 from tracker.live.history import History
 from tracker.live.imu_history import ImuHistory
 from tracker.live.journal import Journal
-from tracker.live.right_of_way import RightOfWay
+from tracker.live.listeners import Listeners
 from tracker.live.telemetry import Telemetry
 from tracker.messages import Calibration, Estimate, FrameResult, Status, Tracking
 from tracker.vision.region_prediction import RegionPrediction
@@ -58,7 +57,6 @@ class LiveHand:
         pipeline: Pipeline,
         journal: Journal,
         clock: Callable[[], float],
-        way: RightOfWay,
         alone: bool,
     ) -> None:
         self.side, self._alone = pipeline.glove.side, alone
@@ -73,8 +71,7 @@ class LiveHand:
         self.predicted: RegionPrediction | None = None  # for the vision thread
         names = pipeline.glove.keypoint_names(pipeline.hand)
         self.gestures = GestureRecogniser(pipeline.hand, names)
-        self.stage = ApplicationStage(pipeline.hand, pipeline.glove, journal.record)
-        self.applications = ApplicationThread(self.stage, self.telemetry, clock, way)
+        self.listeners = Listeners(partial(journal.say, "error"))
         self.on_used: Callable[[ShownFrame], object] = lambda used: None  # each image, once
         self.followers: tuple[Follower, ...] = ()
         self._subscribers: tuple[Subscriber, ...] = ()  # replaced, never changed
@@ -83,7 +80,6 @@ class LiveHand:
         self.watch_side(pipeline)
         self._begun = clock()
         self.telemetry.ask(self.history.figures)
-        self.telemetry.ask(self.applications.figures)
         self.telemetry.ask(self._side_figures)
 
     def watch_side(self, pipeline: Pipeline) -> None:

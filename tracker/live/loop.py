@@ -106,9 +106,7 @@ class LiveLoop:
         self.journal, self.telemetry, self.clock = journal, telemetry, clock
         self.way = RightOfWay()
         pipelines, alone = hands.pipelines, len(hands.pipelines) == 1
-        self.seen = {
-            side: LiveHand(p, journal, clock, self.way, alone) for side, p in pipelines.items()
-        }
+        self.seen = {side: LiveHand(p, journal, clock, alone) for side, p in pipelines.items()}
         self.load = LoadWatch()
         self.colours = ColourWatch(sum(len(p.glove.markers) for p in pipelines.values()))
         self._order = order or ArrivalOrder()
@@ -199,7 +197,7 @@ class LiveLoop:
 
     def _publish(self, hand: LiveHand, estimate: Estimate, t_arrival: float) -> None:
         """Hand an estimate to all that it is for."""
-        hand.applications.put(estimate, t_arrival)
+        hand.listeners.feed(estimate, t_arrival)
         for follow in hand.followers if hand.is_newer(estimate) else ():
             follow(estimate, t_arrival)
         self._show(hand, estimate, record=True)
@@ -344,7 +342,7 @@ class LiveLoop:
                 self._at_start = {side: self.status(side).values for side in self.seen}
                 self.journal.open(recorder)
                 for hand in self.seen.values():
-                    hand.stage.begin_anew()
+                    hand.listeners.restart()
                 self.record_state()
                 self._record_status()
             self.journal.say("recording", "The recording has begun.")

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from extensions.applications.stage import ApplicationStage
 from tracker.base.clock import monotonic
 from tracker.calibration.colours_follow import ColourFollower
 from tracker.engine.pipeline import Pipeline
@@ -25,6 +24,7 @@ from tracker.live.hand import Follower
 from tracker.live.history import SearchedImage
 from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox, ResetCommand
 from tracker.live.journal import Journal
+from tracker.live.listeners import ListenedHand, Listener, LiveAccess, Vibrate
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
 from tracker.live.right_of_way import RightOfWay
@@ -121,7 +121,7 @@ class LiveTracker:
         self._threads.join({**devices, "camera": self._camera.close}, STOPPING)
         self.set_reference(None)
         for hand in self._loop.seen.values():
-            hand.applications.close()
+            hand.listeners.close()
         self._loop.set_recorder(None, patience)
 
     def _glove_thread(self, side: str) -> str:
@@ -254,10 +254,16 @@ class HandOfTracker:
         """The hand as it is; None before the first packet."""
         return self._hand.estimate
 
-    @property
-    def stage(self) -> ApplicationStage:
-        """Where an application of the hand runs."""
-        return self._hand.stage
+    def attach_listeners(self, vibrate: Vibrate | None = None) -> Mapping[str, Listener]:
+        """Attach a listener of each kind that packages declare, and return them by name.
+
+        To be called once, before `LiveTracker.start`; ``vibrate`` drives the glove's motors.
+        """
+        loop, telemetry = self._loop, self._hand.telemetry
+        live = LiveAccess(loop.journal.record, telemetry, loop.clock, loop.way, vibrate)
+        pipeline = loop.hands.pipelines[self.side]
+        self._hand.listeners.attach(ListenedHand(pipeline.hand, pipeline.glove, live))
+        return self._hand.listeners.by_name
 
     def set_reference(self, name: str | None) -> None:
         """Of all hands: see `LiveTracker.set_reference`."""

@@ -160,7 +160,7 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
             simulated=info.simulated,
             player=engine.player,
             cut_off=not engine.is_finished,
-            stage=engine.hands.stages[seen.side],
+            listeners=engine.hands.listeners[seen.side].by_name,
         )
         for seen in info.hands
     ]

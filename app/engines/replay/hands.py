@@ -11,8 +11,8 @@ from typing import NamedTuple
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.tell_markers import MarkerTeller
-from extensions.applications.stage import ApplicationStage
 from tracker.base.damage import sentences
+from tracker.live.listeners import ListenedHand, Listeners
 from tracker.messages import Calibration, Estimate, Event, ImuSample, Message, Status
 from tracker.session.decode import MESSAGE_KINDS
 from tracker.session.holes import LONGEST_FILLED
@@ -37,7 +37,8 @@ class OfFile(NamedTuple):
 class HandsInFile:
     """Of one hand or of two. ``main`` reads the one that is shown first, and what is of no hand.
 
-    ``moments``, ``references`` and ``stages`` are by side. Raises FileError where it is unreadable.
+    ``moments``, ``references`` and ``listeners`` are by side. Raises FileError where it is
+    unreadable.
     """
 
     def __init__(self, path: Path) -> None:
@@ -51,12 +52,17 @@ class HandsInFile:
             r.info.side: ReplayMoment(len(r.info.glove.markers), has_images, _teller(r))
             for r in readers
         }
-        self.stages = {r.info.side: ApplicationStage(r.info.hand, r.info.glove) for r in readers}
         self.references = {
             r.info.side: References(path, r.info.side, holds(r, f"/truth/{r.info.side}/"))
             for r in readers
         }
         self._events: deque[Event] = deque(maxlen=1000)  # of the window
+        self.listeners = {r.info.side: self._attach_listeners(r) for r in readers}
+
+    def _attach_listeners(self, reader: SessionReader) -> Listeners:
+        listeners = Listeners(lambda text: self.tell(Event(0.0, "error", text)))
+        listeners.attach(ListenedHand(reader.info.hand, reader.info.glove))
+        return listeners
 
     def messages(
         self,
@@ -98,19 +104,19 @@ class HandsInFile:
             moment.position = position
 
     def forget(self) -> None:
-        """See `ReplayMoment.forget`; applications begin anew."""
+        """See `ReplayMoment.forget`; listeners start over."""
         for moment in self.moments.values():
             moment.forget()
-        for stage in self.stages.values():
-            stage.begin_anew()
+        for listeners in self.listeners.values():
+            listeners.restart()
 
     def advance(self, read: OfFile, due: bool) -> None:
-        """The hands beside, and applications if that is ``due``, to an estimate."""
+        """Advance the reference hands and, if ``due``, the listeners to an estimate."""
         message = read.message
         if isinstance(message, Estimate):
             self.references[read.side].advance(message.t)
             if due:
-                deque(self.stages[read.side].feed(message), maxlen=0)
+                self.listeners[read.side].feed(message, read.arrival)
 
     def tell(self, event: Event) -> None:
         """Report something that happens now, which is not an event of the file."""
@@ -143,8 +149,8 @@ class HandsInFile:
             reader.close()
         for references in self.references.values():
             references.close()
-        for stage in self.stages.values():
-            stage.close()
+        for listeners in self.listeners.values():
+            listeners.close()
 
 
 def _teller(reader: SessionReader) -> MarkerTeller | None:

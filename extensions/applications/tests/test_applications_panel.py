@@ -11,6 +11,7 @@ from extensions.applications import registry
 from extensions.applications.drawing import Line, Mesh, Points, Text
 from extensions.applications.hand import HandSample
 from extensions.applications.interface import Happening, Step
+from extensions.applications.live import ReplayedApplication
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.window.drawing import DrawingForms, bounds
 from extensions.applications.window.words import Progress, instruction, results
@@ -67,11 +68,16 @@ def staged(window, qtbot, monkeypatch):
     hand, glove, _ = models()
     stage = ApplicationStage(hand, glove, told.append)
     engine = ScriptedEngine()
-    window.host.adopt(replace(scripted_setup(engine), stage=stage))
+    window.host.adopt(replace(scripted_setup(engine), listeners=on(stage)))
     window.show_panel("applications")
     qtbot.waitUntil(window.applications.isVisible, timeout=10_000)
     window.ticker.stop()
     return window.applications, stage, engine, told
+
+
+def on(stage: ApplicationStage) -> dict[str, ReplayedApplication]:
+    """The listeners of a hand with this stage."""
+    return {"applications": ReplayedApplication(stage)}
 
 
 def show(panel, stage, engine) -> None:
@@ -125,7 +131,7 @@ def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot)
     """They follow the light; what is open is then described anew, for the same hand."""
     panel, stage, engine, _ = staged
     setup, profile = window.host.setup, models()[2]
-    window.host.adopt(replace(setup, stage=stage, profile=profile))
+    window.host.adopt(replace(setup, listeners=on(stage), profile=profile))
     window.host.set_profile(replace(profile, name="of another light"))
     panel.choose("compass")
 
@@ -224,7 +230,7 @@ def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
     panel, right, engine, told = staged
     hand, glove = library.load("vist-small-left")
     left = ApplicationStage(hand, glove)
-    there = replace(scripted_setup(engine), hand=hand, glove=glove, stage=left)
+    there = replace(scripted_setup(engine), hand=hand, glove=glove, listeners=on(left))
     window.host.adopt(replace(window.host.setup, other=there))
     panel.choose("compass", {"size": 0.2, "place": [1.0, 2.0, 3.0]})
     show(panel, right, engine)

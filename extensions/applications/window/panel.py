@@ -172,7 +172,7 @@ class ApplicationsPanel(Panel):
         self._clear()
         self._setup, self.model = setup, ApplicationsModel(setup)
         self._hand_model = HandSceneModel(setup)
-        self.controls.offer(self.model.titles, setup.stage is not None)
+        self.controls.offer(self.model.titles, self.model.stage is not None)
         self.view.orbit.look_from(FIRST_LOOK)
         self._fit_next()
         name, settings = self.model.expected

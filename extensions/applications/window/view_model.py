@@ -11,6 +11,7 @@ from typing import Any
 from app.engines.engine import EngineSetup
 from app.words import local, told, tr
 from extensions.applications.drawing import Drawing
+from extensions.applications.live import stage_of
 from extensions.applications.registry import BUILT_IN, titles
 from extensions.applications.runner import BEGINS, ENDS, KIND
 from extensions.applications.stage import ApplicationStage
@@ -35,7 +36,7 @@ class ApplicationsModel:
 
     def __init__(self, setup: EngineSetup) -> None:
         self._setup = setup
-        self.stage = setup.stage
+        self.stage = stage_of(setup.listeners)
         self.titles = titles()
 
     @property
