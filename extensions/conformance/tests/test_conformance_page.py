@@ -14,7 +14,6 @@ from app.engines.guide import WearersGuide
 from app.viewmodels.guided_hand import DRAWN, DrawnHand
 from extensions.conformance.run import WARM_UP, cues
 from extensions.conformance.take import BEAT, BEATS, GRASPS, SCRIPT
-from extensions.conformance.window.guide.lead import ScriptPage
 from extensions.conformance.window.view_model import Phase, ScriptRun
 from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
@@ -256,10 +255,10 @@ def test_the_drawn_hand_turns_from_side_to_side():
     assert apart.max() > 120
 
 
-def test_a_simulated_wearer_who_does_not_follow_is_said_to(window, engine, qtbot):
-    setup = dataclasses.replace(scripted_setup(engine), simulated=True, guide=WearersGuide(engine))
-    for simulated, words in ((True, "do not follow"), (False, "Open the hand")):
-        page = ScriptPage(dataclasses.replace(setup, simulated=simulated), "#ffffff")
-        qtbot.addWidget(page)
-        page.show_run(ScriptRun("right", lambda *_: None), None)
-        assert words in page.notes.text()
+@pytest.mark.parametrize(("simulated", "words"), [(True, "do not follow"), (False, "Open the")])
+def test_a_simulated_wearer_who_does_not_follow_is_said_to(window, engine, simulated, words):
+    guide = WearersGuide(engine)
+    setup = dataclasses.replace(scripted_setup(engine), simulated=simulated, guide=guide)
+    window.host.adopt(setup)
+    window.commands.actions["conformance"].trigger()
+    assert words in window.set_up.dialogs["conformance"].lead.notes.text()
