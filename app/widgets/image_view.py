@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -177,19 +177,14 @@ class ImageView(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), BACKGROUND)
         if self._image is None:
-            self._paint_placeholder(painter)
+            _paint_placeholder(painter, self.rect(), self._placeholder)
         else:
             self._paint_image(painter)
-        self._paint_title(painter)
+        painter.setFont(self.font())
+        _paint_title(painter, self._title)
         if self.hasFocus():
             _paint_focus(painter, self)
         painter.end()
-
-    def _paint_placeholder(self, painter: QPainter) -> None:
-        painter.setPen(QColor("#9aa4af"))
-        box = self.rect().adjusted(16, 16, -16, -16)
-        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-        painter.drawText(box, int(flags), self._placeholder)
 
     def _paint_image(self, painter: QPainter) -> None:
         assert self._image is not None
@@ -206,15 +201,21 @@ class ImageView(QWidget):
             paint_shape(painter, shape, s, origin)
         painter.setOpacity(1.0)
 
-    def _paint_title(self, painter: QPainter) -> None:
-        painter.setFont(self.font())
-        width = painter.fontMetrics().horizontalAdvance(self._title) + 16
-        box = QRectF(8, 8, width, painter.fontMetrics().height() + 6)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(0, 0, 0, 140))
-        painter.drawRoundedRect(box, 4, 4)
-        painter.setPen(QColor("#f2f4f6"))
-        painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), self._title)
+
+def _paint_placeholder(painter: QPainter, room: QRect, text: str) -> None:
+    painter.setPen(QColor("#9aa4af"))
+    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    painter.drawText(room.adjusted(16, 16, -16, -16), int(flags), text)
+
+
+def _paint_title(painter: QPainter, title: str) -> None:
+    width = painter.fontMetrics().horizontalAdvance(title) + 16
+    box = QRectF(8, 8, width, painter.fontMetrics().height() + 6)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(0, 0, 0, 140))
+    painter.drawRoundedRect(box, 4, 4)
+    painter.setPen(QColor("#f2f4f6"))
+    painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), title)
 
 
 def _paint_focus(painter: QPainter, widget: QWidget) -> None:

@@ -6,7 +6,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import (
+    QColor,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+)
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 MARGIN = 9  # px left and right, so that a handle at the end is whole
@@ -168,9 +176,10 @@ class TimelineBar(QWidget):
         painter.drawRoundedRect(line, 2, 2)
         if self.isEnabled() and self._duration > 0:
             self._paint_range(painter, middle, accent)
-            self._paint_spans(painter, middle)
+            _paint_spans(painter, self, middle)
             self._paint_marks(painter)
-            self._paint_head(painter, middle, accent)
+            head = QPointF(self.x_of(self._position), middle)
+            _paint_head(painter, head, self.palette())
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(accent)
@@ -186,12 +195,6 @@ class TimelineBar(QWidget):
             painter.drawRect(QRectF(x - 1, middle, 2, 12))
             painter.drawRect(QRectF(min(x, x + 6 * side), middle + 10, 6, 2))
 
-    def _paint_spans(self, painter: QPainter, middle: float) -> None:
-        for span in self.spans:
-            a, b = self.x_of(span.start), self.x_of(span.stop)
-            painter.setBrush(QColor(span.colour))
-            painter.drawRect(QRectF(a, middle + 3, max(b - a, 2.0), 5))
-
     def _paint_marks(self, painter: QPainter) -> None:
         for mark in self._marks:
             painter.setPen(QColor(mark.colour) if mark.colour else self.palette().text().color())
@@ -199,9 +202,16 @@ class TimelineBar(QWidget):
             painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), mark.sign)
         painter.setPen(Qt.PenStyle.NoPen)
 
-    def _paint_head(self, painter: QPainter, middle: float, accent: QColor) -> None:
-        x = self.x_of(self._position)
-        painter.setBrush(accent)
-        painter.drawEllipse(QPointF(x, middle), 6, 6)
-        painter.setBrush(self.palette().base())
-        painter.drawEllipse(QPointF(x, middle), 2.5, 2.5)
+
+def _paint_spans(painter: QPainter, bar: TimelineBar, middle: float) -> None:
+    for span in bar.spans:
+        a, b = bar.x_of(span.start), bar.x_of(span.stop)
+        painter.setBrush(QColor(span.colour))
+        painter.drawRect(QRectF(a, middle + 3, max(b - a, 2.0), 5))
+
+
+def _paint_head(painter: QPainter, at: QPointF, palette: QPalette) -> None:
+    painter.setBrush(palette.highlight())
+    painter.drawEllipse(at, 6, 6)
+    painter.setBrush(palette.base())
+    painter.drawEllipse(at, 2.5, 2.5)

@@ -406,35 +406,10 @@ class GloveLink:
             self._words.say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
         self.figures.skew_ppm = self._packet_clock.skew_ppm
         if now - self._rate_asked > RATE_WITHIN:
-            self._judge_rate()
+            _judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._words)
         if self._ranges is None:
-            self._judge_range(frame, time_of.t_device)
+            self._ranges = _range_at_rest(frame, time_of.t_device, self._at_rest, self._words)
         return [si_sample(frame, time_of, now, self._ranges, self._imu_ok)]
-
-    def _judge_rate(self) -> None:
-        rate_hz, asked_hz = self._packet_clock.rate_hz, self.params.rate_hz
-        if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
-            self._words.once(
-                "rate",
-                f"The glove sends {rate_hz:.0f} packets a second, not the {asked_hz} it was asked "
-                "for; their times are right all the same.",
-            )
-
-    def _judge_range(self, frame: Samples, t: float) -> None:
-        """A glove that has not said its ranges: gravity tells the accelerometers'."""
-        self._words.once(
-            "ranges",
-            "The glove has not said its ranges, so its values are not used yet: hold the hand "
-            "still for a second, then gravity tells them.",
-        )
-        accel_g = self._at_rest.look(frame.raw[:, :3].astype(float), t)
-        if accel_g is not None:
-            self._ranges = Ranges(accel_g, USUAL_GYRO_DPS)
-            self._words.once(
-                "range",
-                f"At rest the glove's acceleration fits a range of {accel_g} g, which is used now; "
-                f"for turning {USUAL_GYRO_DPS} deg/s is assumed and may be wrong.",
-            )
 
     def _status(self, status: GloveStatus) -> None:
         self.figures.battery_mV, self.figures.dropped = status.battery_mV, status.dropped
@@ -495,3 +470,32 @@ def si_sample(
         gyro=gyro,
         valid=valid,
     )
+
+
+def _judge_rate(rate_hz: float | None, asked_hz: int, words: Announcements) -> None:
+    if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
+        words.once(
+            "rate",
+            f"The glove sends {rate_hz:.0f} packets a second, not the {asked_hz} it was asked "
+            "for; their times are right all the same.",
+        )
+
+
+def _range_at_rest(
+    frame: Samples, t: float, at_rest: RangeFromRest, words: Announcements
+) -> Ranges | None:
+    """Of a glove that has not said its ranges: gravity shows the accelerometers'."""
+    words.once(
+        "ranges",
+        "The glove has not said its ranges, so its values are not used yet: hold the hand "
+        "still for a second, then gravity tells them.",
+    )
+    accel_g = at_rest.look(frame.raw[:, :3].astype(float), t)
+    if accel_g is None:
+        return None
+    words.once(
+        "range",
+        f"At rest the glove's acceleration fits a range of {accel_g} g, which is used now; "
+        f"for turning {USUAL_GYRO_DPS} deg/s is assumed and may be wrong.",
+    )
+    return Ranges(accel_g, USUAL_GYRO_DPS)

@@ -106,7 +106,7 @@ class SessionRecorder:
         for name, text in self.info.attachments().items():
             out.attach(name, text, now)
         if self.info.rig is not None:
-            self._put(out, self._encoder.rig(self.info.rig, self._start))
+            self._put(out, self._encoder.rig(self.info.rig, seconds(self.info.anchor.monotonic_ns)))
         self._put(out, self._descriptions(now))
         out.close_chunk()
 
@@ -119,21 +119,14 @@ class SessionRecorder:
             yield Out(topic, motion.STRING, now, now, data)
 
     @property
-    def _start(self) -> float:
-        return seconds(self.info.anchor.monotonic_ns)
-
-    @property
     def status(self) -> RecorderStatus:
         warning = ""
         if self._free < self.params.warn_free_gb * GB:
             warning = f"Only {self._free / GB:.1f} GB are left on the disk of {self.path.parent}."
-        size = self._out.size if self._out else self._size_on_disk()
+        size = self._out.size if self._out else _size_on_disk(self.path)
         return RecorderStatus(
             self.path, size, self._messages, self._frames, self._thinned, self._free, warning
         )
-
-    def _size_on_disk(self) -> int:
-        return self.path.stat().st_size if self.path.exists() else 0
 
     @property
     def closed(self) -> bool:
@@ -262,6 +255,10 @@ def new_session(
     params = replace(params or RecorderParams(), sync=False, stop_free_gb=0.0)
     with whole_file(path, force, inputs) as part, SessionRecorder(part, info, params) as recorder:
         yield recorder
+
+
+def _size_on_disk(path: Path) -> int:
+    return path.stat().st_size if path.exists() else 0
 
 
 def _checked(p: RecorderParams) -> RecorderParams:

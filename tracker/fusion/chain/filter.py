@@ -88,7 +88,7 @@ class ChainFilter:
         while (
             self._tape is None
             and end < len(way.stop)
-            and not self._tilt_is_due(float(way.stop[end - 1]))
+            and not _is_due(self.kept, self._params, float(way.stop[end - 1]))
         ):
             end += 1
         return end
@@ -140,13 +140,10 @@ class ChainFilter:
 
     # ---- measurements
 
-    def _tilt_is_due(self, t: float) -> bool:
-        return t - self.kept.last_tilt >= self._params.constraint.period
-
     def _tilt(self) -> None:
         """Relative tilt from the accelerometers, at most every ``period``."""
         t = self.state.t
-        around = self._buffer.around(t) if self._tilt_is_due(t) else None
+        around = self._buffer.around(t) if _is_due(self.kept, self._params, t) else None
         if around is None:
             return
         rows = tilt_rows(self.state, self._layout, self._params.constraint, around)
@@ -180,7 +177,9 @@ class ChainFilter:
     def correct(self, seen: Rows) -> None:
         """One stacked update: what was seen and anatomy, linearised at the same state."""
         H, r, variance = self._constraints_seen.rows(self.state)
-        variance = variance * self._how_often()
+        since = max(self.state.t - self.kept.last_constraint, 1e-3)
+        # at twice the usual rate each use says half as much
+        variance = variance * max(1.0, self._params.constraint.period / since)  # eq. 37
         self._update(*joined(*seen, H, r, variance, self.state.P))
         self.kept.last_constraint = self.state.t
 
@@ -190,11 +189,6 @@ class ChainFilter:
         H, HP, r, R = seen
         inject(trial, self._layout, correct(trial.P, HP, H @ HP.T + R, r, np.zeros_like(R)))
         return trial
-
-    def _how_often(self) -> float:
-        """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
-        since = max(self.state.t - self.kept.last_constraint, 1e-3)
-        return max(1.0, self._params.constraint.period / since)  # eq. 37
 
     def learn(self, H: Array, r: Array, R: Array) -> None:
         """Rows H (m, C) on the calibration alone, with innovation r (m,) and noise R (m, m)."""
@@ -214,3 +208,8 @@ class ChainFilter:
             self._tape.update(H, HP, HPH + R, r)
         dx = correct(self.state.P, HP, HPH, r, R)  # eq. 38
         inject(self.state, self._layout, dx)
+
+
+def _is_due(kept: FilterKept, params: ChainParams, t: float) -> bool:
+    """Whether relative tilt may be used again."""
+    return t - kept.last_tilt >= params.constraint.period
