@@ -6,6 +6,7 @@ answers ``step(hand: HandSample) -> Step`` with what is drawn and what has happe
 """
 
 from extensions.applications.drawing import Drawing, Line, Mesh, Points, Text
+from extensions.applications.extension import ApplicationKind
 from extensions.applications.hand import HandSample
 from extensions.applications.interface import (
     Application,
@@ -19,6 +20,7 @@ from extensions.applications.interface import (
 
 __all__ = [
     "Application",
+    "ApplicationKind",
     "Drawing",
     "HandSample",
     "Happening",

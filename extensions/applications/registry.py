@@ -5,78 +5,50 @@ A package names its application's class under the entry-point group ``glovetrack
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from importlib import import_module
-from importlib.metadata import entry_points
-from typing import Any, NamedTuple, get_type_hints
+from typing import Any, get_type_hints
 
+from extensions.applications.extension import ApplicationKind
 from extensions.applications.interface import Application
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError
+from tracker.base.registry import Registry
 
-GROUP = "glovetrack.applications"
-
-
-class BuiltIn(NamedTuple):
-    """Where an application of ours is, and what it is called where it cannot be loaded."""
-
-    module: str
-    kind: str
-    title: str
-
-
-BUILT_IN = {
-    "touch": BuiltIn("touch.touch", "Touch", "Virtual object to touch"),
-    "arm": BuiltIn("arm.arm", "RobotArm", "Robot arm"),
-    "place": BuiltIn("place.place", "Place", "Virtual place"),
-    "swarm": BuiltIn("swarm.swarm", "Swarm", "Drone swarm"),
-}
-"""By name; imported when asked for."""
-EXTRA = 'pip install "glovetrack[robot]"'
-_log = logging.getLogger(__name__)
 Maker = Callable[[Any], Application]
 
 
-def names() -> list[str]:
-    """Of all applications, ours first."""
-    others = [entry.name for entry in entry_points(group=GROUP)]
-    return [*BUILT_IN, *(n for n in others if n not in BUILT_IN)]
+def _described(found: object) -> object:
+    """An application's class describes itself."""
+    if not isinstance(found, type):
+        return found
+    application: type[Application] = found
+    return ApplicationKind(application.name, application.title, lambda: application)
+
+
+APPLICATIONS = Registry("applications", "application", ApplicationKind, _described)
 
 
 def kind(name: str) -> type[Application]:
     """The class. Raises ConfigError where there is none, or it cannot be loaded."""
-    if name in BUILT_IN:
-        ours = BUILT_IN[name]
-        try:
-            module = import_module(f"{__package__}.{ours.module}")
-            found: type[Application] = getattr(module, ours.kind)
-        except ImportError as error:
-            raise ConfigError(
-                f"The application {name} needs a package that is not installed ({error}). "
-                f"Run: {EXTRA}"
-            ) from error
-        return found
-    for entry in entry_points(group=GROUP, name=name):
-        try:
-            found = entry.load()
-        except Exception as error:
-            raise ConfigError(f"The application {name} cannot be loaded: {error}") from error
-        return found
-    raise ConfigError(f"There is no application {name!r}; there are {', '.join(names())}.")
+    described = APPLICATIONS.get(name)
+    try:
+        return described.load()
+    except ImportError as error:
+        command = f' Run: pip install "{described.extra}"' if described.extra else ""
+        raise ConfigError(
+            f"The application {name} needs a package that is not installed ({error}).{command}"
+        ) from error
 
 
 def titles() -> dict[str, str]:
-    """What each is called, by name. Ours are all named: one that lacks a package says so when it
-    is chosen. A plug-in that cannot be loaded is left out and logged."""
-    out = {}
-    for name in names():
-        try:
-            out[name] = BUILT_IN[name].title if name in BUILT_IN else kind(name).title
-        except ConfigError as error:
-            _log.warning("%s", error)
-    return out
+    """The title of each application, by name, in the order of the list.
+
+    One that lacks a package is listed and says so when it is chosen; one that cannot be loaded is
+    left out and logged.
+    """
+    found = sorted(APPLICATIONS.all().items(), key=lambda item: item[1].order)
+    return {name: described.title for name, described in found}
 
 
 def settings_type(found: type[Application]) -> type[Any]:

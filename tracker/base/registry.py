@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import logging
 import sys
+from collections.abc import Callable
 from functools import lru_cache
 from importlib.metadata import EntryPoint, entry_points
 from typing import Generic, TypeVar
@@ -27,13 +28,20 @@ class Registry(Generic[D]):
     """The parts of one kind, by name.
 
     ``kind`` is the last word of the entry-point group, ``noun`` what one part is called in
-    messages; every descriptor must be a ``descriptor``.
+    messages; every descriptor must be a ``descriptor``. ``adapt`` makes one of something simpler
+    that an entry point may name instead, and returns other objects unchanged.
     """
 
-    def __init__(self, kind: str, noun: str, descriptor: type[D]) -> None:
+    def __init__(
+        self,
+        kind: str,
+        noun: str,
+        descriptor: type[D],
+        adapt: Callable[[object], object] = lambda found: found,
+    ) -> None:
         self.group = f"glovetrack.{kind}"
         self.noun = noun
-        self._descriptor = descriptor
+        self._descriptor, self._adapt = descriptor, adapt
 
     def names(self) -> list[str]:
         """The names of all parts, those of this program first; nothing is imported."""
@@ -46,7 +54,7 @@ class Registry(Generic[D]):
             known = ", ".join(self.names()) or "none"
             raise ConfigError(f"There is no {self.noun} {name!r}; available: {known}.")
         try:
-            found = entry.load()
+            found = self._adapt(entry.load())
         except Exception as error:
             raise ConfigError(f"The {self.noun} {name} cannot be loaded: {error}") from error
         if not isinstance(found, self._descriptor):

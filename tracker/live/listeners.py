@@ -10,14 +10,16 @@ import logging
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from tracker.base.registry import Registry
-from tracker.glove.model import GloveModel
-from tracker.hand.model import HandModel
-from tracker.live.right_of_way import RightOfWay
-from tracker.live.telemetry import Telemetry
-from tracker.messages import Estimate, Event
+
+if TYPE_CHECKING:  # a descriptor is imported to list it
+    from tracker.glove.model import GloveModel
+    from tracker.hand.model import HandModel
+    from tracker.live.right_of_way import RightOfWay
+    from tracker.live.telemetry import Telemetry
+    from tracker.messages import Estimate, Event
 
 _log = logging.getLogger(__name__)
 

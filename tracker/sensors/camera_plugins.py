@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
-from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
-from tracker.base.errors import DeviceError
+from tracker.base.errors import ConfigError, DeviceError
+from tracker.base.registry import Registry
 from tracker.sensors.image_input import CameraName, CaptureFormat, ImageInput, list_cameras
 
-GROUP = "glovetrack.cameras"
+DRIVERS = Registry("cameras", "camera plug-in", type)
+"""Classes of `CameraDriver`."""
 _log = logging.getLogger(__name__)
 
 
@@ -31,12 +32,12 @@ class CameraDriver(Protocol):
 def plugin_cameras() -> list[CameraName]:
     """All cameras of all plug-ins. ``path`` is ``driver://id``; a driver that fails has none."""
     out: list[CameraName] = []
-    for entry in entry_points(group=GROUP):
+    for plugin, driver in DRIVERS.all().items():
         try:
-            found = _driver(entry).cameras()
-            out += [CameraName(-1, name, f"{entry.name}://{camera}") for camera, name in found]
+            found = _made(driver).cameras()
+            out += [CameraName(-1, name, f"{plugin}://{camera}") for camera, name in found]
         except Exception as error:  # noqa: BLE001 - a stranger's code must not end ours
-            _log.warning("The camera plug-in %s does not work: %s", entry.name, error)
+            _log.warning("The camera plug-in %s does not work: %s", plugin, error)
     return out
 
 
@@ -52,22 +53,24 @@ def all_cameras() -> list[CameraName]:
 
 def is_plugin(address: str) -> bool:
     """Whether an address such as ``folder:///srv/images`` is a plug-in's."""
-    return address.partition("://")[0] in {e.name for e in entry_points(group=GROUP)}
+    return address.partition("://")[0] in DRIVERS.names()
 
 
 def open_plugin(address: str, want: CaptureFormat) -> ImageInput:
     """The image input behind ``driver://id``. Raises DeviceError in words."""
     name, _, camera = address.partition("://")
-    for entry in entry_points(group=GROUP, name=name):
-        try:
-            return _driver(entry).open(camera, want)
-        except DeviceError:
-            raise
-        except Exception as error:
-            raise DeviceError(f"The camera plug-in {name} does not work: {error}") from error
-    raise DeviceError(f"There is no camera plug-in {name}: install its package.")
+    if name not in DRIVERS.names():
+        raise DeviceError(f"There is no camera plug-in {name}: install its package.")
+    try:
+        return _made(DRIVERS.get(name)).open(camera, want)
+    except DeviceError:
+        raise
+    except ConfigError as error:
+        raise DeviceError(str(error)) from error
+    except Exception as error:
+        raise DeviceError(f"The camera plug-in {name} does not work: {error}") from error
 
 
-def _driver(entry: EntryPoint) -> CameraDriver:
-    driver: CameraDriver = entry.load()()
-    return driver
+def _made(driver: type) -> CameraDriver:
+    made: CameraDriver = driver()
+    return made

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from extensions.applications import registry
 from extensions.applications.drawing import Line, Mesh, Points, Text
 from extensions.applications.hand import HandSample
 from extensions.applications.interface import Happening, Step
@@ -15,6 +14,7 @@ from extensions.applications.live import ReplayedApplication
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.window.drawing import DrawingForms, bounds
 from extensions.applications.window.words import Progress, instruction, results
+from tests.base.test_registry import install
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tracker.geometry import so3
 from tracker.glove import library
@@ -22,6 +22,7 @@ from tracker.messages import Estimate, Event, Tracking
 from tracker.simulation import scripted
 from tracker.simulation.motion import pose_at
 
+OURS = ("touch", "arm", "place", "swarm")
 TETRA = np.array([[0, 0, 0], [1.0, 0, 0], [0, 1, 0], [0, 0, 1]])
 FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 
@@ -59,11 +60,10 @@ class Compass:
 
 
 @pytest.fixture
-def staged(window, qtbot, monkeypatch):
+def staged(window, qtbot, tmp_path, monkeypatch):
     """The window with an engine that has a stage, and the compass among the applications."""
-    known = registry.kind
-    monkeypatch.setattr(registry, "kind", lambda n: Compass if n == "compass" else known(n))
-    monkeypatch.setattr(registry, "names", lambda: ["compass"])
+    install(tmp_path, "compass", {"compass": f"{__name__}:Compass"}, "applications")
+    monkeypatch.syspath_prepend(str(tmp_path))
     told: list[Event] = []
     hand, glove, _ = models()
     stage = ApplicationStage(hand, glove, told.append)
@@ -148,7 +148,7 @@ def progress(**counts) -> Progress:
 
 
 def test_each_application_says_what_to_do_now():
-    for name in registry.BUILT_IN:
+    for name in OURS:
         waits = instruction(name, progress(placed=1), located=False)
         begins = instruction(name, progress(placed=1), located=True)
         assert waits == "Hold the hand where the cameras see it." and begins != waits
@@ -177,7 +177,7 @@ def test_a_touch_is_followed_by_the_instruction_and_told_with_units(staged, qtbo
     assert not panel.instruction.isVisible()
 
 
-@pytest.mark.parametrize("name", list(registry.BUILT_IN))
+@pytest.mark.parametrize("name", OURS)
 def test_what_a_simulated_wearer_does_is_told_in_words(name):
     """Run on the show that each application has, with the true hand."""
     hand, glove, _ = models()

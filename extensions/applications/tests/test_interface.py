@@ -17,7 +17,7 @@ import pytest
 
 from extensions.applications.drawing import Line, Points
 from extensions.applications.hand import HandReader, foretold
-from extensions.applications.registry import BUILT_IN, kind, make, names, titles
+from extensions.applications.registry import APPLICATIONS, kind, make, titles
 from extensions.applications.runner import ApplicationRunner
 from extensions.applications.session_run import Into, difference, replay, run_into
 from extensions.applications.sources import simulated, streamed
@@ -78,15 +78,16 @@ def installed(site: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 def test_the_example_is_short_and_listed(installed: None) -> None:
     assert len((EXAMPLE / "glovetrack_air_drawing.py").read_text().splitlines()) < 60
-    assert "air-drawing" in names()
     assert titles()["air-drawing"] == "Drawing in the air"
+    assert list(titles())[:4] == ["touch", "arm", "place", "swarm"], "ours first"
 
 
 def test_ours_are_called_what_their_classes_say_and_named_without_their_packages(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    assert {n: t for n, t in titles().items() if n in BUILT_IN} == {
-        n: kind(n).title for n in BUILT_IN
+    described = APPLICATIONS.all().items()
+    assert {n: (d.name, d.title) for n, d in described} == {
+        n: (kind(n).name, kind(n).title) for n, _ in described
     }
     monkeypatch.setitem(sys.modules, "mujoco", None)  # as where it is not installed
     room = kind("arm").__module__.rpartition(".")[0]

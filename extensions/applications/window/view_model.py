@@ -12,10 +12,10 @@ from app.engines.engine import EngineSetup
 from app.words import local, told, tr
 from extensions.applications.drawing import Drawing
 from extensions.applications.live import stage_of
-from extensions.applications.registry import BUILT_IN, titles
+from extensions.applications.registry import titles
 from extensions.applications.runner import BEGINS, ENDS, KIND
 from extensions.applications.stage import ApplicationStage
-from extensions.applications.window.words import Progress, instruction, results
+from extensions.applications.window.words import Progress, instruction, is_known, results
 from tracker.base.errors import GlovetrackError
 from tracker.streaming.publisher import StreamError
 
@@ -145,7 +145,7 @@ class ApplicationsModel:
         found = results(stage.name, self._made(stage))
         if found:
             return found
-        if stage.name in BUILT_IN:
+        if is_known(stage.name):
             return tr("Nothing has happened yet.")
         counts = [(what, n) for what, n in stage.counts.items() if what not in NO_EVENTS]
         return ", ".join(f"{what} {n}" for what, n in counts) or tr("Nothing has happened yet.")

@@ -24,9 +24,14 @@ class Progress(NamedTuple):
         return self.count(begins) > self.count(ends)
 
 
+def is_known(name: str) -> bool:
+    """Whether `instruction` and `results` have texts for this application."""
+    return name in _STEPS
+
+
 def instruction(name: str, made: Progress, located: bool) -> str:
     """What to do now; empty for an application of others."""
-    if name not in _STEPS:
+    if not is_known(name):
         return ""
     if not located:
         return tr("Hold the hand where the cameras see it.")
