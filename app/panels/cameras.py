@@ -29,7 +29,6 @@ BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
 
 
 class CamerasPanel(Panel):
-    name = "cameras"
     period = 1 / 60
     set_up_asked = Signal()
 
@@ -58,9 +57,6 @@ class CamerasPanel(Panel):
         self.right.handled.connect(lambda: self._handled(self.right, self.left))
         host.opened.connect(self._open)
         host.hand_changed.connect(self._open)
-
-    def title(self) -> str:
-        return self.tr("Cameras")
 
     # --- controls
 

@@ -23,7 +23,6 @@ HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
 
 class ChecklistPanel(Panel):
-    name = "checklist"
     period = 0.5
     action = Signal(str)
 
@@ -54,9 +53,6 @@ class ChecklistPanel(Panel):
         for i in range(len(steps(None))):
             self._rows.append(_Row(self._grid, i, self.action))
         self.refresh(None)
-
-    def title(self) -> str:
-        return self.tr("Set-up")
 
     def refresh(self, view: Snapshot | None) -> None:
         self._read_light(view)

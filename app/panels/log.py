@@ -28,7 +28,6 @@ _log = logging.getLogger(__name__)
 
 
 class LogPanel(Panel):
-    name = "log"
     period = 1.0
     report = Signal()  # the user wants a bug report
 
@@ -62,9 +61,6 @@ class LogPanel(Panel):
         column.addWidget(self.list, 1)
         host.happened.connect(self.add)
         host.error.connect(lambda text: self.add(Event(0.0, "error", text)))
-
-    def title(self) -> str:
-        return self.tr("Log")
 
     def add(self, event: Event) -> None:
         _log.info("%s: %s", event.kind, event.text)

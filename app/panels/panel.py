@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from PySide6.QtWidgets import QWidget
 
 from app.engines.engine_host import EngineHost
@@ -9,29 +11,51 @@ from app.engines.snapshot import Snapshot
 from tracker.messages import Shed
 
 
-class Panel(QWidget):
-    """A dock's content. ``refresh`` is called at most every ``period`` seconds, when in sight."""
+class PanelColours(Protocol):
+    """Colours of the window's theme, as ``#RRGGBB``."""
 
-    name = ""  # stable, for layouts and tests
+    @property
+    def base(self) -> str:
+        """Background of plots and lists."""
+
+    @property
+    def text(self) -> str:
+        """Text and axes on ``base``."""
+
+    @property
+    def scene(self) -> str:
+        """Background of 3D views."""
+
+
+class Panel(QWidget):
+    """A dock's content. ``refresh`` is called at most every ``period`` seconds, when in sight.
+
+    ``name`` is that of its `PanelKind`; the window sets it, and the title as its window title.
+    """
+
+    name = ""
     period = 1 / 30
     spared_at: Shed | None = None  # from where on it is refreshed less often
 
     def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.host = host
-        self.setObjectName(f"panel_{self.name}")
-
-    def title(self) -> str:
-        """The dock's title, translated."""
-        raise NotImplementedError
 
     @property
     def works_unseen(self) -> bool:
         """Whether it is refreshed out of sight too, for work that it has to finish."""
         return False
 
+    @property
+    def needs_low_latency(self) -> bool:
+        """Whether something follows the hand that must not wait for the window's painting."""
+        return False
+
     def refresh(self, view: Snapshot | None) -> None:
         """Show ``view``; None while no engine is open. Panels fed by signals need none."""
+
+    def show_theme(self, colours: PanelColours) -> None:
+        """Apply the colours that the style sheet does not: of plots and 3D views."""
 
     def shut_down(self) -> None:
         """Free what Qt does not; called once, before the window goes."""

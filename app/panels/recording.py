@@ -38,7 +38,6 @@ from tracker.base.errors import ConfigError
 
 
 class RecordingPanel(Panel):
-    name = "recording"
     period = 0.5
 
     def __init__(
@@ -66,9 +65,6 @@ class RecordingPanel(Panel):
         host.closed.connect(self._close)
         key.counted.connect(lambda _left: self._enable())
         self._enable()
-
-    def title(self) -> str:
-        return self.tr("Recording")
 
     def _form(self) -> QFormLayout:
         plan = self._plan

@@ -20,7 +20,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.graphs.looks import COLOURS, curve_looks
 from app.panels.hand_choice import HandChoice
-from app.panels.panel import Panel
+from app.panels.panel import Panel, PanelColours
 from app.storage.settings import SettingsStore
 from app.viewmodels.graphs import value_at
 from app.viewmodels.names import spoken
@@ -40,7 +40,6 @@ UNITS = {"gyro": "°/s", "accel": "g", "angles": "°"}
 
 
 class SensorsPanel(Panel):
-    name = "sensors"
     period = 1 / 20
 
     def __init__(
@@ -62,9 +61,6 @@ class SensorsPanel(Panel):
         self._lay_out()
         host.opened.connect(self._open)
         host.hand_changed.connect(self._open)
-
-    def title(self) -> str:
-        return self.tr("Sensors")
 
     # --- widgets
 
@@ -109,9 +105,9 @@ class SensorsPanel(Panel):
         self._grid.setHorizontalSpacing(TIGHT)
         column.addLayout(self._grid)
 
-    def set_colours(self, background: str, text: str) -> None:
+    def show_theme(self, colours: PanelColours) -> None:
         for plot in self.plots.values():
-            plot.set_colours(background, text)
+            plot.set_colours(colours.base, colours.text)
 
     def _open(self, setup: EngineSetup) -> None:
         """The IMUs of this glove and the angles of this hand."""

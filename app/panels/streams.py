@@ -49,7 +49,6 @@ MOST, USUAL = 255, 200  # amplitude
 
 
 class StreamsPanel(Panel):
-    name = "streams"
     period = 0.5
 
     def __init__(
@@ -82,9 +81,6 @@ class StreamsPanel(Panel):
         outputs.changed.connect(self._show)
         host.running_changed.connect(lambda _on: self._show())
         self._show()
-
-    def title(self) -> str:
-        return self.tr("Streams && haptics")
 
     # --- streams
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
@@ -13,10 +14,10 @@ from app.storage.settings import SettingsStore
 from app.widgets.question import answer, choice
 from app.window.commands import Command, Commands
 from app.window.layouts import (
-    JOBS,
     REPLAY_NEEDS,
     REVIEW,
     Docks,
+    Job,
     Shares,
     arrange,
     bring_main_to_front,
@@ -40,10 +41,13 @@ class LayoutKeeper(QObject):
     chosen_early = Signal(str)  # a job, before docks stand
     removed = Signal(str, object)  # a sentence, and what undoes it
 
-    def __init__(self, window: QMainWindow, docks: Docks, store: SettingsStore) -> None:
+    def __init__(
+        self, window: QMainWindow, docks: Docks, jobs: Mapping[str, Job], store: SettingsStore
+    ) -> None:
         super().__init__(window)
+        self.jobs = jobs
         self._window, self._docks, self._store = window, docks, store
-        self._jobs: dict[str, QAction] = {}
+        self._actions: dict[str, QAction] = {}
         self._changes: dict[str, QAction] = {}  # what is done with kept layouts
         self._named: QMenu | None = None
         self.shown = False  # docks stand; before, there is the start page
@@ -58,14 +62,14 @@ class LayoutKeeper(QObject):
             watched.installEventFilter(self)
         TakenOut(window, docks, lambda: self._shares)
 
-    def list_commands(self, commands: Commands) -> list[QAction]:
-        """The menu; returns the actions of the jobs."""
+    def list_commands(self, commands: Commands) -> dict[str, QAction]:
+        """The menu; returns the actions of the jobs, by the names of their icons."""
         menu = self.tr("&Layout")
-        for i, job in enumerate(JOBS, start=1):
+        for i, job in enumerate(self.jobs.values(), start=1):
             command = Command(
                 f"job_{job.name}", menu, title_of(job), partial(self.choose, job.name), f"Alt+{i}"
             )
-            self._jobs[job.name] = commands.add(command)
+            self._actions[job.name] = commands.add(command)
         for key, text, run in (
             ("keep_layout", self.tr("&Keep this layout…"), self._ask_name),
             ("rename_layout", self.tr("&Rename a layout…"), self._ask_rename),
@@ -76,7 +80,7 @@ class LayoutKeeper(QObject):
         self._named = commands.menu(menu).addMenu(self.tr("Kept layouts"))
         self._list_named()
         self._tick()
-        return list(self._jobs.values())
+        return {self.jobs[name].icon: action for name, action in self._actions.items()}
 
     # --- the jobs
 
@@ -85,7 +89,7 @@ class LayoutKeeper(QObject):
         self.shown = True
         value = self._store.value
         job, layout = value.job, value.layout or value.job_layouts.get(value.job)
-        if replay and not job_of(job).shown.issuperset(REPLAY_NEEDS):
+        if replay and not job_of(self.jobs, job).shown.issuperset(REPLAY_NEEDS):
             self._before_review = job, layout if isinstance(layout, dict) else {}
             self._store.update(job=REVIEW)
             job, layout = REVIEW, value.job_layouts.get(REVIEW)
@@ -106,14 +110,14 @@ class LayoutKeeper(QObject):
         """``layout``: of ``job``, or with a name where that is empty; else the job's default."""
         known = isinstance(layout, dict) and bool(layout)
         if not (isinstance(layout, dict) and known and restore(self._window, self._docks, layout)):
-            arrange(self._window, self._docks, job_of(job))
+            arrange(self._window, self._docks, job_of(self.jobs, job))
         if job:
-            bring_main_to_front(self._docks, job_of(job))
+            bring_main_to_front(self._docks, job_of(self.jobs, job))
         self._tick()
 
     def reset(self) -> None:
         """The layout of the job as it comes with the program."""
-        job = job_of(self._store.value.job)
+        job = job_of(self.jobs, self._store.value.job)
         kept = {k: v for k, v in self._store.value.job_layouts.items() if k != job.name}
         self._store.update(job=job.name, job_layouts=kept)
         self._visitors.clear()
@@ -171,7 +175,7 @@ class LayoutKeeper(QObject):
         self._put_on(job, layout)
 
     def _tick(self) -> None:
-        for name, action in self._jobs.items():
+        for name, action in self._actions.items():
             action.setChecked(name == self._store.value.job)
 
     def current(self) -> dict[str, Any]:

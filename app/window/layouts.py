@@ -7,16 +7,20 @@ a layout kept on a small screen is the same layout on a large one.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar
 
+from app.panels.kind import PanelKind
+
 Docks = dict[str, QDockWidget]
 Shares = dict[str, tuple[float, float]]
 """Of the window's inner width and height, by dock."""
+Groups = tuple[tuple[str, ...], ...]
+"""Names of docks in tabs, of each group from the top down."""
 LEFT, RIGHT = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
 BELOW = Qt.DockWidgetArea.BottomDockWidgetArea
 
@@ -25,69 +29,39 @@ BELOW = Qt.DockWidgetArea.BottomDockWidgetArea
 class Job:
     """What one does, and what is in sight for it.
 
-    Groups of docks in tabs, from the top down in each column and below both; the first of a group
-    is in front. ``left``: share of the width; ``top``: of the height that each column's first
-    group has; ``below``: that of what is below both columns. ``right_px`` and ``below_px``: what
-    their panels need at least, on a small screen or a large scale more than that share.
+    ``left``: share of the width; ``top``: of the height that each column's first group has;
+    ``below``: that of what is below both columns. ``right_px`` and ``below_px``: what their panels
+    need at least, on a small screen or a large scale more than that share. ``columns`` and
+    ``across``: groups of docks in tabs, from the top down in each column, and the one below both;
+    the first of a group is in front. ``next_to`` and ``over``: where docks appear when they are
+    called that the job does not show: next to another one, or as a tab of it, by their names.
     """
 
     name: str
     icon: str
-    columns: tuple[tuple[tuple[str, ...], ...], tuple[tuple[str, ...], ...]]
     left: float
     top: tuple[float, float] = (1.0, 1.0)
-    across: tuple[str, ...] = ()
     below: float = 0.0
     right_px: int = 0
     below_px: int = 0
+    columns: tuple[Groups, Groups] = ((), ())
+    across: tuple[str, ...] = ()
+    next_to: Mapping[str, str] = field(default_factory=dict)
+    over: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def shown(self) -> set[str]:
         return {n for column in self.columns for group in column for n in group} | {*self.across}
 
 
-JOBS = (
-    Job(
-        "set_up",
-        "list-checks",
-        ((("cameras",), ("sensors",)), (("checklist", "calibration", "colours"),)),
-        0.56,
-        (0.58, 1.0),
-    ),
-    Job("watch", "eye", ((("cameras",),), (("hand",),)), 0.55),
-    Job(
-        "record",
-        "circle-dot",
-        ((("cameras",), ("hand",)), (("recording", "log"),)),
-        0.70,
-        (0.5, 1),
-        right_px=320,
-    ),
-    Job(
-        "look",
-        "film",
-        ((("cameras",),), (("hand",),)),
-        0.55,
-        across=("library", "motion", "graphs", "log"),
-        below=0.48,
-        below_px=222,
-    ),
-    Job(
-        "all",
-        "panels-top-left",
-        (
-            (("cameras",), ("sensors", "motion", "graphs", "library", "log")),
-            (
-                ("hand", "applications", "robot"),
-                ("calibration", "checklist", "colours", "recording", "streams", "devices"),
-            ),
-        ),
-        0.58,
-        (0.55, 0.55),
-        right_px=450,
-        below_px=222,
-    ),
+FRAMES = (
+    Job("set_up", "list-checks", 0.56, (0.58, 1.0)),
+    Job("watch", "eye", 0.55),
+    Job("record", "circle-dot", 0.70, (0.5, 1), right_px=320),
+    Job("look", "film", 0.55, below=0.48, below_px=222),
+    Job("all", "panels-top-left", 0.58, (0.55, 0.55), right_px=450, below_px=222),
 )
+"""The jobs, before the panels that each one shows are added."""
 FIRST = "watch"
 REVIEW = "look"
 """The job whose layout is for replays."""
@@ -95,10 +69,6 @@ REPLAY_NEEDS = ("hand", "library")
 """Docks without which a replay cannot be watched and moved through."""
 HALF_AND_MORE = 0.62
 """Of the window at most for a side that needs its room; the images keep the rest."""
-BESIDE = {"robot": "hand"}
-"""Docks that come to stand beside another one when they are called, where that is in sight."""
-OVER = {"applications": "hand", "graphs": "hand", "devices": "hand"}
-"""Docks that come to the place of another when they are called: they need its room."""
 
 
 def title_of(job: Job) -> str:
@@ -113,9 +83,35 @@ def title_of(job: Job) -> str:
     return words[job.name]
 
 
-def job_of(name: str) -> Job:
+def jobs_for(kinds: Mapping[str, PanelKind]) -> dict[str, Job]:
+    """The jobs by name, with panels of these kinds where each kind wants to be shown."""
+    next_to = {name: kind.next_to for name, kind in kinds.items() if kind.next_to}
+    over = {name: kind.over for name, kind in kinds.items() if kind.over}
+    return {
+        frame.name: replace(
+            frame,
+            columns=(_tabs(kinds, frame.name, "left"), _tabs(kinds, frame.name, "right")),
+            across=tuple(itertools.chain(*_tabs(kinds, frame.name, "below"))),
+            next_to=next_to,
+            over=over,
+        )
+        for frame in FRAMES
+    }
+
+
+def _tabs(kinds: Mapping[str, PanelKind], job: str, area: str) -> Groups:
+    """The groups of tabs of one area, from the top."""
+    spots = {name: kind.shown[job] for name, kind in kinds.items() if job in kind.shown}
+    found = {name: spot for name, spot in spots.items() if spot.area == area}
+    return tuple(
+        tuple(sorted((n for n, s in found.items() if s.group == i), key=lambda n: found[n].tab))
+        for i in sorted({spot.group for spot in found.values()})
+    )
+
+
+def job_of(jobs: Mapping[str, Job], name: str) -> Job:
     """The job of that name, or the first one's."""
-    return next((j for j in JOBS if j.name == name), next(j for j in JOBS if j.name == FIRST))
+    return jobs.get(name, jobs[FIRST])
 
 
 def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
@@ -128,20 +124,20 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
             _add(window, docks, area, group)
     if job.across:
         _add(window, docks, BELOW, job.across)
-    beside = {n: at for n, at in BESIDE.items() if n not in job.shown and at in job.shown}
+    beside = {n: at for n, at in job.next_to.items() if n not in job.shown and at in job.shown}
     for name, at in beside.items():
         window.splitDockWidget(docks[at], docks[name], Qt.Orientation.Horizontal)
         docks[name].hide()
     for name in docks.keys() - job.shown - beside.keys():  # where they come to when called
         host = job.across[0] if job.across else job.columns[1][-1][0]
-        if name in OVER and OVER[name] in job.shown:
-            window.tabifyDockWidget(docks[OVER[name]], docks[name])
+        if name in job.over and job.over[name] in job.shown:
+            window.tabifyDockWidget(docks[job.over[name]], docks[name])
         elif host in ("hand", "cameras"):
             window.addDockWidget(BELOW, docks[name])
         else:
             window.tabifyDockWidget(docks[host], docks[name])
         docks[name].hide()
-    hidden = [docks[n] for n in docks if n not in job.shown and n not in {*beside, *OVER}]
+    hidden = [docks[n] for n in docks if n not in job.shown and n not in {*beside, *job.over}]
     for first, second in itertools.pairwise(hidden):
         window.tabifyDockWidget(first, second)
     for name in docks:

@@ -20,17 +20,13 @@ from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
 from app.panels.colours.panel import ColoursPanel
-from app.panels.devices.panel import DevicesPanel
-from app.panels.graphs.panel import GraphsPanel
 from app.panels.hand.panel import HandPanel
+from app.panels.kind import PanelServices
 from app.panels.library.panel import LibraryPanel
 from app.panels.log import LogPanel
 from app.panels.motion.panel import MotionPanel
-from app.panels.panel import Panel
 from app.panels.recording import RecordingPanel
-from app.panels.sensors import SensorsPanel
 from app.panels.start_page import StartPage
-from app.panels.streams import StreamsPanel
 from app.platform.crash import CrashWatch
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
@@ -40,12 +36,14 @@ from app.window import theme
 from app.window.bug_reports import BugReports, ReportSources
 from app.window.colours_told import ColoursTold
 from app.window.commands import Commands
+from app.window.contributions import make_panels, panel_kinds, panel_of
 from app.window.countdown import Announced, Countdown
 from app.window.dialogs import Dialogs
 from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
 from app.window.drops import Drops
 from app.window.keys import FocusKeys
 from app.window.layout_keeper import LayoutKeeper
+from app.window.layouts import jobs_for
 from app.window.message_bar import MessageBar
 from app.window.recent import RecentSessions
 from app.window.screen import SMALLEST as SMALLEST
@@ -58,15 +56,10 @@ from app.window.ticker import Ticker
 from app.window.tool_bar import ToolBar
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
 from app.words import told
-from extensions.applications.window.panel import ApplicationsPanel
-from extensions.robot.window.job import RobotLink
-from extensions.robot.window.panel import RobotPanel
 from tracker.fusion.chain.pose_reset import RESET_SAID
 from tracker.messages import Event
 
 USUAL = (1440, 900)
-PRIVATE_PANELS = ("library", "recording", "log")
-"""Panels that show file names, and with them the names of people."""
 
 
 class MainWindow(QMainWindow):
@@ -85,13 +78,12 @@ class MainWindow(QMainWindow):
         self.record_key = RecordKey(self.host, self.plan, self)
         self.pose_reset = PoseReset(self.host, self.store, self)
         self.remote = RemoteControl(self.host, self.plan, self.store, self.tasks, self)
-        self.robot_link = RobotLink(self.host, self.store, self)
         self._make_panels()
         self._make_frame()
         self.docks = make_docks(self, self.panels)
         self.messages.keep_clear(self.library.transport, self.docks["library"])
         self.messages.keep_clear(self.recording.record_button, self.docks["recording"])
-        self.layouts = LayoutKeeper(self, self.docks, self.store)
+        self.layouts = LayoutKeeper(self, self.docks, jobs_for(self.kinds), self.store)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
         self._make_countdowns()
@@ -106,48 +98,42 @@ class MainWindow(QMainWindow):
         self._connect()
         restore_geometry(self, self.store.value.geometry)
         self.set_theme(self.store.value.theme)
-        self.ticker = Ticker(self.host, self.panels, self.bar, self)
-        self.ticker.is_waited_for = lambda: self.robot_link.on or self.applications.runs
+        self.ticker = Ticker(self.host, list(self.panels.values()), self.bar, self)
+        self.ticker.is_waited_for = lambda: any(
+            panel.needs_low_latency for panel in self.panels.values()
+        )
         told = ColoursTold(self.messages, self.colours, self.show_panel)
         self.ticker.colours_unfit.connect(told.tell)
         self.ticker.no_hand.connect(told.no_hand)
         self.ticker.start()
+        for text in self.not_made:
+            self.messages.say(text)
 
     # --- making
 
     def _make_panels(self) -> None:
-        self.cameras = CamerasPanel(self.host)
-        self.hand = HandPanel(self.host, self.store, self.tasks)
-        self.sensors = SensorsPanel(self.host, self.store)
-        self.motion = MotionPanel(self.host, self.store)
-        self.library = LibraryPanel(self.host, self.store, self.tasks)
-        self.log = LogPanel(self.host)
-        self.checklist = ChecklistPanel(self.host, self.store)
-        self.calibration = CalibrationPanel(self.host, self.store)
-        self.colours = ColoursPanel(self.host, self.store, self.tasks)
-        self.recording = RecordingPanel(self.host, self.plan, self.record_key)
-        self.streams = StreamsPanel(self.host, self.outputs, self.remote)
-        self.applications = ApplicationsPanel(self.host, self.store)
-        self.robot = RobotPanel(self.host, self.robot_link)
-        self.graphs = GraphsPanel(self.host, self.store)
-        self.devices = DevicesPanel(self.host, self.store)
-        self.panels: list[Panel] = [
-            self.cameras,
-            self.hand,
-            self.sensors,
-            self.motion,
-            self.library,
-            self.log,
-            self.checklist,
-            self.calibration,
-            self.colours,
-            self.recording,
-            self.streams,
-            self.applications,
-            self.robot,
-            self.graphs,
-            self.devices,
-        ]
+        services = PanelServices(
+            self.host,
+            self.store,
+            self.tasks,
+            self.plan,
+            self.record_key,
+            self.outputs,
+            self.remote,
+        )
+        self.kinds = panel_kinds()
+        self.not_made: list[str] = []
+        self.panels = make_panels(self.kinds, services, self.not_made.append)
+        self.kinds = {name: self.kinds[name] for name in self.panels}
+        self.cameras = panel_of(self.panels, CamerasPanel)
+        self.hand = panel_of(self.panels, HandPanel)
+        self.motion = panel_of(self.panels, MotionPanel)
+        self.library = panel_of(self.panels, LibraryPanel)
+        self.log = panel_of(self.panels, LogPanel)
+        self.checklist = panel_of(self.panels, ChecklistPanel)
+        self.calibration = panel_of(self.panels, CalibrationPanel)
+        self.colours = panel_of(self.panels, ColoursPanel)
+        self.recording = panel_of(self.panels, RecordingPanel)
 
     def _make_frame(self) -> None:
         self.setWindowTitle(self.tr("Glovetrack"))
@@ -194,7 +180,8 @@ class MainWindow(QMainWindow):
             calibration=self.calibration,
         )
         add_commands(self._targets, self.commands)
-        list_docks(self.docks, self.commands, self.open_panel)
+        numbers = {name: kind.number for name, kind in self.kinds.items()}
+        list_docks(self.docks, numbers, self.commands, self.open_panel)
         jobs = self.layouts.list_commands(self.commands)
         add_help(self._targets, self.commands)
         self.tool_bar = ToolBar(self.commands.actions, jobs, self)
@@ -349,12 +336,8 @@ class MainWindow(QMainWindow):
         app = QApplication.instance()
         assert isinstance(app, QApplication)
         colours = theme.apply(app, name)
-        self.hand.view.set_background(colours.scene)
-        self.applications.set_background(colours.scene)
-        self.robot.set_background(colours.scene)
-        self.sensors.set_colours(colours.base, colours.text)
-        self.motion.plot.set_colours(colours.base, colours.text)
-        self.graphs.set_colours(colours.base, colours.text)
+        for panel in self.panels.values():
+            panel.show_theme(colours)
         if name != self.store.value.theme:
             self.store.update(theme=name)
 
@@ -383,8 +366,7 @@ class MainWindow(QMainWindow):
         self.tasks.shut_down()  # last: a recording that ends has the library read again
         self.outputs.shut_down()
         self.remote.shut_down()
-        self.robot_link.shut_down()
-        for panel in self.panels:
+        for panel in self.panels.values():
             panel.shut_down()
         event.accept()
 
@@ -393,6 +375,6 @@ def bug_reports(window: MainWindow, crashes: CrashWatch | None) -> BugReports:
     """What makes reports of this window; a notice of its settings is said."""
     if window.store.notice:
         window.messages.say(window.store.notice)
-    private = [window.docks[name] for name in PRIVATE_PANELS]
+    private = [window.docks[name] for name, kind in window.kinds.items() if kind.private]
     sources = ReportSources(window.host, window.store, window.log.model, private)
     return BugReports(sources, window.tasks, window.messages, window, crashes)

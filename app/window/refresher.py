@@ -74,6 +74,6 @@ class Refresher:
             _log.exception("The panel %s failed.", panel.name)
             self._failed(
                 tr("The panel {} failed and rests ({}: {}); the rest goes on.").format(
-                    panel.title().replace("&&", "&"), type(error).__name__, error
+                    panel.windowTitle().replace("&&", "&"), type(error).__name__, error
                 )
             )

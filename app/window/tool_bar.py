@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent
@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QSizePolicy, QToolBar, QToolButton, QWidget
 
 from app.widgets.icons import beside, dress
 from app.widgets.segments import Segments
-from app.window.layouts import JOBS
 
 ICONS = {
     "demo": "flask-conical",
@@ -28,10 +27,13 @@ ICON = QSize(18, 18)
 
 
 class ToolBar(QToolBar):
-    """Words give way to their icons, from the left, where there is no room for all."""
+    """Words give way to their icons, from the left, where there is no room for all.
+
+    ``jobs``: the actions that choose a layout, by the names of their icons.
+    """
 
     def __init__(
-        self, actions: Mapping[str, QAction], jobs: Sequence[QAction], parent: QWidget
+        self, actions: Mapping[str, QAction], jobs: Mapping[str, QAction], parent: QWidget
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Commands"))
@@ -47,11 +49,11 @@ class ToolBar(QToolBar):
         self._work = [self._button(actions[key]) for key in ("start", "stop", "record", "note")]
         self._work[RECORD].setObjectName("record_button")
         self._fill()
-        for action, job in zip(jobs, JOBS, strict=True):
-            dress(action, job.icon)
+        for icon, action in jobs.items():
+            dress(action, icon)
             action.setIconVisibleInMenu(False)  # there a tick says which one is on
             action.setIconText(beside(action.text()))
-        self.segments = Segments(jobs)
+        self.segments = Segments(list(jobs.values()))
         self.addWidget(self.segments)
         self._fill()
         self._search = self._button(actions["palette"])

@@ -113,8 +113,8 @@ def devices(window, glove, camera, qtbot):
     )
     window.host.adopt(setup)
     window.run_command("show_devices")
-    qtbot.waitUntil(lambda: bool(window.devices.values), timeout=30_000)
-    return window.devices
+    qtbot.waitUntil(lambda: bool(window.panels["devices"].values), timeout=30_000)
+    return window.panels["devices"]
 
 
 def shown(panel, key: str) -> tuple[str, str]:
@@ -261,8 +261,8 @@ def test_a_value_of_another_type_cannot_be_applied(devices):
 
 def test_a_glove_without_a_report_and_no_engine_at_all(live, qtbot):
     live.run_command("show_devices")
-    qtbot.waitUntil(lambda: bool(live.devices.values), timeout=30_000)
-    assert RATE not in live.devices.values and live.devices.tree.fields == {}
-    assert "glove_right.dorsum_answers" in live.devices.values
+    qtbot.waitUntil(lambda: bool(live.panels["devices"].values), timeout=30_000)
+    assert RATE not in live.panels["devices"].values and live.panels["devices"].tree.fields == {}
+    assert "glove_right.dorsum_answers" in live.panels["devices"].values
     live.host.shut_down()
-    assert live.devices.values == {} and not live.devices.save.isEnabled()
+    assert live.panels["devices"].values == {} and not live.panels["devices"].save.isEnabled()

@@ -32,8 +32,8 @@ GYRO_X = "right/imu/dorsum/gyro/x"
 def graphs(live, qtbot):
     """The panel in front, with its signals listed."""
     live.run_command("show_graphs")
-    qtbot.waitUntil(lambda: bool(live.graphs.signals), timeout=30_000)
-    return live.graphs
+    qtbot.waitUntil(lambda: bool(live.panels["graphs"].signals), timeout=30_000)
+    return live.panels["graphs"]
 
 
 def advance(panel, engine: ScriptedEngine, frames) -> None:
@@ -220,12 +220,12 @@ def test_graphs_and_named_layouts_survive_a_restart(graphs, live, store, qtbot):
     second = MainWindow(store)
     qtbot.addWidget(second)
     second.show()
-    assert [g.keys for g in second.graphs.graphs] == [(GYRO_X,), ()]
-    assert second.graphs.graphs[0].span == 30.0
-    second.graphs.layouts.show_layout("mine")
-    assert [g.keys for g in second.graphs.graphs] == [(GYRO_X,)]
-    second.graphs.layouts.delete("mine")
-    assert second.graphs.layouts.names == []
+    assert [g.keys for g in second.panels["graphs"].graphs] == [(GYRO_X,), ()]
+    assert second.panels["graphs"].graphs[0].span == 30.0
+    second.panels["graphs"].layouts.show_layout("mine")
+    assert [g.keys for g in second.panels["graphs"].graphs] == [(GYRO_X,)]
+    second.panels["graphs"].layouts.delete("mine")
+    assert second.panels["graphs"].layouts.names == []
     second.close()
 
 
@@ -266,7 +266,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot
     track(simulated, tracked, TrackOptions("chain", with_sensors=True))
     window.host.adopt(open_replay(tracked, lambda *_: None))
     window.show_panel("graphs")
-    graphs = window.graphs
+    graphs = window.panels["graphs"]
     angle, residual = "right/hand/angle/index_pip_flexion", "right/images/residual_left"
     show(graphs, (angle, residual), (GYRO_X,), ("right/gestures/fist", "right/images/blobs_left"))
     qtbot.waitUntil(lambda: graphs._take is not None, timeout=60_000)

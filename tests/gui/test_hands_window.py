@@ -104,7 +104,7 @@ ONE_HAND_PANELS = ("sensors", "motion", "calibration", "checklist", "application
 @pytest.mark.parametrize("name", ONE_HAND_PANELS)
 def test_a_panel_of_one_hand_says_which_and_can_change_it(replay, qtbot, name):
     replay.show_panel(name)
-    choice = getattr(replay, name).hand_choice
+    choice = replay.panels[name].hand_choice
     qtbot.waitUntil(choice.isVisible, timeout=10_000)
     left, right = choice._segments.buttons
     assert (left.text(), right.text()) == ("Left hand", "Right hand")
@@ -112,7 +112,7 @@ def test_a_panel_of_one_hand_says_which_and_can_change_it(replay, qtbot, name):
     qtbot.mouseClick(left, Qt.MouseButton.LeftButton)
     assert replay.host.setup.side == "left"
     for other in ONE_HAND_PANELS:  # all show the same hand
-        buttons = getattr(replay, other).hand_choice._segments.buttons
+        buttons = replay.panels[other].hand_choice._segments.buttons
         assert [b.isChecked() for b in buttons] == [True, False], other
     qtbot.mouseClick(left, Qt.MouseButton.LeftButton)
     assert left.isChecked(), "one of both is always shown"
@@ -129,7 +129,7 @@ def test_motion_measures_the_take_of_the_hand_that_is_shown(replay, session, qtb
 
 
 def test_one_hand_needs_no_choice(live):
-    assert all(getattr(live, name).hand_choice.isHidden() for name in ONE_HAND_PANELS)
+    assert all(live.panels[name].hand_choice.isHidden() for name in ONE_HAND_PANELS)
 
 
 @pytest.fixture

@@ -4,11 +4,14 @@ import pytest
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QToolButton
 
-from app.window.layouts import JOBS, job_of, shares_of
+from app.window.contributions import panel_kinds
+from app.window.layouts import jobs_for, shares_of
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.offline.simulate import SimulateOptions, simulate
 
+JOB_OF = jobs_for(panel_kinds())
+JOBS = list(JOB_OF.values())
 SMALL, LARGE = (1366, 768), (1920, 1080)
 CLOSE = 0.03
 """Separators and titles have the same px on every screen: two of 5 px are 1.4 % of 720."""
@@ -62,7 +65,7 @@ def test_looking_again_shows_more_than_one_session_beside_the_transport(watched,
 
 
 def test_the_start_page_says_which_layout_comes_first(window):
-    assert window.layouts._jobs["all"].isChecked()
+    assert window.layouts._actions["all"].isChecked()
 
 
 def test_set_up_beside_the_start_page_is_the_list(window):
@@ -123,7 +126,7 @@ def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
     watched.layouts.choose("watch")
     assert in_sight(watched) == {"cameras"}
     watched.reset_layout()
-    assert in_sight(watched) == job_of("watch").shown
+    assert in_sight(watched) == JOB_OF["watch"].shown
 
 
 def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
@@ -142,16 +145,16 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     again.resize(*SMALL)
     again.show()
     again.host.adopt(scripted_setup(ScriptedEngine()))
-    assert in_sight(again) == job_of("watch").shown
+    assert in_sight(again) == JOB_OF["watch"].shown
     again.layouts._named.actions()[0].trigger()
-    assert in_sight(again) == job_of("look").shown
+    assert in_sight(again) == JOB_OF["look"].shown
     again.layouts.delete("Lab A")
     assert not again.layouts._named.isEnabled() and store.value.layouts == {}
     assert again.banner.text() == "The layout Lab A was deleted."
     again.banner.buttons[0].click()
     assert [a.text() for a in again.layouts._named.actions()] == ["Lab A"]
     again.layouts._named.actions()[0].trigger()
-    assert in_sight(again) == job_of("look").shown
+    assert in_sight(again) == JOB_OF["look"].shown
     again.close()
 
 
@@ -218,8 +221,8 @@ def test_a_replay_opens_in_the_review_layout_and_live_returns_to_the_one_before(
     watched.host.adopt(scripted_setup(ScriptedEngine()))
     qtbot.wait(50)
     assert watched.store.value.job == job
-    assert in_sight(watched) == job_of(job).shown
-    assert all(front_tabs(watched, job_of(job)))
+    assert in_sight(watched) == JOB_OF[job].shown
+    assert all(front_tabs(watched, JOB_OF[job]))
 
 
 def test_after_a_replay_opened_first_the_layout_has_its_usual_shares(window, store, session, qtbot):
@@ -262,7 +265,7 @@ def test_closing_during_a_replay_does_not_make_review_the_layout_of_the_next_sta
     again.resize(*SMALL)
     again.show()
     again.host.adopt(scripted_setup(ScriptedEngine()))
-    assert store.value.job == "watch" and in_sight(again) == job_of("watch").shown
+    assert store.value.job == "watch" and in_sight(again) == JOB_OF["watch"].shown
     again.close()
 
 

@@ -60,7 +60,7 @@ def panel(window, motors, qtbot):
     setup = scripted_setup(ScriptedEngine())
     window.host.adopt(replace(setup, vibrate=lambda *call: motors.append(call)))
     window.run_command("show_streams")
-    return window.streams
+    return window.panels["streams"]
 
 
 def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
@@ -134,7 +134,10 @@ def test_what_was_on_runs_again_after_the_next_start(panel, window, store, liste
             listener.recv(65536)
     again = MainWindow(SettingsStore(store.path))
     qtbot.addWidget(again)
-    assert again.streams.boxes["udp"].isChecked() and again.streams.ports["udp"].value() == port
+    assert (
+        again.panels["streams"].boxes["udp"].isChecked()
+        and again.panels["streams"].ports["udp"].value() == port
+    )
     qtbot.wait(100)
     with pytest.raises(BlockingIOError):  # nothing is sent before there is an engine
         listener.recv(65536)
@@ -205,8 +208,8 @@ def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, sto
 
 
 def test_without_an_engine_there_is_no_place_for_the_sphere(window):
-    window.streams.rule.click()
-    assert not window.streams.rule.isChecked()
+    window.panels["streams"].rule.click()
+    assert not window.panels["streams"].rule.isChecked()
     assert "no place" in window.banner.text()
 
 

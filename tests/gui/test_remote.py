@@ -38,7 +38,7 @@ def open_at(window, qtbot, name: str) -> int:
     with socket.socket(socket.AF_INET, kind) as s:
         s.bind((HERE, 0))
         port = s.getsockname()[1]
-    box = window.streams.remote
+    box = window.panels["streams"].remote
     box.ports[name].setValue(port)
     box.boxes[name].click()
     qtbot.waitUntil(lambda: window.remote.counts(name) is not None, timeout=10_000)
@@ -55,7 +55,7 @@ def meanwhile(qtbot, work):
 
 
 def test_nothing_listens_until_it_is_asked_for(window):
-    assert not any(box.isChecked() for box in window.streams.remote.boxes.values())
+    assert not any(box.isChecked() for box in window.panels["streams"].remote.boxes.values())
     assert not [t for t in threading.enumerate() if "remote" in t.name]
 
 
@@ -84,8 +84,8 @@ def test_start_note_and_stop_by_udp_are_as_the_keys(window, engine, qtbot):
     assert stopped["file"] == path.name and window.host.recording.request is None
     assert recorders[0].closed
     assert say(do="stop") == {"ok": False, "do": "stop", "error": "Nothing is being recorded."}
-    window.streams.refresh(None)
-    cells = window.streams.remote.cells["udp"]
+    window.panels["streams"].refresh(None)
+    cells = window.panels["streams"].remote.cells["udp"]
     assert cells["sent"].text() == "6" and "127.0.0.1:" in cells["state"].toolTip()
 
 
@@ -223,11 +223,11 @@ def test_what_is_open_is_open_again_at_the_next_start_and_others_are_warned_of(
 ):
     open_at(window, qtbot, "udp")
     assert SettingsStore(store.path).value.remote["udp"] is True
-    box = window.streams.remote
-    assert not box.opened.isVisibleTo(window.streams)
+    box = window.panels["streams"].remote
+    assert not box.opened.isVisibleTo(window.panels["streams"])
     box.address.setText("0.0.0.0")
     box.address.editingFinished.emit()
-    assert box.opened.isVisibleTo(window.streams)
+    assert box.opened.isVisibleTo(window.panels["streams"])
     qtbot.waitUntil(lambda: "0.0.0.0" in box.cells["udp"]["state"].toolTip(), timeout=10_000)
     box.boxes["udp"].click()
     qtbot.waitUntil(
@@ -241,7 +241,7 @@ def test_a_port_that_is_taken_is_said_in_the_panel(window, qtbot):
         window.remote.set_port("udp", taken.getsockname()[1])
         window.remote.switch("udp", True)
         qtbot.waitUntil(lambda: "udp" in window.remote.problems, timeout=10_000)
-    cells = window.streams.remote.cells["udp"]
+    cells = window.panels["streams"].remote.cells["udp"]
     assert "not open" in cells["state"].text() and "No remote control" in cells["state"].toolTip()
 
 
@@ -251,7 +251,7 @@ def test_the_command_line_opens_doors_for_one_run(window, qtbot):
         port = s.getsockname()[1]
     window.remote.use(f"udp:{port}")
     qtbot.waitUntil(lambda: window.remote.counts("udp") is not None, timeout=10_000)
-    assert window.streams.remote.boxes["udp"].isChecked()
+    assert window.panels["streams"].remote.boxes["udp"].isChecked()
     assert window.store.value.remote == {}, "the next start is as it was"
 
 

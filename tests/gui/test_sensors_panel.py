@@ -18,8 +18,8 @@ from tracker.sensors.link_figures import LinkFigures
 @pytest.fixture
 def sensors(live, qtbot):
     live.run_command("show_sensors")
-    qtbot.waitUntil(lambda: "gyro" in live.sensors._shown, timeout=30_000)
-    return live.sensors
+    qtbot.waitUntil(lambda: "gyro" in live.panels["sensors"]._shown, timeout=30_000)
+    return live.panels["sensors"]
 
 
 def point(plot, t: float) -> None:

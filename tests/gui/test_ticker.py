@@ -25,7 +25,7 @@ class Busy(Ticker):
 def test_a_window_that_has_much_to_paint_leaves_the_processor_to_what_moves(window, qtbot):
     """Beside an application or a robot; where there is none it takes what it can get."""
     assert not window.ticker.is_waited_for()
-    window.robot_link.on = True
+    window.panels["robot"].link.on = True
     assert window.ticker.is_waited_for()
     bar = SimpleNamespace(show_status=lambda *_: None, show_recording=lambda *_: None)
     bar.show_hands = bar.show_rate = bar.show_status

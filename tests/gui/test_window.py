@@ -127,7 +127,7 @@ def test_a_saved_profile_loads_as_the_same_and_a_broken_one_is_refused(live, tmp
 
 def test_hidden_panels_cost_nothing(live, qtbot, monkeypatch):
     calls = []
-    monkeypatch.setattr(live.sensors, "refresh", lambda view: calls.append(view))
+    monkeypatch.setattr(live.panels["sensors"], "refresh", lambda view: calls.append(view))
     live.docks["log"].raise_()
     qtbot.wait(150)
     calls.clear()
@@ -351,7 +351,7 @@ def test_after_closing_no_panel_shows_values_of_before(live, engine, qtbot):
     live.show_panel("calibration")
     qtbot.waitUntil(lambda: table.rowCount() > 0, timeout=30_000)
     live.show_panel("sensors")
-    qtbot.waitUntil(lambda: "Hz" in live.sensors.figures.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "Hz" in live.panels["sensors"].figures.text(), timeout=30_000)
     live.run_command("record")
     live.recording.refresh(None)
     assert live.recording.file_label.text() != "–"
@@ -359,9 +359,9 @@ def test_after_closing_no_panel_shows_values_of_before(live, engine, qtbot):
     live.run_command("close")
     assert table.rowCount() == 0 and live.calibration.length.text() == "–"
     assert live.calibration.overall.value() == 0
-    assert live.sensors.figures.text() == ""
-    assert all(chip._shown[0] == IDLE.colour for chip in live.sensors.chips)
-    curves = [curve for plot in live.sensors.plots.values() for curve in plot.curves]
+    assert live.panels["sensors"].figures.text() == ""
+    assert all(chip._shown[0] == IDLE.colour for chip in live.panels["sensors"].chips)
+    curves = [curve for plot in live.panels["sensors"].plots.values() for curve in plot.curves]
     assert curves
     assert all(not np.size(curve.xData) for curve in curves if curve.xData is not None)
     assert live.recording.file_label.text() == "–"

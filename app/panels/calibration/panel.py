@@ -28,7 +28,6 @@ from app.widgets.measures import APART, NEAR
 
 
 class CalibrationPanel(Panel):
-    name = "calibration"
     period = 0.5
     guided_asked = Signal()
 
@@ -42,9 +41,6 @@ class CalibrationPanel(Panel):
         self.profiles = WearerProfiles(host, store, self.wearer)
         self._lay_out()
         self._connect()
-
-    def title(self) -> str:
-        return self.tr("Calibration")
 
     # --- widgets
 

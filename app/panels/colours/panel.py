@@ -33,7 +33,6 @@ SETTINGS_IMAGES = "pictures"  # the folder's name in the settings of users
 class ColoursPanel(Panel):
     """`ColourTuning` knows what is tuned; from here widgets, files and the engine hear of it."""
 
-    name = "colours"
     period = 1 / 8
 
     def __init__(
@@ -61,9 +60,6 @@ class ColoursPanel(Panel):
         column.addWidget(TwoHalves(self.ranges, self.image, least, (5, 4)), 1)
         self._connect_tools()
         self._connect_parts()
-
-    def title(self) -> str:
-        return self.tr("Colours")
 
     def _connect_tools(self) -> None:
         tools = self.tools

@@ -40,7 +40,6 @@ REPORT_HEIGHT = 90  # px
 class DevicesPanel(Panel):
     """Reads what the engine knows already: no device is asked for it."""
 
-    name = "devices"
     period = 0.5
 
     def __init__(
@@ -74,9 +73,6 @@ class DevicesPanel(Panel):
             column.addWidget(widget)
         self._connect()
         self._enable()
-
-    def title(self) -> str:
-        return self.tr("Device settings")
 
     def _connect(self) -> None:
         self.search.textChanged.connect(self.tree.search)

@@ -22,7 +22,7 @@ from app.jobs.take_signals import read_signals
 from app.panels.graphs.layouts import GraphLayouts
 from app.panels.graphs.plot import GraphPlot
 from app.panels.graphs.tree import SignalTree
-from app.panels.panel import Panel
+from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.graphs import (
@@ -47,7 +47,6 @@ FIGURES_EVERY = 20  # refreshes between two looks for new figures of the status
 class GraphsPanel(Panel):
     """Reads and computes nothing while it is out of sight."""
 
-    name = "graphs"
     period = 1 / 20
 
     def __init__(
@@ -75,9 +74,6 @@ class GraphsPanel(Panel):
         host.hand_changed.connect(lambda _setup: self._forget(new_engine=False))
         host.closed.connect(lambda: self._forget(new_engine=True))
         self.show_graphs(from_setting(store.value.graphs.get("shown")))
-
-    def title(self) -> str:
-        return self.tr("Graphs")
 
     def _lay_out(self) -> None:
         self.add = QPushButton(self.tr("Add graph"))
@@ -120,10 +116,10 @@ class GraphsPanel(Panel):
         column.addWidget(self.said)
         column.addWidget(both, 1)
 
-    def set_colours(self, background: str, text: str) -> None:
-        self._colours = background, text
+    def show_theme(self, colours: PanelColours) -> None:
+        self._colours = colours.base, colours.text
         for plot in self.plots:
-            plot.plot.set_colours(background, text)
+            plot.plot.set_colours(*self._colours)
 
     def _say(self, text: str) -> None:
         self.said.setText(text)

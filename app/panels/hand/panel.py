@@ -14,7 +14,7 @@ from app.panels.hand.controls import HandControls
 from app.panels.hand.legend import ValidityLegend
 from app.panels.hand.shown_hand import ShownHand
 from app.panels.hand.view_chooser import ViewChooser
-from app.panels.panel import Panel
+from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob, TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.gestures import ShownGestures
@@ -36,7 +36,6 @@ LOW = 170  # px, more than the panel needs at least; below, the hand needs the l
 
 
 class HandPanel(Panel):
-    name = "hand"
     period = 1 / 30
     spared_at = Shed.VIEW_RATE
 
@@ -72,9 +71,6 @@ class HandPanel(Panel):
         host.opened.connect(self._open)
         host.hand_changed.connect(self._open)
         host.closed.connect(self._clear)
-
-    def title(self) -> str:
-        return self.tr("Hand")
 
     def _legend(self) -> QWidget:
         self.legend = ValidityLegend()
@@ -206,6 +202,9 @@ class HandPanel(Panel):
         self.view.set_labels(labels)
         self.view.render_scene()
         self.chooser.drawn()
+
+    def show_theme(self, colours: PanelColours) -> None:
+        self.view.set_background(colours.scene)
 
     def shut_down(self) -> None:
         self._hands = []

@@ -34,7 +34,6 @@ LOW = 260  # px, more than the panel needs at least; below, the list needs the t
 
 
 class LibraryPanel(Panel):
-    name = "library"
     period = 0.05
     replay = Signal(object)  # Path
     beside = Signal(str)  # the name of a second tracking that is shown in the replay
@@ -116,9 +115,6 @@ class LibraryPanel(Panel):
             whole_list[asked]()
         elif paths:
             selected[asked]()
-
-    def title(self) -> str:
-        return self.tr("Library")
 
     def _name_exports(self) -> None:
         waiting = sum(i.open for i in self.exports.items)

@@ -23,7 +23,7 @@ from app.panels.hand_choice import HandChoice
 from app.panels.motion.controls import MotionControls
 from app.panels.motion.plot import MotionPlot
 from app.panels.motion.table import MotionTable
-from app.panels.panel import Panel
+from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel
@@ -35,7 +35,6 @@ FIRST_ROWS = ("index_mcp_flexion", "index_pip_flexion")
 
 
 class MotionPanel(Panel):
-    name = "motion"
     period = 1 / 10
     removed = Signal(str, object)  # a sentence, and what undoes it
 
@@ -69,9 +68,6 @@ class MotionPanel(Panel):
         column.addWidget(self.said)
         self._connect()
         self._clear()
-
-    def title(self) -> str:
-        return self.tr("Motion")
 
     def _connect(self) -> None:
         row = self.controls
@@ -218,6 +214,9 @@ class MotionPanel(Panel):
             csv_of(self.model.table(","), path)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
+
+    def show_theme(self, colours: PanelColours) -> None:
+        self.plot.set_colours(colours.base, colours.text)
 
     def shut_down(self) -> None:
         self._reading.shut_down()

@@ -70,9 +70,9 @@ def staged(window, qtbot, tmp_path, monkeypatch):
     engine = ScriptedEngine()
     window.host.adopt(replace(scripted_setup(engine), listeners=on(stage)))
     window.show_panel("applications")
-    qtbot.waitUntil(window.applications.isVisible, timeout=10_000)
+    qtbot.waitUntil(window.panels["applications"].isVisible, timeout=10_000)
     window.ticker.stop()
-    return window.applications, stage, engine, told
+    return window.panels["applications"], stage, engine, told
 
 
 def on(stage: ApplicationStage) -> dict[str, ReplayedApplication]:

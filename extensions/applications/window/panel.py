@@ -18,7 +18,7 @@ from app.engines.snapshot import Snapshot
 from app.panels.hand.bodies import HandBodies
 from app.panels.hand.legend import ValidityLegend
 from app.panels.hand_choice import HandChoice
-from app.panels.panel import Panel
+from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts, followed
@@ -42,7 +42,6 @@ FORM_WIDTH = 230  # px
 
 
 class ApplicationsPanel(Panel):
-    name = "applications"
     period = 1 / 30
     spared_at = Shed.VIEW_RATE
 
@@ -76,9 +75,6 @@ class ApplicationsPanel(Panel):
         self._lay_out()
         self._connect()
         self._clear()
-
-    def title(self) -> str:
-        return self.tr("Applications")
 
     def _lay_out(self) -> None:
         middle = QHBoxLayout()
@@ -162,9 +158,13 @@ class ApplicationsPanel(Panel):
         self.instruction.setText(text)
         self.instruction.setVisible(bool(text))
 
-    def set_background(self, colour: str) -> None:
-        self._background = colour
-        self.view.set_background(colour)
+    @property
+    def needs_low_latency(self) -> bool:
+        return self.runs
+
+    def show_theme(self, colours: PanelColours) -> None:
+        self._background = colours.scene
+        self.view.set_background(colours.scene)
 
     # --- the engine
 

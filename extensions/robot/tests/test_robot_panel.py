@@ -50,7 +50,7 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     )
     window.host.adopt(setup)
     window.show_panel("robot")
-    link, controls = window.robot_link, window.robot.controls
+    link, controls = window.panels["robot"].link, window.panels["robot"].controls
     controls.connect_robot.click()
     qtbot.waitUntil(lambda: link.view is not None, timeout=60_000)
     feed = _Feed(followed, setup.engine.latest_estimate())
@@ -59,12 +59,12 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     model = next(m for m in followed.recorded if isinstance(m, RobotModel))
     assert model.name == "shadow_right"
     assert any(isinstance(m, RobotState) for m in followed.recorded)
-    window.robot.refresh(window.host.snapshot())
-    assert window.robot._drawn is not None
+    window.panels["robot"].refresh(window.host.snapshot())
+    assert window.panels["robot"]._drawn is not None
     controls.clutch.click()
     qtbot.waitUntil(lambda: feed() and _state(link).holding, timeout=20_000)
     assert link.figures.text == "Released: the robot holds"
-    window.robot.refresh(window.host.snapshot())
+    window.panels["robot"].refresh(window.host.snapshot())
     assert not controls.clutch.isChecked()
     assert felt == []  # it is in the air
     link._act(_shown(3.0))
@@ -99,7 +99,7 @@ def test_another_hand_that_is_chosen_has_a_robot_of_its_side(window, monkeypatch
     setup = dataclasses.replace(scripted_setup(ScriptedEngine()), followed=right)
     other = dataclasses.replace(setup, hand=hand, glove=glove, followed=left)
     window.host.adopt(dataclasses.replace(setup, other=other))
-    window.robot_link.switch(True)
+    window.panels["robot"].link.switch(True)
     assert made[0].side == "right" and right.follower == made[0].feed
     window.host.show_hand("left")
     assert made[0].closed and right.follower is None
@@ -128,24 +128,24 @@ def test_a_file_that_is_no_hand_is_told_of_and_the_robot_is_off(window, qtbot, t
     wrong.write_text("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
     told: list[str] = []
     window.host.error.connect(told.append)
-    window.robot_link.change(model=str(wrong))
+    window.panels["robot"].link.change(model=str(wrong))
     window.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), followed=Followed()))
-    window.robot.controls.connect_robot.click()
+    window.panels["robot"].controls.connect_robot.click()
     qtbot.waitUntil(lambda: bool(told), timeout=60_000)
     assert "fingers are not found" in told[0]
-    assert not window.robot_link.on
-    assert not window.robot.controls.connect_robot.isChecked()
+    assert not window.panels["robot"].link.on
+    assert not window.panels["robot"].controls.connect_robot.isChecked()
 
 
 def test_settings_are_kept_and_wrong_ones_refused(window) -> None:
-    controls, told = window.robot.controls, []
+    controls, told = window.panels["robot"].controls, []
     controls.refused.connect(told.append)
     controls.scale.setValue(2.5)
     controls.gesture.setCurrentIndex(controls.gesture.findData("thumb_up"))
     controls.gesture.activated.emit(controls.gesture.currentIndex())
     kept = window.store.value.robot
     assert (kept["motion_scale"], kept["clutch"]) == (2.5, "thumb_up")
-    controls._ask(lambda: window.robot_link.change(objects="teapot"))
+    controls._ask(lambda: window.panels["robot"].link.change(objects="teapot"))
     assert "teapot" in told[0]
 
 
@@ -154,9 +154,9 @@ def test_without_mujoco_the_panel_says_what_to_install(window, monkeypatch) -> N
     told: list[str] = []
     window.host.error.connect(told.append)
     window.host.adopt(scripted_setup(ScriptedEngine()))
-    window.robot.controls.connect_robot.click()
+    window.panels["robot"].controls.connect_robot.click()
     assert "pip install" in told[0]
-    assert not window.robot_link.on
+    assert not window.panels["robot"].link.on
 
 
 def _view() -> RobotView:

@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.hand_choice import HandChoice
-from app.panels.panel import Panel
+from app.panels.panel import Panel, PanelColours
+from app.storage.settings import SettingsStore
 from app.widgets.chip import Chip
 from app.widgets.measures import NEAR
 from app.widgets.view3d.scene import DrawnSurface, GroundLines
@@ -29,20 +30,21 @@ the table's middle."""
 
 
 class RobotPanel(Panel):
-    name = "robot"
     period = 1 / 20
     spared_at = Shed.VIEW_RATE
 
-    def __init__(self, host: EngineHost, link: RobotLink, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
         super().__init__(host, parent)
-        self.link = link
+        self.link = RobotLink(host, store, self)
         self.view = View3D()
         self.view.orbit.target, self.view.orbit.distance = TARGET.copy(), DISTANCE
         self.view.orbit.look_from(FIRST_LOOK)
         self.view.scene_changed.connect(self._forget)
-        self.controls = RobotControls(link)
+        self.controls = RobotControls(self.link)
         self.controls.refused.connect(host.error)
-        link.failed.connect(host.error)
+        self.link.failed.connect(host.error)
         self.chip = Chip()
         self._drawn: tuple[RobotView, DrawnSurface] | None = None
         column = QVBoxLayout(self)
@@ -55,9 +57,6 @@ class RobotPanel(Panel):
         column.addLayout(head)
         column.addWidget(self.view, 1)
         column.addWidget(self.chip)
-
-    def title(self) -> str:
-        return self.tr("Robot hand")
 
     def _forget(self) -> None:
         """Another view draws now, or another robot."""
@@ -96,9 +95,14 @@ class RobotPanel(Panel):
         surface.drape(draped.points, draped.normals, draped.looks)
         surface.show(True)
 
-    def set_background(self, colour: str) -> None:
-        self.view.set_background(colour)
+    @property
+    def needs_low_latency(self) -> bool:
+        return self.link.on
+
+    def show_theme(self, colours: PanelColours) -> None:
+        self.view.set_background(colours.scene)
 
     def shut_down(self) -> None:
+        self.link.shut_down()
         self._drawn = None
         self.view.shut_down()

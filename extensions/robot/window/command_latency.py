@@ -1,4 +1,4 @@
-"""``python -m app.tools.command_latency``: how late motors and a robot are told, in the window.
+"""``python -m extensions.robot.window.command_latency``: how late motors and a robot are told.
 
 Runs the demo, or with ``--devices`` what is set up, off-screen with an object to touch and a robot
 hand that follows, both in sight, and records it; the figures are those that the session itself
@@ -24,6 +24,9 @@ from PySide6.QtWidgets import QApplication
 from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.engine import RecordingRequest
 from app.platform.process_tuning import tune_process
+from app.window.contributions import panel_of
+from extensions.applications.window.panel import ApplicationsPanel
+from extensions.robot.window.panel import RobotPanel
 from tracker.base.files import check_target
 from tracker.base.terminal import add_force
 
@@ -39,7 +42,7 @@ SESSION, SETTINGS = "latency.mcap", "window.json"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="app.tools.command_latency", description=__doc__)
+    parser = argparse.ArgumentParser(prog="command_latency", description=__doc__)
     parser.add_argument(
         "--seconds", type=float, default=60.0, help="duration of the recording (default: 60)"
     )
@@ -104,7 +107,7 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
         drawn = (window.ticker.ticks - ticks) / args.seconds
         setup = window.host.setup
         values = dict(setup.tracked.status().values) if setup is not None else {}
-        missed = window.robot_link.figures.tip
+        missed = panel_of(window.panels, RobotPanel).link.figures.tip
         window.host.stop()
         window.host.recording.wait()
     finally:
@@ -127,11 +130,11 @@ def _begin(window: MainWindow, parts: Sequence[str], shown: bool) -> None:
     if "touch" in parts:
         if shown:
             window.show_panel("applications")
-        window.applications.choose("touch", THING)
+        panel_of(window.panels, ApplicationsPanel).choose("touch", THING)
     if "robot" in parts:
         if shown:
             window.show_panel("robot")
-        link = window.robot_link
+        link = panel_of(window.panels, RobotPanel).link
         problems: list[str] = []
         link.failed.connect(problems.append)
         link.switch(True)
