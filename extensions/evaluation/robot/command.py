@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from extensions.robot.library import SHADOW
+from tracker.base.errors import ConfigError
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
 GOAL_MM = 5.0
@@ -43,13 +43,17 @@ def add_evaluate_robot(
         "--side", choices=("right", "left"), default="right", help="side of the robot hand"
     )
     parser.add_argument(
-        "--model", default=SHADOW, help="robot hand: a name, or the path of an MJCF file"
+        "--model", default="shadow", help="robot hand: a name, or the path of an MJCF file"
     )
     add_json(parser)
     parser.set_defaults(func=_evaluate)
 
 
 def _evaluate(args: argparse.Namespace) -> int:
+    try:
+        import extensions.robot  # noqa: F401
+    except ImportError as error:
+        raise ConfigError("This protocol requires the extension extensions/robot.") from error
     from extensions.evaluation.robot.score import tip_score
     from extensions.robot.hand import load_hand
     from extensions.robot.library import need_mujoco
