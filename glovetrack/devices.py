@@ -28,7 +28,7 @@ CAMERA_FPS = 60.0  # asked for; a slower camera grants less
 
 
 @dataclass(frozen=True, eq=False)
-class Worn:
+class ConnectedGlove:
     """A worn glove: the texts of its hand's and its own file, and the source of its packets."""
 
     hand_text: str
@@ -41,7 +41,7 @@ class Devices:
     """What is tracked with: gloves, a camera (``rig`` None where there is none), and what starts
     and ends them."""
 
-    worn: tuple[Worn, ...]
+    worn: tuple[ConnectedGlove, ...]
     camera: CameraSource
     rig: StereoRig | None
     simulated: bool = False
@@ -60,7 +60,9 @@ def glove_devices(port: str = "", glove: str = library.DEFAULT_GLOVE, hand: str 
         reasons = " ".join(report.trouble for report in reports if report.trouble)
         where = f"at {port}" if port else "on any USB port"
         raise DeviceError(f"No glove found {where}. {reasons}".strip())
-    return Devices((Worn(*texts, _link(texts, there.path, there.baud)),), NoCamera(), None)
+    return Devices(
+        (ConnectedGlove(*texts, _link(texts, there.path, there.baud)),), NoCamera(), None
+    )
 
 
 def with_camera(devices: Devices, camera: str | int, calibration: str | Path) -> Devices:
@@ -111,7 +113,9 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
         if not images.wait_ready(START_TIMEOUT):
             raise DeviceError("The simulated camera did not start.")
         paths = gloves.paths(START_TIMEOUT)
-        worn = tuple(Worn(*texts[side], _link(texts[side], paths[side])) for side in sides)
+        worn = tuple(
+            ConnectedGlove(*texts[side], _link(texts[side], paths[side])) for side in sides
+        )
     except BaseException:  # Ctrl+C too must not leave processes behind
         end()
         raise

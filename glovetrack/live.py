@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from glovetrack.devices import Devices, Worn, glove_devices, simulated_devices, with_camera
+from glovetrack.devices import (
+    ConnectedGlove,
+    Devices,
+    glove_devices,
+    simulated_devices,
+    with_camera,
+)
 from glovetrack.recording import RecordedEvent
 from tracker.base.channels import Backlog, Closed
 from tracker.base.clock import ClockAnchor, monotonic
@@ -238,7 +244,9 @@ class LiveTracker:
         unix = self._anchor.wall(message.t)
         return Estimate(side, message.t, unix, word, *self._names[side], message)
 
-    def _about(self, worn: Worn, settings: Settings, profile: ColourProfile) -> SessionInfo:
+    def _about(
+        self, worn: ConnectedGlove, settings: Settings, profile: ColourProfile
+    ) -> SessionInfo:
         return describe(
             worn.hand_text,
             worn.glove_text,

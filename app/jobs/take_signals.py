@@ -20,7 +20,7 @@ from app.viewmodels.signal_rows import (
     imu_rows,
     status_rows,
 )
-from app.viewmodels.signals import Source
+from app.viewmodels.signals import SignalSource
 from tracker.live.history import SearchedImage
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Status, Tracking
 from tracker.session.reader import SessionReader
@@ -33,7 +33,7 @@ def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], Take
     """A job that reads the recording of ``setup`` for the curves of all of its hands."""
 
     def job(progress: JobProgress) -> TakeCurves:
-        rows: dict[tuple[str, Source], Rows] = {}
+        rows: dict[tuple[str, SignalSource], Rows] = {}
         for hand in setup.hands:
             with SessionReader(path, side=hand.side, watch=progress) as reader:
                 for source, found in _rows_of(reader, hand, progress).items():
@@ -45,7 +45,7 @@ def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], Take
 
 def _rows_of(
     reader: SessionReader, setup: EngineSetup, progress: JobProgress
-) -> dict[Source, Rows]:
+) -> dict[SignalSource, Rows]:
     """Of one hand, by source; times are s from the recording's start."""
     found: dict[type, list[object]] = {kind: [] for kind in KINDS}
     for message in reader.messages(KINDS):
@@ -57,11 +57,11 @@ def _rows_of(
     statuses = [m for m in found[Status] if isinstance(m, Status)]
     start = reader.anchor.monotonic(reader.span_ns[0])
     rows = {
-        Source.IMU: imu_rows(samples),
-        Source.HAND: hand_rows(estimates),
-        Source.GESTURES: _gestures(setup, estimates, progress),
-        Source.IMAGES: _images(setup, blobs, estimates, progress),
-        Source.STATUS: status_rows(statuses),
+        SignalSource.IMU: imu_rows(samples),
+        SignalSource.HAND: hand_rows(estimates),
+        SignalSource.GESTURES: _gestures(setup, estimates, progress),
+        SignalSource.IMAGES: _images(setup, blobs, estimates, progress),
+        SignalSource.STATUS: status_rows(statuses),
     }
     return {source: Rows(each.t - start, each.columns) for source, each in rows.items()}
 

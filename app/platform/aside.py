@@ -62,7 +62,7 @@ def _serve(pipe: Connection, work: Work) -> None:
         os.nice(KINDNESS)
     try:
         with gather() as left_out:
-            answer = ("done", work(_Teller(pipe)))
+            answer = ("done", work(_ProgressReporter(pipe)))
         pipe.send(("left out", merged(left_out)))
     except Cancelled:
         return
@@ -74,7 +74,7 @@ def _serve(pipe: Connection, work: Work) -> None:
     pipe.send(answer)
 
 
-class _Teller:
+class _ProgressReporter:
     """Asks at each step of the work whether it is wanted still."""
 
     def __init__(self, pipe: Connection) -> None:

@@ -15,7 +15,7 @@ NAME = re.compile(r"[A-Za-z0-9._-]+")
 
 
 @dataclass(frozen=True)
-class Part:
+class LicensedPackage:
     """A package that the program is made of."""
 
     name: str
@@ -37,9 +37,9 @@ def own_text() -> str:
     return path.read_text("utf-8") if path.is_file() else ""
 
 
-def parts() -> list[Part]:
+def parts() -> list[LicensedPackage]:
     """The packages that this installation needs to run, by name."""
-    found: dict[str, Part] = {}
+    found: dict[str, LicensedPackage] = {}
     waiting = [OWN]
     while waiting:
         name = waiting.pop()
@@ -51,7 +51,7 @@ def parts() -> list[Part]:
         except PackageNotFoundError:
             continue  # a requirement of another system
         data = package.metadata
-        found[key] = Part(data["Name"], package.version, licence_of(package))
+        found[key] = LicensedPackage(data["Name"], package.version, licence_of(package))
         waiting += [m[0] for r in package.requires or () if (m := _needed(r))]
     return sorted(
         (p for k, p in found.items() if k != OWN), key=lambda part: (part.name.lower(), part.name)

@@ -8,7 +8,7 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QDialog, QWidget
 
-from app.viewmodels.glove_setup import Phase
+from app.viewmodels.glove_setup import SetUpPhase
 from app.window.headless_report import wait_until
 from app.window.main_window import MainWindow
 from app.wizards.camera import CameraSetup
@@ -72,7 +72,7 @@ def _glove(window: MainWindow, both: Both) -> bool:
     both(dialog, "glove-still")
     dialog.tabs.setCurrentWidget(dialog.wiggle)
     dialog.wiggle.begin()
-    ready = ready and wait_until(lambda: dialog.wiggle.phase == Phase.DONE, PATIENCE)
+    ready = ready and wait_until(lambda: dialog.wiggle.phase == SetUpPhase.DONE, PATIENCE)
     both(dialog, "glove-wiggle")
     dialog.close()
     return ready

@@ -9,7 +9,7 @@ import numpy as np
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
-from app.widgets.image_shapes import Cross, Ellipse, Label, Line, Ring, Shape
+from app.widgets.image_shapes import Cross, Ellipse, ImageLabel, ImageLine, Ring, Shape
 from app.words import mark, tr
 from tracker.hand.names import bones
 from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking, Validity
@@ -111,7 +111,9 @@ def _rejected(rejected: RejectedBlobs) -> list[Shape]:
     out: list[Shape] = []
     for (u, v), reason in zip(rejected.uv.tolist(), rejected.reason, strict=True):
         out.append(Cross(u, v, "#FF8A65", diagonal=True))
-        out.append(Label(u, v, tr(REASONS.get(reason, reason)), "#FFB199", least_zoom=REASON_ZOOM))
+        out.append(
+            ImageLabel(u, v, tr(REASONS.get(reason, reason)), "#FFB199", least_zoom=REASON_ZOOM)
+        )
     return out
 
 
@@ -131,7 +133,7 @@ def _predicted(
         opacity = 1.0 if result.visible[marker.id] >= VISIBLE else DIM
         out.append(Cross(u, v, colour, opacity=opacity))
         if opacity == 1.0:
-            out.append(Label(u, v, str(marker.id), WHITE, opacity, ID_ZOOM))
+            out.append(ImageLabel(u, v, str(marker.id), WHITE, opacity, ID_ZOOM))
             if not right:
                 out += _ellipse(u, v, result.predicted_cov[marker.id])
     return out
@@ -177,7 +179,7 @@ def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
         if 0 <= i < len(blobs) and np.isfinite(uv[marker]).all():
             u0, v0 = uv[marker].tolist()
             u1, v1 = blobs.uv[i].tolist()
-            out.append(Line(u0, v0, u1, v1, WHITE, 1.0))
+            out.append(ImageLine(u0, v0, u1, v1, WHITE, 1.0))
     return out
 
 
@@ -195,7 +197,7 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
         colour = VALIDITY[state].colour if state != Validity.LOST else GREY
         dashed = state != Validity.MEASURED
         u0, v0, u1, v1 = ends.tolist()
-        out.append(Line(u0, v0, u1, v1, colour, 2.5, dashed, 0.85))
+        out.append(ImageLine(u0, v0, u1, v1, colour, 2.5, dashed, 0.85))
     return out
 
 

@@ -15,7 +15,7 @@ from tracker.messages import ImuSample, StereoFrame
 from tracker.vision.colours import ColourProfile
 
 if TYPE_CHECKING:
-    from tracker.offline.colours_fit import SessionFit, Worn
+    from tracker.offline.colours_fit import SessionFit, WatchedGlove
 
 MOST_IMAGES = 20  # pairs, 110 MB at 720p
 ENOUGH = 10  # of them, for a fit
@@ -140,10 +140,10 @@ def _fitted(
     return fit_messages(messages, _worn(setup), profile)
 
 
-def _worn(setup: EngineSetup) -> Worn:
-    from tracker.offline.colours_fit import Worn
+def _worn(setup: EngineSetup) -> WatchedGlove:
+    from tracker.offline.colours_fit import WatchedGlove
 
-    return Worn(setup.hand, setup.glove, setup.rig)
+    return WatchedGlove(setup.hand, setup.glove, setup.rig)
 
 
 def _of_session(fit: SessionFit) -> Fit:

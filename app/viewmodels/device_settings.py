@@ -332,7 +332,7 @@ def to_file(values: Sequence[DeviceValue]) -> str:
 
 
 @dataclass(frozen=True)
-class Difference:
+class DeviceDifference:
     """A value of a file that is not the device's; ``now`` is None where there is none."""
 
     key: str
@@ -346,7 +346,7 @@ LIVE = ("battery_v", "temperature_c", "state", "fps", "measured_rate_hz", "clock
 """Figures that differ from one second to the next: no setting."""
 
 
-def differences(text: str, name: str, values: Sequence[DeviceValue]) -> list[Difference]:
+def differences(text: str, name: str, values: Sequence[DeviceValue]) -> list[DeviceDifference]:
     """What of a file differs from ``values``. Raises FileError for what is not such a file."""
     known = {value.key: value for value in values}
     out = []
@@ -360,7 +360,7 @@ def differences(text: str, name: str, values: Sequence[DeviceValue]) -> list[Dif
             if now != stored:
                 words = " – ".join(value.path) if value is not None else key
                 fits = value is not None and is_allowed(value, stored)
-                out.append(Difference(key, words, stored, now, fits))
+                out.append(DeviceDifference(key, words, stored, now, fits))
     return out
 
 
@@ -375,7 +375,7 @@ def motor_of(key: str) -> tuple[str, int]:
     return device.removeprefix("glove_"), int(name.removeprefix("motor_"))
 
 
-def report_of(found: Sequence[Difference], name: str) -> str:
+def report_of(found: Sequence[DeviceDifference], name: str) -> str:
     """The differences of a file as sentences."""
     if not found:
         return tr("{} has the values that the devices have.").format(name)

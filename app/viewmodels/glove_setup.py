@@ -25,7 +25,7 @@ FULL_DPS = 200.0
 """Rate that fills a bar."""
 
 
-class Phase(Enum):
+class SetUpPhase(Enum):
     """Where a run stands."""
 
     READY = "ready"
@@ -38,7 +38,7 @@ class WiggleRun:
     """Leads through the steps of a wiggle test, hands free."""
 
     def __init__(self, test: WiggleTest) -> None:
-        self.test, self.step, self.phase = test, 0, Phase.READY
+        self.test, self.step, self.phase = test, 0, SetUpPhase.READY
         self.share = 0.0
         self._since: float | None = None
         self._hint = ""
@@ -46,35 +46,35 @@ class WiggleRun:
     @property
     def part(self) -> str:
         """What shall move now; "rest" at the end."""
-        return "rest" if self.phase == Phase.DONE else self.test.steps[self.step].part
+        return "rest" if self.phase == SetUpPhase.DONE else self.test.steps[self.step].part
 
     @property
     def words(self) -> str:
         """What the wearer is asked."""
-        if self.phase == Phase.DONE:
+        if self.phase == SetUpPhase.DONE:
             return self.test.result().summary
         asked = self._hint or self.test.steps[self.step].instruction
-        if self.phase == Phase.RECORDING:
+        if self.phase == SetUpPhase.RECORDING:
             asked = tr("go on…")
         return tr("{} of {}: {}").format(self.step + 1, len(self.test.steps), asked)
 
     def look(self, recent: Sequence[ImuSample]) -> None:
         """Go on by what the latest samples show."""
-        if not recent or self.phase == Phase.DONE:
+        if not recent or self.phase == SetUpPhase.DONE:
             return
         now = recent[-1].t
         if self._since is None:
             self._since = now
         waited = now - self._since
-        if self.phase == Phase.READY and waited >= READY:
-            self._enter(Phase.WAITING, now)
-        elif self.phase == Phase.WAITING:
+        if self.phase == SetUpPhase.READY and waited >= READY:
+            self._enter(SetUpPhase.WAITING, now)
+        elif self.phase == SetUpPhase.WAITING:
             if moving(imu_motion(last(recent, GLANCE)), self.test.params):
-                self._enter(Phase.RECORDING, now)
+                self._enter(SetUpPhase.RECORDING, now)
             elif waited > PATIENCE:
                 self._hint = self.test.add(self.step, recent)
-                self._enter(Phase.READY, now)
-        elif self.phase == Phase.RECORDING:
+                self._enter(SetUpPhase.READY, now)
+        elif self.phase == SetUpPhase.RECORDING:
             self.share = min(1.0, waited / self.test.params.duration)
             if self.share >= 1.0:
                 self._finish_step([s for s in recent if s.t >= now - waited], now)
@@ -84,9 +84,9 @@ class WiggleRun:
         if not self._hint:
             self.step += 1
         done = self.step == len(self.test.steps)
-        self._enter(Phase.DONE if done else Phase.READY, now)
+        self._enter(SetUpPhase.DONE if done else SetUpPhase.READY, now)
 
-    def _enter(self, phase: Phase, now: float) -> None:
+    def _enter(self, phase: SetUpPhase, now: float) -> None:
         self.phase, self._since, self.share = phase, now, 0.0
 
 

@@ -23,7 +23,7 @@ Judge = Callable[[str], Holding]
 """How the pose of that name is held at this instant."""
 
 
-class Phase(Enum):
+class GuidedPhase(Enum):
     WAITING = "waiting"  # not begun
     REACHING = "reaching"
     HOLDING = "holding"
@@ -39,7 +39,7 @@ class GuidedRun:
     def __init__(self, guide: PoseGuide, judge: Judge, poses: Sequence[str] = tuple(POSES)) -> None:
         self._guide, self._judge = guide, judge
         self.poses = tuple(poses)
-        self.phase = Phase.WAITING
+        self.phase = GuidedPhase.WAITING
         self.number = 0
         self.share = 0.0
         self.holding = Holding(True)
@@ -55,7 +55,7 @@ class GuidedRun:
 
     @property
     def is_running(self) -> bool:
-        return self.phase in (Phase.REACHING, Phase.HOLDING)
+        return self.phase in (GuidedPhase.REACHING, GuidedPhase.HOLDING)
 
     def may_begin(self, t: float) -> bool:
         """Whether the wearer has had the time to come to the pose."""
@@ -80,22 +80,22 @@ class GuidedRun:
 
     def insist(self, t: float) -> None:
         """It is held, whatever it looks like: the engine judges for itself what it believes."""
-        if self.phase == Phase.REACHING and not self._is_unseen:
+        if self.phase == GuidedPhase.REACHING and not self._is_unseen:
             self.insisted = True
             self._begin(t)
 
     def skip(self, t: float) -> None:
         """Leave this pose out."""
         if self.is_running:
-            if self.phase == Phase.REACHING:
+            if self.phase == GuidedPhase.REACHING:
                 self._guide.hold(self.pose)  # a recording tells what was skipped
             self._end(False, t)
 
     def repeat(self, t: float) -> None:
         """This pose again, or the one before where this one has not begun; the last when done."""
-        if self.phase == Phase.WAITING:
+        if self.phase == GuidedPhase.WAITING:
             return
-        if self.phase == Phase.HOLDING:
+        if self.phase == GuidedPhase.HOLDING:
             self._guide.let_go(self.pose, False)
             self._ask(self.number, t)
         else:
@@ -103,11 +103,11 @@ class GuidedRun:
 
     def cancel(self) -> None:
         """Nothing more is asked for; what was held counts."""
-        if self.phase == Phase.HOLDING:
+        if self.phase == GuidedPhase.HOLDING:
             self._guide.let_go(self.pose, False)
         if self.is_running:
             self._guide.show("")
-        self.phase = Phase.DONE
+        self.phase = GuidedPhase.DONE
 
     # --- as time goes on
 
@@ -117,8 +117,8 @@ class GuidedRun:
         if not self.is_running:
             return
         self.holding = self._judge(self.pose)
-        self.late = self.phase == Phase.REACHING and self.may_begin(t)
-        if self.phase == Phase.REACHING:
+        self.late = self.phase == GuidedPhase.REACHING and self.may_begin(t)
+        if self.phase == GuidedPhase.REACHING:
             if self.late and self.holding.is_held:
                 self._begin(t)
             elif self.late and not self._is_unseen:  # who is not seen is waited for
@@ -135,19 +135,19 @@ class GuidedRun:
             self._end(True, t)
 
     def _ask(self, number: int, t: float) -> None:
-        self.number, self.phase, self.share = number, Phase.REACHING, 0.0
+        self.number, self.phase, self.share = number, GuidedPhase.REACHING, 0.0
         self._asked, self._last, self.insisted, self.late = t, t, False, False
         self._missed = 0.0
         self._guide.show(self.pose)
 
     def _begin(self, t: float) -> None:
-        self.phase, self.share, self._well, self._last = Phase.HOLDING, 0.0, t, t
+        self.phase, self.share, self._well, self._last = GuidedPhase.HOLDING, 0.0, t, t
         self._guide.hold(self.pose)
 
     def _lost(self, t: float) -> None:
         """Let go too early: the same pose from its beginning, without a pause."""
         self._guide.let_go(self.pose, False)
-        self.phase, self.share, self._asked = Phase.REACHING, 0.0, t - BETWEEN
+        self.phase, self.share, self._asked = GuidedPhase.REACHING, 0.0, t - BETWEEN
 
     def _end(self, held: bool, t: float) -> None:
         self._guide.let_go(self.pose, held)
@@ -156,5 +156,5 @@ class GuidedRun:
             self._ask(self.number + 1, t)
         else:
             self.number += 1
-            self.phase = Phase.DONE
+            self.phase = GuidedPhase.DONE
             self._guide.show("")

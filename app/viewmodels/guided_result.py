@@ -62,14 +62,14 @@ class LearnedRow(NamedTuple):
     is_clear: bool
 
 
-class Learned(NamedTuple):
+class LearnedWords(NamedTuple):
     """``words``: sentences, none where nothing worth one has changed."""
 
     rows: list[LearnedRow]
     words: list[str]
 
 
-def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> Learned:
+def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> LearnedWords:
     """The end joints of all digits that follow another joint, the thumb's stand and the size."""
     rows: list[LearnedRow] = []
     words: list[str] = []
@@ -89,7 +89,7 @@ def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> Learned:
     rows += _stand(hand, before, after)
     rows += _size(before.calibration, after.calibration)
     words += _size_words(before.calibration, after.calibration)
-    return Learned(rows, words)
+    return LearnedWords(rows, words)
 
 
 def _link(hand: HandModel, digit: str) -> int | None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.viewmodels.guided import GuidedRun, Phase
+from app.viewmodels.guided import GuidedPhase, GuidedRun
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY
 from app.words import mark, tr
 from tracker.hand.holding import NOTHING_ARRIVES, Holding, how_held
@@ -89,18 +89,18 @@ def amiss(holding: Holding) -> str:
 
 def word(run: GuidedRun, t: float) -> str:
     """The one large word at this instant."""
-    if run.phase == Phase.HOLDING:
+    if run.phase == GuidedPhase.HOLDING:
         if run.holding.is_held and run.holding.joint and not run.insisted:
             return tr(NOT_JUDGED)
         return tr("Hold it") if run.is_well else amiss(run.holding)
-    if run.phase == Phase.REACHING:
+    if run.phase == GuidedPhase.REACHING:
         return amiss(run.holding) if run.may_begin(t) else tr("Next")
     return ""
 
 
 def colour(run: GuidedRun) -> str:
     """Of ring and word."""
-    if run.phase == Phase.HOLDING:
+    if run.phase == GuidedPhase.HOLDING:
         return BLUISH_GREEN if run.is_well else ORANGE
     return ORANGE if run.late else SKY
 

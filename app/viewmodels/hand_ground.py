@@ -25,7 +25,7 @@ class GroundGrid:
     corner: Array
 
 
-class Ground:
+class HandGround:
     """Stays where it is until the hand leaves it."""
 
     def __init__(self) -> None:

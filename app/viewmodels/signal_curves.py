@@ -21,7 +21,7 @@ from app.viewmodels.signal_rows import (
     status_rows,
     values_of,
 )
-from app.viewmodels.signals import Signal, Source
+from app.viewmodels.signals import Signal, SignalSource
 from app.viewmodels.timed_rows import TimedRows
 from tracker.live.history import Timed
 from tracker.messages import Array
@@ -61,30 +61,30 @@ class LiveCurves:
         self._chosen = {signal.key: signal for signal in chosen}
         before = self._taken
         self._taken = {key: before.get(key) or TimedRows(self._span) for key in self._chosen}
-        sides = {s.side for s in self._chosen.values() if s.source is Source.GESTURES}
+        sides = {s.side for s in self._chosen.values() if s.source is SignalSource.GESTURES}
         self._gestures = {side: rows for side, rows in self._gestures.items() if side in sides}
 
     def take(self, view: Snapshot) -> None:
         """Add what has come since the last call."""
         for hand in view.hands:
-            by_source: dict[Source, list[Signal]] = {}
+            by_source: dict[SignalSource, list[Signal]] = {}
             for signal in self._chosen.values():
                 if signal.side == hand.setup.side:
                     by_source.setdefault(signal.source, []).append(signal)
             for source, chosen in by_source.items():
                 self._take(hand, source, chosen)
 
-    def _take(self, view: Snapshot, source: Source, chosen: Sequence[Signal]) -> None:
+    def _take(self, view: Snapshot, source: SignalSource, chosen: Sequence[Signal]) -> None:
         match source:
-            case Source.IMU:
+            case SignalSource.IMU:
                 self._add(chosen, view.imu, imu_rows)
-            case Source.HAND:
+            case SignalSource.HAND:
                 self._add(chosen, view.estimates, hand_rows)
-            case Source.IMAGES:
+            case SignalSource.IMAGES:
                 self._add(chosen, view.images, image_rows)
-            case Source.STATUS:
+            case SignalSource.STATUS:
                 self._add(chosen, (view.status,) if view.status is not None else (), status_rows)
-            case Source.GESTURES:
+            case SignalSource.GESTURES:
                 self._add_gestures(chosen, view)
 
     def _add(
@@ -155,14 +155,14 @@ def _known_until(rows: Rows) -> float:
 class TakeCurves:
     """Curves of a whole recording; times are s from its start. ``rows`` are by side and source."""
 
-    def __init__(self, rows: Mapping[tuple[str, Source], Rows]) -> None:
+    def __init__(self, rows: Mapping[tuple[str, SignalSource], Rows]) -> None:
         self._rows = rows
         self._curves: dict[str, Curve] = {}
 
     @property
     def figures(self) -> Collection[str]:
         """Names of the status figures that the recording has."""
-        found = (rows for (_, source), rows in self._rows.items() if source is Source.STATUS)
+        found = (rows for (_, source), rows in self._rows.items() if source is SignalSource.STATUS)
         return dict.fromkeys(name for rows in found for name in rows.columns)
 
     def curve(self, signal: Signal) -> Curve:

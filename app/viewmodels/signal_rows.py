@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.viewmodels.signals import Measure, Signal, Source
+from app.viewmodels.signals import Signal, SignalMeasure, SignalSource
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.gestures.values import GESTURES
 from tracker.live.history import SearchedImage
@@ -17,11 +17,11 @@ from tracker.session.holes import LONGEST_FILLED
 from tracker.session.motion import SMOOTH, speed
 
 LONGEST_STEP = {
-    Source.IMU: LONGEST_FILLED,
-    Source.HAND: LONGEST_FILLED,
-    Source.GESTURES: LONGEST_FILLED,
-    Source.IMAGES: 0.25,  # a camera may give ten images a second, and lose one
-    Source.STATUS: 2.5,  # a recording has one a second
+    SignalSource.IMU: LONGEST_FILLED,
+    SignalSource.HAND: LONGEST_FILLED,
+    SignalSource.GESTURES: LONGEST_FILLED,
+    SignalSource.IMAGES: 0.25,  # a camera may give ten images a second, and lose one
+    SignalSource.STATUS: 2.5,  # a recording has one a second
 }
 """s between two instants of a source; a curve is interrupted across a longer step."""
 PX = ("residual_left", "residual_right")
@@ -147,18 +147,18 @@ def values_of(signal: Signal, rows: Rows) -> Array:
         column = column[:, place]
     x = column
     match signal.measure:
-        case Measure.NORM:
+        case SignalMeasure.NORM:
             x = np.linalg.norm(x, axis=1)
-        case Measure.RATE:
+        case SignalMeasure.RATE:
             x = speed(rows.t, x)
-        case Measure.SPEED:
+        case SignalMeasure.SPEED:
             x = np.sqrt(sum(speed(rows.t, x[:, k]) ** 2 for k in range(x.shape[1])))
     return np.asarray(signal.factor * x)
 
 
 def is_smoothed(signal: Signal) -> bool:
     """Whether a value depends on rows up to `SMOOTH` / 2 before and after it."""
-    return signal.measure in (Measure.RATE, Measure.SPEED)
+    return signal.measure in (SignalMeasure.RATE, SignalMeasure.SPEED)
 
 
 LEAD = SMOOTH

@@ -24,7 +24,7 @@ DEGREES = float(np.rad2deg(1.0))
 MM = 1000.0
 
 
-class Source(Enum):
+class SignalSource(Enum):
     """The messages that a signal is taken from; the value is its part of a key."""
 
     IMU = "imu"
@@ -34,7 +34,7 @@ class Source(Enum):
     STATUS = "status"
 
 
-class Measure(Enum):
+class SignalMeasure(Enum):
     """What is made of a column: itself, the norm of a vector, or the norm of its change per s."""
 
     VALUE = "value"
@@ -51,7 +51,7 @@ class Signal:
     """
 
     side: str
-    source: Source
+    source: SignalSource
     name: str
     path: tuple[str, ...]
     label: str
@@ -59,7 +59,7 @@ class Signal:
     index: tuple[int, ...] = ()
     unit: str = ""
     factor: float = 1.0
-    measure: Measure = Measure.VALUE
+    measure: SignalMeasure = SignalMeasure.VALUE
 
     @property
     def key(self) -> str:
@@ -133,7 +133,7 @@ def imu_signals(side: str, imu: int, name: str, hand: str = "") -> list[Signal]:
             out.append(
                 Signal(
                     side=side,
-                    source=Source.IMU,
+                    source=SignalSource.IMU,
                     name=f"{name}/{column}/{'norm' if is_norm else axis}",
                     path=(hand, tr("IMUs"), spoken(name), word, axis),
                     label=f"{spoken(name)} {word} {axis}",
@@ -141,7 +141,7 @@ def imu_signals(side: str, imu: int, name: str, hand: str = "") -> list[Signal]:
                     index=(imu,) if is_norm else (imu, k),
                     unit=unit,
                     factor=factor,
-                    measure=Measure.NORM if is_norm else Measure.VALUE,
+                    measure=SignalMeasure.NORM if is_norm else SignalMeasure.VALUE,
                 )
             )
     return out
@@ -161,7 +161,7 @@ def angle_signal(side: str, column: int, name: str, hand: str = "", speed: bool 
     label = f"{spoken(name)} {tr('speed')}" if speed else spoken(name)
     return Signal(
         side=side,
-        source=Source.HAND,
+        source=SignalSource.HAND,
         name=f"{'speed' if speed else 'angle'}/{name}",
         path=(hand, group, spoken(first), spoken(rest)),
         label=label,
@@ -169,7 +169,7 @@ def angle_signal(side: str, column: int, name: str, hand: str = "", speed: bool 
         index=(column,),
         unit="°/s" if speed else "°",
         factor=DEGREES,
-        measure=Measure.RATE if speed else Measure.VALUE,
+        measure=SignalMeasure.RATE if speed else SignalMeasure.VALUE,
     )
 
 
@@ -184,14 +184,17 @@ def _keypoints(setup: EngineSetup) -> list[Signal]:
     hand, out = _hand_word(setup), []
     for k, name in enumerate(setup.glove.keypoint_names(setup.hand)):
         kinds = [
-            *((axis, axis, "points", (k, i), "mm", Measure.VALUE) for i, axis in enumerate(AXES)),
-            ("speed", tr("speed"), "points", (k,), "mm/s", Measure.SPEED),
-            ("sd", tr("standard deviation"), "sd", (k,), "mm", Measure.VALUE),
+            *(
+                (axis, axis, "points", (k, i), "mm", SignalMeasure.VALUE)
+                for i, axis in enumerate(AXES)
+            ),
+            ("speed", tr("speed"), "points", (k,), "mm/s", SignalMeasure.SPEED),
+            ("sd", tr("standard deviation"), "sd", (k,), "mm", SignalMeasure.VALUE),
         ]
         out += [
             Signal(
                 side=setup.side,
-                source=Source.HAND,
+                source=SignalSource.HAND,
                 name=f"point/{name}/{own}",
                 path=(hand, tr("Keypoints"), spoken(name), word),
                 label=f"{spoken(name)} {word}",
@@ -211,7 +214,7 @@ def _gestures(setup: EngineSetup) -> list[Signal]:
     return [
         Signal(
             side=setup.side,
-            source=Source.GESTURES,
+            source=SignalSource.GESTURES,
             name=name,
             path=(hand, tr("Gestures"), tr(GESTURE_WORDS[name])),
             label=tr(GESTURE_WORDS[name]),
@@ -239,7 +242,7 @@ def _images(setup: EngineSetup) -> list[Signal]:
     )
     hand = _hand_word(setup)
     return [
-        Signal(setup.side, Source.IMAGES, n, (hand, tr("Images"), word), word, n, unit=unit)
+        Signal(setup.side, SignalSource.IMAGES, n, (hand, tr("Images"), word), word, n, unit=unit)
         for n, word, unit in rows
     ]
 
@@ -249,12 +252,16 @@ def _status(setup: EngineSetup, figures: Iterable[str]) -> list[Signal]:
     known = [n for n in STATUS_WORDS if n in set(figures)]
     others = sorted(set(figures) - set(known))
     tracking = tr("state of tracking (0 to 3)")
-    out = [Signal(setup.side, Source.HAND, "tracking", (hand, group, tracking), tracking, "state")]
+    out = [
+        Signal(
+            setup.side, SignalSource.HAND, "tracking", (hand, group, tracking), tracking, "state"
+        )
+    ]
     for name in (*known, *others):
         word = tr(STATUS_WORDS[name]) if name in STATUS_WORDS else name
         unit = STATUS_UNITS.get(name.rsplit("_", 1)[-1], "")
         path = (hand, group, word)
-        out.append(Signal(setup.side, Source.STATUS, name, path, word, name, unit=unit))
+        out.append(Signal(setup.side, SignalSource.STATUS, name, path, word, name, unit=unit))
     return out
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, StateLook
-from app.widgets.image_shapes import Cross, Line, Shape
+from app.widgets.image_shapes import Cross, ImageLine, Shape
 from app.words import local, mark, told, tr
 from tracker.calibration.stereo.checks import (
     Extrinsics,
@@ -93,7 +93,7 @@ def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape
     if corners is None or len(corners) == 0:
         return []
     rows = camera.rectify(corners.uv)[:: max(1, len(corners) // 6), 1]
-    return [Line(0.0, v, float(width), v, SKY) for v in rows.tolist()]
+    return [ImageLine(0.0, v, float(width), v, SKY) for v in rows.tolist()]
 
 
 def view_name(index: int, view: StereoView, error_px: float) -> str:

@@ -48,7 +48,7 @@ class TakeAngles:
 
 
 @dataclass(frozen=True)
-class Difference:
+class AngleDifference:
     """Of a joint angle, rad, over ``common`` s in which both takes know it."""
 
     rms: float
@@ -122,14 +122,14 @@ class TwoTakes:
         t, first, t_second, second = self.curves(name, offset)
         return between(t, t_second, second) - first
 
-    def figures(self, name: str, offset: float) -> Difference | None:
+    def figures(self, name: str, offset: float) -> AngleDifference | None:
         """None where the takes have no instant in common."""
         difference = self.difference(name, offset)
         known = np.isfinite(difference)
         if not known.any():
             return None
         some, t = difference[known], self.curves(name, offset)[0][known]
-        return Difference(
+        return AngleDifference(
             float(np.sqrt(np.mean(some**2))), float(np.abs(some).max()), float(durations(t).sum())
         )
 
@@ -166,7 +166,7 @@ def read_take(path: Path) -> TakeAngles:
         )
 
 
-def figures_text(figures: Difference | None) -> str:
+def figures_text(figures: AngleDifference | None) -> str:
     """One line."""
     if figures is None:
         return tr("The takes have no tracked instant in common here.")

@@ -44,7 +44,7 @@ class Ellipse:
 
 
 @dataclass(frozen=True)
-class Line:
+class ImageLine:
     u0: float
     v0: float
     u1: float
@@ -56,7 +56,7 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Label:
+class ImageLabel:
     """Text beside a point, as large at any zoom; left out below ``least_zoom`` screen pixels per
     image pixel, where texts would cover each other."""
 
@@ -68,4 +68,4 @@ class Label:
     least_zoom: float = 0.0
 
 
-Shape = Ring | Cross | Ellipse | Line | Label
+Shape = Ring | Cross | Ellipse | ImageLine | ImageLabel

@@ -7,7 +7,7 @@ import math
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.widgets.image_shapes import Cross, Ellipse, Label, Line, Ring, Shape
+from app.widgets.image_shapes import Cross, Ellipse, ImageLabel, ImageLine, Ring, Shape
 
 FILLING = 110  # alpha
 
@@ -29,7 +29,7 @@ def paint_shape(painter: QPainter, shape: Shape, s: float, origin: QPointF) -> N
 
     painter.setOpacity(shape.opacity)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    if isinstance(shape, Line):
+    if isinstance(shape, ImageLine):
         painter.setPen(_pen(shape.colour, shape.width, shape.dashed))
         painter.drawLine(at(shape.u0, shape.v0), at(shape.u1, shape.v1))
     elif isinstance(shape, Ring):
@@ -65,7 +65,7 @@ def _paint_cross(painter: QPainter, shape: Cross, centre: QPointF) -> None:
         painter.drawLine(centre - arm, centre + arm)
 
 
-def _paint_label(painter: QPainter, shape: Label, anchor: QPointF) -> None:
+def _paint_label(painter: QPainter, shape: ImageLabel, anchor: QPointF) -> None:
     """Text with a dark edge, so that it reads on any image."""
     where = anchor + QPointF(5, -4)
     painter.setPen(QColor(0, 0, 0, 200))

@@ -35,7 +35,7 @@ class Mark:
 
 
 @dataclass(frozen=True)
-class Span:
+class TimelineSpan:
     """A stretch from ``start`` to ``stop`` s that is drawn under the line; ``text`` is its tip."""
 
     start: float
@@ -56,7 +56,7 @@ class TimelineBar(QWidget):
         self._duration, self._position = 0.0, 0.0
         self._range = (0.0, 0.0)
         self._marks: tuple[Mark, ...] = ()
-        self.spans: tuple[Span, ...] = ()
+        self.spans: tuple[TimelineSpan, ...] = ()
         self._held = ""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -70,7 +70,7 @@ class TimelineBar(QWidget):
         self._position, self._range, self.spans = 0.0, (0.0, duration), ()
         self.update()
 
-    def show_spans(self, spans: Sequence[Span]) -> None:
+    def show_spans(self, spans: Sequence[TimelineSpan]) -> None:
         """Later ones are drawn over earlier ones."""
         self.spans = tuple(spans)
         self.update()
@@ -112,7 +112,7 @@ class TimelineBar(QWidget):
         near = [m for m in self._marks if abs(self.x_of(m.position) - x) <= REACH]
         return min(near, key=lambda m: abs(self.x_of(m.position) - x), default=None)
 
-    def span_at(self, x: float) -> Span | None:
+    def span_at(self, x: float) -> TimelineSpan | None:
         """The shortest one there."""
         there = [s for s in self.spans if self.x_of(s.start) - 2 <= x <= self.x_of(s.stop) + 2]
         return min(there, key=lambda s: s.stop - s.start, default=None)

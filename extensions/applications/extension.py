@@ -47,9 +47,9 @@ def _arm() -> type[Application]:
 
 
 def _place() -> type[Application]:
-    from extensions.applications.place.place import Place
+    from extensions.applications.place.place import VirtualPlace
 
-    return Place
+    return VirtualPlace
 
 
 def _swarm() -> type[Application]:

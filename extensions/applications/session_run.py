@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from extensions.applications.runner import BEGINS, ENDS, KIND, SETTING, ApplicationRunner, Outcome
-from extensions.applications.sources import Source, recorded
-from extensions.applications.stage import Sink
+from extensions.applications.sources import HandSource, recorded
+from extensions.applications.stage import CommandSink
 from tracker.base.clock import monotonic
 from tracker.base.errors import FileError
 from tracker.base.files import check_target
@@ -61,9 +61,9 @@ class ApplicationReport:
 
 def run(
     name: str,
-    source: Source,
+    source: HandSource,
     settings: Mapping[str, Any] | None = None,
-    sinks: Sequence[Sink] = (),
+    sinks: Sequence[CommandSink] = (),
     recorder: SessionRecorder | None = None,
     look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> ApplicationReport:
@@ -93,7 +93,7 @@ def _feed(
     runner: ApplicationRunner,
     estimate: Estimate,
     report: ApplicationReport,
-    sinks: Sequence[Sink] = (),
+    sinks: Sequence[CommandSink] = (),
     look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> list[Event]:
     events: list[Event] = []
@@ -124,10 +124,10 @@ class Into:
 
 def run_into(
     name: str,
-    source: Source,
+    source: HandSource,
     into: Into,
     settings: Mapping[str, Any] | None = None,
-    sinks: Sequence[Sink] = (),
+    sinks: Sequence[CommandSink] = (),
     look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> ApplicationReport:
     """`run`, into a new session that is there whole or not at all."""

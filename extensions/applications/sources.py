@@ -26,7 +26,7 @@ SILENCE = 3.0  # s after which a stream is taken to have ended
 PATIENCE = 30.0  # s that its first hand is waited for
 
 
-class Source(NamedTuple):
+class HandSource(NamedTuple):
     """What a session is about, and its messages; estimates are among them."""
 
     info: SessionInfo
@@ -34,13 +34,13 @@ class Source(NamedTuple):
 
 
 @contextmanager
-def recorded(path: Path, side: str = "") -> Iterator[Source]:
+def recorded(path: Path, side: str = "") -> Iterator[HandSource]:
     """The estimates of a session's hand, and all else that is in it; ``side``: which of two, else
     the main one. Raises FileError where the session has no such hand."""
     with SessionReader(path, side=side if sides_of(path) else "") as reader:
         if side and reader.info.side != side:
             raise FileError(f"{path} has no {side} hand.")
-        yield Source(reader.info, reader.packed_messages())
+        yield HandSource(reader.info, reader.packed_messages())
 
 
 def sides_of(path: Path) -> tuple[str, ...]:
@@ -49,7 +49,7 @@ def sides_of(path: Path) -> tuple[str, ...]:
         return reader.sides
 
 
-def simulated(options: SimulateOptions, on_truth: bool) -> Source:
+def simulated(options: SimulateOptions, on_truth: bool) -> HandSource:
     """A simulated wearer, tracked as we go; ``on_truth``: as if the hand were known."""
     simulation, info = build_simulation(options)
 
@@ -66,10 +66,10 @@ def simulated(options: SimulateOptions, on_truth: bool) -> Source:
             else:
                 yield pipeline.feed_imu(message)
 
-    return Source(info, messages())
+    return HandSource(info, messages())
 
 
-def streamed(address: str, glove_name: str = "") -> Source:
+def streamed(address: str, glove_name: str = "") -> HandSource:
     """Estimates that a window sends: ``udp:PORT``, or ``ws://host:port``.
 
     Raises ConfigError for another address; going through them StreamError, where none comes.
@@ -83,7 +83,7 @@ def streamed(address: str, glove_name: str = "") -> Source:
         for text in texts_of:
             yield from_json(text, names, len(info.hand.segments))
 
-    return Source(info, messages())
+    return HandSource(info, messages())
 
 
 def _udp(address: str) -> Iterator[bytes]:

@@ -19,7 +19,7 @@ from tracker.messages import Estimate, Event
 _log = logging.getLogger(__name__)
 
 
-class Sink(Protocol):
+class CommandSink(Protocol):
     """Takes an application's commands to a device; passes over those that are not for it."""
 
     def take(self, commands: Sequence[Command], t: float) -> None:
@@ -50,7 +50,7 @@ class ApplicationStage:
         self._anew = False
         self._lock = threading.Lock()  # what is shown, what ends and where it begins anew
         self.tell = tell
-        self.sinks: list[Sink] = []
+        self.sinks: list[CommandSink] = []
         self.viewers: list[Viewer] = []
         self.outcome: Outcome | None = None
         self.counts: Counter[str] = Counter()

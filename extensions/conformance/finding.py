@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from extensions.conformance.take import Step, Take
+from extensions.conformance.take import RecordTake, ScriptStep
 from tracker.messages import Array
 
 PASS, FAIL, UNKNOWN = "pass", "fail", "not enough data"
@@ -37,13 +37,13 @@ class Finding:
     advice: bool = False
 
 
-Rule = Callable[[Take, Sequence[Step]], Finding]
+Rule = Callable[[RecordTake, Sequence[ScriptStep]], Finding]
 
 
-class Judge:
+class LayerJudge:
     """Makes the findings of one layer on one hand."""
 
-    def __init__(self, layer: str, take: Take) -> None:
+    def __init__(self, layer: str, take: RecordTake) -> None:
         self._layer, self._take = layer, take
         self.found: list[Finding] = []
 

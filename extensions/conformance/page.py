@@ -10,7 +10,7 @@ import numpy as np
 
 from extensions.conformance.finding import PASS, Finding, Plot
 from extensions.conformance.run import Verdict
-from extensions.conformance.take import Step
+from extensions.conformance.take import ScriptStep
 from tracker import __version__
 from tracker.base.clock import NS
 
@@ -101,7 +101,7 @@ def _zero(verdict: Verdict) -> dict[str, int]:
     return {t.side: int(t.sample[0]) for t in verdict.takes}
 
 
-def _table(found: Sequence[Finding], steps: Sequence[Step], zero: dict[str, int]) -> str:
+def _table(found: Sequence[Finding], steps: Sequence[ScriptStep], zero: dict[str, int]) -> str:
     rows = ["<tr><th>rule<th>hand<th>verdict<th>figure<th>limit</tr>"]
     for f in found:
         mark = f.status if f.status in ("pass", "fail") else "unknown"
@@ -120,7 +120,7 @@ def _table(found: Sequence[Finding], steps: Sequence[Step], zero: dict[str, int]
     return f"<table>{''.join(rows)}</table>"
 
 
-def _svg(plot: Plot, steps: Sequence[Step], zero: int) -> str:
+def _svg(plot: Plot, steps: Sequence[ScriptStep], zero: int) -> str:
     """Least and largest value in each of `POINTS` stretches, so that no outlier is left out."""
     known = plot.values[np.isfinite(plot.values)]
     if not len(known):

@@ -7,8 +7,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from extensions.conformance.finding import Finding, Judge
-from extensions.conformance.take import CHAINS, KNUCKLES, TIPS, WRIST, Step, Take, rotations
+from extensions.conformance.finding import Finding, LayerJudge
+from extensions.conformance.take import (
+    CHAINS,
+    KNUCKLES,
+    TIPS,
+    WRIST,
+    RecordTake,
+    ScriptStep,
+    rotations,
+)
 from tracker.hand.names import FINGERS
 from tracker.messages import Array
 
@@ -21,8 +29,8 @@ ALONG = 0.7  # of −z with the bone
 TURNED_DEG, APART_DEG = 90.0, 30.0
 
 
-def judge_placement(take: Take, steps: Sequence[Step]) -> list[Finding]:
-    judge = Judge("placement", take)
+def judge_placement(take: RecordTake, steps: Sequence[ScriptStep]) -> list[Finding]:
+    judge = LayerJudge("placement", take)
     _origin(take, judge)
     _frozen(take, judge)
     _axes(take, judge)
@@ -30,7 +38,7 @@ def judge_placement(take: Take, steps: Sequence[Step]) -> list[Finding]:
     return judge.found
 
 
-def _origin(take: Take, judge: Judge) -> None:
+def _origin(take: RecordTake, judge: LayerJudge) -> None:
     distance = np.linalg.norm(take.position[:, WRIST], axis=1)
     known = distance[np.isfinite(distance)]
     near = float((known < NEAR).mean()) if len(known) else np.nan
@@ -40,7 +48,7 @@ def _origin(take: Take, judge: Judge) -> None:
     judge.say("the wrist is in the room", ok, words, limit, (distance, "m", (NEAR,)))
 
 
-def _frozen(take: Take, judge: Judge) -> None:
+def _frozen(take: RecordTake, judge: LayerJudge) -> None:
     wrist = np.concatenate([take.position[:, WRIST], take.orientation[:, WRIST]], axis=1)
     tips = take.position[:, [TIPS[f] for f in FINGERS]]
     step = np.linalg.norm(np.diff(tips, axis=0), axis=2)
@@ -52,14 +60,14 @@ def _frozen(take: Take, judge: Judge) -> None:
     judge.say("the wrist is not frozen", ok, words, f"≤ {FROZEN:.0%}")
 
 
-def _axes(take: Take, judge: Judge) -> None:
+def _axes(take: RecordTake, judge: LayerJudge) -> None:
     xyzw, wxyz = _along(take, [0, 1, 2, 3]), _along(take, [1, 2, 3, 0])
     ok = None if np.isnan(xyzw) else xyzw >= ALONG and xyzw >= wxyz
     words = f"{xyzw:.2f}" + (f"; read as wxyz {wxyz:.2f}" if not ok else "")
     judge.say("−z along the bones, xyzw", ok, words, f"≥ {ALONG:g}")
 
 
-def _along(take: Take, order: list[int]) -> float:
+def _along(take: RecordTake, order: list[int]) -> float:
     """Mean cosine between −z and the bone, quaternions read in this order."""
     found = []
     for chain in CHAINS.values():
@@ -88,7 +96,7 @@ def angles_deg(axes: Array, reference: Array) -> Array:
     return np.asarray(np.rad2deg(np.arccos(cosine)).max(axis=1))
 
 
-def _same_frame(take: Take, judge: Judge, steps: Sequence[Step]) -> None:
+def _same_frame(take: RecordTake, judge: LayerJudge, steps: Sequence[ScriptStep]) -> None:
     """While the wrist turns its quaternion turns with the joints' positions."""
     limit = f"≤ {APART_DEG:g}° (95 %) over ≥ {TURNED_DEG:g}°"
     window = next((s for s in steps if s.label == "wrist_rotate"), None)

@@ -22,8 +22,8 @@ from extensions.conformance.take import (
     BEATS,
     GRASPS,
     SCRIPT,
-    Step,
-    Take,
+    RecordTake,
+    ScriptStep,
     labels_beside,
     read_labels,
     take_of,
@@ -55,8 +55,8 @@ class Verdict:
 
     name: str
     findings: tuple[Finding, ...]
-    takes: tuple[Take, ...]
-    steps: tuple[Step, ...]
+    takes: tuple[RecordTake, ...]
+    steps: tuple[ScriptStep, ...]
 
     @property
     def ok(self) -> bool:
@@ -64,7 +64,7 @@ class Verdict:
         return not any(f.status in bad and not f.advice for f in self.findings)
 
 
-def judge(name: str, takes: Sequence[Take], steps: Sequence[Step]) -> Verdict:
+def judge(name: str, takes: Sequence[RecordTake], steps: Sequence[ScriptStep]) -> Verdict:
     """All rules on all hands. Raises FileError where there is no record at all."""
     if not takes or not any(len(take) for take in takes):
         raise FileError(f"{name} holds no record of a hand.")
@@ -78,7 +78,7 @@ def judge(name: str, takes: Sequence[Take], steps: Sequence[Step]) -> Verdict:
     return Verdict(name, tuple(findings), tuple(takes), tuple(steps))
 
 
-def read_take(path: Path, sides: Sequence[str] = ()) -> tuple[list[Take], list[Step]]:
+def read_take(path: Path, sides: Sequence[str] = ()) -> tuple[list[RecordTake], list[ScriptStep]]:
     """The hands of a session or of an Isaac record, and its steps.
 
     Steps stand in ``TAKE.labels.json`` beside it, or in a session are notes with their names, each
@@ -111,11 +111,11 @@ def session_records(reader: SessionReader) -> dict[str, list[HandRecord]]:
     return found
 
 
-def noted_steps(reader: SessionReader) -> list[Step]:
+def noted_steps(reader: SessionReader) -> list[ScriptStep]:
     """Windows of the script that begin at a note with the step's name."""
     notes = [m for m in reader.messages([Event]) if isinstance(m, Event)]
     found = [(m.text.strip(), round(m.t * NS)) for m in notes if m.text.strip() in SCRIPT]
-    return [Step(label, at, at + round(SCRIPT[label] * NS)) for label, at in found]
+    return [ScriptStep(label, at, at + round(SCRIPT[label] * NS)) for label, at in found]
 
 
 def cues(side: str) -> tuple[list[Cue], list[str]]:
@@ -140,7 +140,7 @@ def simulated(
     glove: str = "",
     progress: Callable[[float], None] = lambda share: None,
     change: Change = lambda message: message,
-) -> tuple[list[HandRecord], list[Step]]:
+) -> tuple[list[HandRecord], list[ScriptStep]]:
     """Records of a simulated wearer who shows the script, tracked as a session is; and the steps.
 
     ``change`` alters what the sensors give. Raises ConfigError for a glove of the other side.
@@ -166,7 +166,7 @@ def simulated(
             records = session_records(reader)[side]
     zero = info.anchor.monotonic_ns
     steps = [
-        Step(label, zero + round(start * NS), zero + round((start + cue.hold) * NS))
+        ScriptStep(label, zero + round(start * NS), zero + round((start + cue.hold) * NS))
         for cue, label, start in zip(shown, labels, motion.starts, strict=True)
         if label
     ]
@@ -175,10 +175,10 @@ def simulated(
 
 def simulated_takes(
     sides: Sequence[str], seed: int, glove: str, progress: Callable[[float], None]
-) -> tuple[Mapping[str, list[HandRecord]], list[Step]]:
+) -> tuple[Mapping[str, list[HandRecord]], list[ScriptStep]]:
     """Both hands, or one, on one clock: each shows the same step at the same time."""
     records: dict[str, list[HandRecord]] = {}
-    steps: list[Step] = []
+    steps: list[ScriptStep] = []
     for k, side in enumerate(sides):
         records[side], steps = simulated(
             side,

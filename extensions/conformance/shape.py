@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from extensions.conformance.finding import Finding, Judge
+from extensions.conformance.finding import Finding, LayerJudge
 from extensions.conformance.take import (
     CHAINS,
     KNUCKLES,
@@ -17,7 +17,7 @@ from extensions.conformance.take import (
     REQUIRED,
     TIPS,
     WRIST,
-    Take,
+    RecordTake,
 )
 from tracker.base.clock import NS
 from tracker.hand.names import FINGERS
@@ -40,8 +40,8 @@ TOGETHER = 0.003  # m
 MISPLACED = 0.05  # share
 
 
-def judge_shape(take: Take) -> list[Finding]:
-    judge = Judge("shape", take)
+def judge_shape(take: RecordTake) -> list[Finding]:
+    judge = LayerJudge("shape", take)
     whole = np.asarray(take.valid[:, REQUIRED].all(axis=1))
     _complete(take, judge, whole)
     _source(take, judge)
@@ -54,7 +54,7 @@ def judge_shape(take: Take) -> list[Finding]:
     return judge.found
 
 
-def _complete(take: Take, judge: Judge, whole: NDArray[np.bool_]) -> None:
+def _complete(take: RecordTake, judge: LayerJudge, whole: NDArray[np.bool_]) -> None:
     n = int(take.active.sum())
     share = float(whole.sum() / n) if n else 0.0
     plot = (take.valid[:, REQUIRED].sum(axis=1).astype(float), "joints", (21.0,))
@@ -62,7 +62,7 @@ def _complete(take: Take, judge: Judge, whole: NDArray[np.bool_]) -> None:
     judge.say("all 21 joints", ok, f"{share:.1%}", f"≥ {COMPLETE:.0%}", plot)
 
 
-def _source(take: Take, judge: Judge) -> None:
+def _source(take: RecordTake, judge: LayerJudge) -> None:
     """Sets of valid joints that lasted, one after another."""
     lasting: list[bytes] = []
     rows = np.flatnonzero(take.valid.any(axis=1))
@@ -76,7 +76,7 @@ def _source(take: Take, judge: Judge) -> None:
     judge.say("the same joints all along", ok, f"{changes} changes that last", "0")
 
 
-def _radius(take: Take, judge: Judge) -> None:
+def _radius(take: RecordTake, judge: LayerJudge) -> None:
     told = take.radius[take.valid]
     if not len(told):
         judge.say("radius", None, "no joint", "1–50 mm")
@@ -86,7 +86,7 @@ def _radius(take: Take, judge: Judge) -> None:
     judge.say("radius", bad <= BAD_RADII, words, f"1–50 mm in {1 - BAD_RADII:.0%}")
 
 
-def _lengths(take: Take, chain: list[int]) -> Array:
+def _lengths(take: RecordTake, chain: list[int]) -> Array:
     return np.asarray(np.linalg.norm(np.diff(take.position[:, chain], axis=1), axis=2))
 
 
@@ -95,7 +95,7 @@ def _median(values: Array) -> float:
     return float(np.median(known)) if len(known) else np.nan
 
 
-def _size(take: Take, judge: Judge) -> None:
+def _size(take: RecordTake, judge: LayerJudge) -> None:
     along = _lengths(take, [WRIST, *CHAINS["middle"]]).sum(axis=1)
     size = _median(along)
     ok = None if np.isnan(size) else LENGTH[0] <= size <= LENGTH[1]
@@ -110,7 +110,7 @@ def _size(take: Take, judge: Judge) -> None:
         judge.say(f"length of {a} by {b}", ok, f"{ratio:.2f}", f"{low:g}–{high:g}")
 
 
-def _bones(take: Take, judge: Judge) -> None:
+def _bones(take: RecordTake, judge: LayerJudge) -> None:
     worst, where = 0.0, ""
     for digit, chain in CHAINS.items():
         lengths = _lengths(take, [WRIST, *chain])
@@ -128,7 +128,7 @@ def _extremes(straight: Array, share: float) -> tuple[IntArray, IntArray]:
     return rows[:n], rows[-n:]
 
 
-def _order(take: Take, judge: Judge, whole: NDArray[np.bool_]) -> None:
+def _order(take: RecordTake, judge: LayerJudge, whole: NDArray[np.bool_]) -> None:
     limit = f"≥ {ORDER:.0%}"
     if not whole.any():
         judge.say("knuckles in order", None, "no record with all joints", limit)
@@ -152,7 +152,7 @@ def _order(take: Take, judge: Judge, whole: NDArray[np.bool_]) -> None:
     judge.say("joints from root to tip", share >= ORDER, f"{share:.1%} extended", limit)
 
 
-def _side(take: Take, judge: Judge, whole: NDArray[np.bool_]) -> None:
+def _side(take: RecordTake, judge: LayerJudge, whole: NDArray[np.bool_]) -> None:
     across = take.local[:, KNUCKLES["little"]] - take.local[:, KNUCKLES["index"]]
     x = across[:, 0] / np.maximum(np.linalg.norm(across, axis=1), 1e-9)
     share, sign = _median(x), 1.0 if take.side == "right" else -1.0
@@ -176,7 +176,7 @@ def _side(take: Take, judge: Judge, whole: NDArray[np.bool_]) -> None:
     judge.say("fingers bend to the palm", ok, words, limit)
 
 
-def _palm(take: Take, judge: Judge) -> None:
+def _palm(take: RecordTake, judge: LayerJudge) -> None:
     """PALM in the middle of the middle metacarpal, each metacarpal from wrist to knuckle."""
     p = take.position
     palm = np.linalg.norm(p[:, KNUCKLES["middle"]] - p[:, WRIST], axis=1)

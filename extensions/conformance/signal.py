@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from extensions.conformance.finding import Finding, Judge
-from extensions.conformance.take import Take
+from extensions.conformance.finding import Finding, LayerJudge
+from extensions.conformance.take import RecordTake
 from tracker.base.clock import NS
 
 UNIT = 1e-3  # a quaternion's length may differ from 1 by
@@ -16,15 +16,15 @@ FASTEST = 20.0  # m/s
 SHORTEST = 0.004  # s: a shorter interval tells of the clock, not of the hand
 
 
-def judge_signal(take: Take) -> list[Finding]:
-    judge = Judge("signal", take)
+def judge_signal(take: RecordTake) -> list[Finding]:
+    judge = LayerJudge("signal", take)
     _numbers(take, judge)
     _stamps(take, judge)
     _speed(take, judge)
     return judge.found
 
 
-def _numbers(take: Take, judge: Judge) -> None:
+def _numbers(take: RecordTake, judge: LayerJudge) -> None:
     told = np.concatenate([take.position, take.orientation], axis=2)[take.valid]
     bad = int((~np.isfinite(told)).any(axis=1).sum()) if len(told) else 0
     judge.say("finite", None if not len(told) else bad == 0, f"{bad} joints not finite", "0")
@@ -36,7 +36,7 @@ def _numbers(take: Take, judge: Judge) -> None:
     judge.say("a hand in the records", share >= PRESENT, f"{share:.1%}", f"≥ {PRESENT:.0%}")
 
 
-def _stamps(take: Take, judge: Judge) -> None:
+def _stamps(take: RecordTake, judge: LayerJudge) -> None:
     steps = np.diff(take.sample)
     back = int((steps <= 0).sum() + (np.diff(take.available) < 0).sum())
     judge.say("stamps rise", None if len(take) < 2 else back == 0, f"{back} go back", "0")
@@ -56,7 +56,7 @@ def _stamps(take: Take, judge: Judge) -> None:
     judge.say("no gaps", longest <= GAP, f"{longest:.1f} periods", f"≤ {GAP:g} periods", plot)
 
 
-def _speed(take: Take, judge: Judge) -> None:
+def _speed(take: RecordTake, judge: LayerJudge) -> None:
     dt = np.diff(take.sample) / NS
     steps = np.linalg.norm(np.diff(take.position, axis=0), axis=2)
     speed = np.where((dt >= SHORTEST)[:, None], steps / np.maximum(dt, SHORTEST)[:, None], np.nan)

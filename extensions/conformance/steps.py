@@ -7,9 +7,17 @@ from itertools import pairwise
 
 import numpy as np
 
-from extensions.conformance.finding import Finding, Judge
+from extensions.conformance.finding import Finding, LayerJudge
 from extensions.conformance.placement import angles_deg, hand_axes
-from extensions.conformance.take import GRASPS, OPENS, PINCHES, SCRIPT, SETTLED, Step, Take
+from extensions.conformance.take import (
+    GRASPS,
+    OPENS,
+    PINCHES,
+    SCRIPT,
+    SETTLED,
+    RecordTake,
+    ScriptStep,
+)
 from tracker.hand.names import FINGERS
 from tracker.messages import IntArray
 
@@ -22,8 +30,8 @@ LEAST = 5  # frames in contact
 TURNED_DEG = 60.0
 
 
-def judge_steps(take: Take, steps: Sequence[Step]) -> list[Finding]:
-    judge = Judge("steps", take)
+def judge_steps(take: RecordTake, steps: Sequence[ScriptStep]) -> list[Finding]:
+    judge = LayerJudge("steps", take)
     if not steps:
         judge.say("scripted steps", None, "no labels", "TAKE.labels.json")
         return judge.found
@@ -38,7 +46,7 @@ def judge_steps(take: Take, steps: Sequence[Step]) -> list[Finding]:
     return judge.found
 
 
-def settled_rows(take: Take, step: Step) -> IntArray:
+def settled_rows(take: RecordTake, step: ScriptStep) -> IntArray:
     """Records of a window after the move into it."""
     start = step.start_ns + int(SETTLED * (step.end_ns - step.start_ns))
     return np.flatnonzero((take.sample >= start) & (take.sample < step.end_ns))
@@ -49,7 +57,7 @@ def _middle(values: np.ndarray) -> float:
     return float(np.median(known)) if len(known) else np.nan
 
 
-def _windows(take: Take, judge: Judge, steps: Sequence[Step]) -> None:
+def _windows(take: RecordTake, judge: LayerJudge, steps: Sequence[ScriptStep]) -> None:
     wrong = [b.label for a, b in pairwise(steps) if b.start_ns < a.end_ns]
     wrong += [s.label for s in steps if s.end_ns <= s.start_ns]
     wrong += [s.label for s in set(steps) if sum(o.label == s.label for o in steps) > 1]
@@ -67,7 +75,7 @@ def _windows(take: Take, judge: Judge, steps: Sequence[Step]) -> None:
     judge.say("windows have records", not short, words, f"≥ {COVERED:.0%} of each")
 
 
-def _opens_and_fists(take: Take, judge: Judge, straight: dict[str, float]) -> None:
+def _opens_and_fists(take: RecordTake, judge: LayerJudge, straight: dict[str, float]) -> None:
     plot = (take.straightness, "straightness", (CLOSED, OPEN))
     for label in OPENS:
         if label in straight:
@@ -84,7 +92,7 @@ def _opens_and_fists(take: Take, judge: Judge, straight: dict[str, float]) -> No
             judge.say(label, ok, f"straightness {value:.2f}", f"≤ {limit:.2f}", plot)
 
 
-def _pinch(take: Take, judge: Judge, label: str, finger: str, rows: IntArray) -> None:
+def _pinch(take: RecordTake, judge: LayerJudge, label: str, finger: str, rows: IntArray) -> None:
     distance = take.pinch[rows]
     touching = distance[np.isfinite(distance).all(axis=1) & (distance.min(axis=1) <= CONTACT)]
     named = FINGERS.index(finger)
@@ -101,7 +109,7 @@ def _pinch(take: Take, judge: Judge, label: str, finger: str, rows: IntArray) ->
     judge.say(label, ok, f"nearest in {share:.0%}, {apart:.0f} mm", limit, plot)
 
 
-def _turn(take: Take, judge: Judge, rows: dict[str, IntArray]) -> None:
+def _turn(take: RecordTake, judge: LayerJudge, rows: dict[str, IntArray]) -> None:
     """The wrist turns, and in no other step as much."""
     axes = hand_axes(take.position)
     turned = {}

@@ -35,7 +35,7 @@ REQUIRED = [WRIST, *(j for chain in CHAINS.values() for j in chain)]
 
 
 @dataclass(frozen=True, eq=False)
-class Take:
+class RecordTake:
     """N records of one hand: available and sample (N,) ns, active (N,); position (N, 26, 3) m,
     orientation (N, 26, 4) xyzw and radius (N, 26) m, NaN where ``valid`` (N, 26) is not set.
     """
@@ -91,7 +91,7 @@ def rotations(q: Array) -> Array:
     return np.moveaxis(np.array(rows), 2, 0)
 
 
-def take_of(side: str, records: Sequence[HandRecord]) -> Take:
+def take_of(side: str, records: Sequence[HandRecord]) -> RecordTake:
     """Arrays of a hand's records in the order in which they came."""
     n, k = len(records), len(JOINTS)
     active = np.array([r.joints is not None for r in records], bool)
@@ -106,10 +106,10 @@ def take_of(side: str, records: Sequence[HandRecord]) -> Take:
         position[~valid], q[~valid], radius[~valid] = np.nan, np.nan, np.nan
     stamps = np.array([(r.stamps.available, r.stamps.sample) for r in records], np.int64)
     available, sample = stamps.reshape(-1, 2).T
-    return Take(side, available, sample, active, valid, position, q, radius)
+    return RecordTake(side, available, sample, active, valid, position, q, radius)
 
 
-class Step(NamedTuple):
+class ScriptStep(NamedTuple):
     """A window of sample times, ns, in which ``label`` was to be shown."""
 
     label: str
@@ -140,7 +140,7 @@ def labels_beside(path: Path) -> Path:
     return path.with_name(f"{path.stem}.labels.json")
 
 
-def write_labels(path: Path, take: str, steps: Sequence[Step], first_ns: int) -> str:
+def write_labels(path: Path, take: str, steps: Sequence[ScriptStep], first_ns: int) -> str:
     """The sidecar's text for the file ``take``."""
     rows = [
         {
@@ -160,12 +160,12 @@ def write_labels(path: Path, take: str, steps: Sequence[Step], first_ns: int) ->
     return text
 
 
-def read_labels(path: Path) -> list[Step]:
+def read_labels(path: Path) -> list[ScriptStep]:
     """Windows of a sidecar; none where there is no file. Raises FileError for another form."""
     if not path.is_file():
         return []
     try:
         rows: Iterable[dict[str, Any]] = json.loads(read_text(path))["steps"]
-        return [Step(str(r["label"]), int(r["start_ns"]), int(r["end_ns"])) for r in rows]
+        return [ScriptStep(str(r["label"]), int(r["start_ns"]), int(r["end_ns"])) for r in rows]
     except (ValueError, KeyError, TypeError) as error:
         raise FileError(f"{path} is no list of labelled steps.") from error

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from extensions.lerobot.film import Film
+from extensions.lerobot.film import DatasetFilm
 from extensions.lerobot.frames import Frames, Recorded, frames_of, read_recorded
 from extensions.lerobot.images import NearestImages
 from extensions.lerobot.layout import ACTION, COUNTERS, STATE, VALID, Layout
@@ -87,11 +87,11 @@ def write_file(job: FileJob, progress: Callable[[float], None]) -> list[Written]
     return out
 
 
-def _film(job: FileJob, k: int) -> Film:
+def _film(job: FileJob, k: int) -> DatasetFilm:
     camera = job.layout.cameras[k]
     path = job.folder / VIDEO_PATH.format(video_key=camera.key, **job.at)
     starts = [e.first - job.episodes[0].first for e in job.episodes]
-    return Film(path, job.layout.fps, camera.kind, starts)
+    return DatasetFilm(path, job.layout.fps, camera.kind, starts)
 
 
 class _Sessions:
@@ -116,7 +116,7 @@ class _Sink:
     job: FileJob
     episode: Episode
     writer: Any
-    films: list[Film]
+    films: list[DatasetFilm]
     frames: Frames
     gap: float = 0.0
     seen: dict[str, list[bytes]] = field(default_factory=dict)

@@ -27,7 +27,7 @@ def check_program() -> str:
     return found
 
 
-class Film:
+class DatasetFilm:
     """Encoded images, one after the other, become the frames of ``path``.
 
     Those numbered ``starts`` can be shown without any before them: episodes begin there.
@@ -52,7 +52,7 @@ class Film:
                 stderr=log,
             )
 
-    def __enter__(self) -> Film:
+    def __enter__(self) -> DatasetFilm:
         return self
 
     def __exit__(

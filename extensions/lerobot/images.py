@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from extensions.lerobot.layout import Camera
+from extensions.lerobot.layout import DatasetCamera
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import IntArray
@@ -25,7 +25,9 @@ class NearestImages:
     """Goes once through the images of ``cameras``; ``gap`` is the largest time between a frame and
     its image so far, s."""
 
-    def __init__(self, reader: SessionReader, cameras: Sequence[Camera], at: IntArray) -> None:
+    def __init__(
+        self, reader: SessionReader, cameras: Sequence[DatasetCamera], at: IntArray
+    ) -> None:
         self._reader, self._at = reader, at
         self._queues = {topics.image(c.name): _Queue(c, at) for c in cameras}
 
@@ -54,7 +56,7 @@ class NearestImages:
 class _Queue:
     """Images of one camera that are known to be the nearest of their frames."""
 
-    def __init__(self, camera: Camera, at: IntArray) -> None:
+    def __init__(self, camera: DatasetCamera, at: IntArray) -> None:
         self._camera, self._at = camera, at
         self._before: tuple[int, bytes] | None = None
         self._next = 0

@@ -42,7 +42,7 @@ class HandNames(NamedTuple):
         return named + [f"{s}_{angle}" for angle in self.angles]
 
 
-class Camera(NamedTuple):
+class DatasetCamera(NamedTuple):
     """Of which a data set has images, in px; ``kind`` jpeg or png."""
 
     name: str
@@ -64,7 +64,7 @@ class Layout:
 
     fps: int
     hands: tuple[HandNames, ...]
-    cameras: tuple[Camera, ...] = ()
+    cameras: tuple[DatasetCamera, ...] = ()
     robot: tuple[str, ...] = ()
     video: bool = False
 
@@ -94,7 +94,7 @@ class Layout:
             out[name] = {"dtype": kind, "shape": [1], "names": None}
         return out
 
-    def _image(self, camera: Camera) -> dict[str, Any]:
+    def _image(self, camera: DatasetCamera) -> dict[str, Any]:
         shape = [camera.height, camera.width, 3]
         told: dict[str, Any] = {"shape": shape, "names": ["height", "width", "channels"]}
         if not self.video:

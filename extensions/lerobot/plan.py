@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from extensions.lerobot.layout import Camera, HandNames, Layout
+from extensions.lerobot.layout import DatasetCamera, HandNames, Layout
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import EYES
@@ -42,7 +42,7 @@ class Episode(NamedTuple):
     size: float
 
 
-class _Part(NamedTuple):
+class _PlanPart(NamedTuple):
     start_ns: int
     frames: int
     note: str
@@ -99,7 +99,7 @@ def _whole_rate(rate: float | None) -> int | None:
     return None if rate is None else round(rate)
 
 
-def _rate(reader: SessionReader, cameras: Sequence[Camera]) -> int:
+def _rate(reader: SessionReader, cameras: Sequence[DatasetCamera]) -> int:
     """Of the images, else of the estimates."""
     if cameras:
         topic = topics.image(cameras[0].name)
@@ -121,7 +121,7 @@ def _first_sound(reader: SessionReader, topic: str) -> RawMessage | None:
     return next(sound(stored, reader.source.left_out), None)
 
 
-def _cameras(reader: SessionReader) -> Iterator[Camera]:
+def _cameras(reader: SessionReader) -> Iterator[DatasetCamera]:
     for name in EYES:
         raw = _first_sound(reader, topics.image(name))
         if raw is None:
@@ -131,7 +131,7 @@ def _cameras(reader: SessionReader) -> Iterator[Camera]:
         if size is None:
             raise FileError(f"{reader.path} has images of camera {name} that are no JPEG or PNG.")
         kind = "png" if data[:4] == b"\x89PNG" else "jpeg"
-        yield Camera(name, size[1], size[0], kind)
+        yield DatasetCamera(name, size[1], size[0], kind)
 
 
 def _robot_names(reader: SessionReader) -> tuple[str, ...]:
@@ -178,7 +178,7 @@ def _episodes(
     return out
 
 
-def _parts(reader: SessionReader, fps: int, options: ExportOptions) -> Iterator[_Part]:
+def _parts(reader: SessionReader, fps: int, options: ExportOptions) -> Iterator[_PlanPart]:
     start, stop = tracked_span(reader)
     zero = start
     if options.start is not None:
@@ -191,7 +191,7 @@ def _parts(reader: SessionReader, fps: int, options: ExportOptions) -> Iterator[
     for (begin, text), end in zip(cuts, ends, strict=True):
         frames = int((end - begin) * fps // NS) + 1
         if frames >= FEWEST:
-            yield _Part(begin, frames, "" if "notes" in options.anonymous else text)
+            yield _PlanPart(begin, frames, "" if "notes" in options.anonymous else text)
 
 
 def tracked_span(reader: SessionReader) -> tuple[int, int]:

@@ -27,7 +27,7 @@ _TYPES = ("POS", "ORNT", "JNTANG", "ACCEL", "GYRO", "MAGN", "VEL", "ANGACCEL", "
 """Types of channels whose numbers are told, also where there is none."""
 
 
-class Channel(NamedTuple):
+class MotionChannel(NamedTuple):
     """A column of a motion file, as ``_channels.tsv`` tells it."""
 
     name: str
@@ -44,7 +44,7 @@ class System(NamedTuple):
     name: str
     words: str
     rate: float
-    channels: list[Channel]
+    channels: list[MotionChannel]
     values: Array
     duration: float
 
@@ -73,14 +73,14 @@ def _hand(m: EstimateSeries, unit: str) -> System:
     channels, columns = [], []
     for k, point in enumerate(m.keypoint_names):
         for c, axis in enumerate("xyz"):
-            channels.append(Channel(f"{point}_POS_{axis}", axis, "POS", point, unit))
+            channels.append(MotionChannel(f"{point}_POS_{axis}", axis, "POS", point, unit))
             columns.append(m.keypoints[:, k, c] * UNITS[unit])
         for c, axis in enumerate("xyzw"):
             name = f"{point}_ORNT_{axis}"
-            channels.append(Channel(name, f"quat_{axis}", "ORNT", point, "n/a"))
+            channels.append(MotionChannel(name, f"quat_{axis}", "ORNT", point, "n/a"))
             columns.append(m.q[:, k, c])
     for j, name in enumerate(m.joint_names):
-        channels.append(Channel(name, "n/a", "JNTANG", name.rsplit("_", 1)[0], "rad"))
+        channels.append(MotionChannel(name, "n/a", "JNTANG", name.rsplit("_", 1)[0], "rad"))
         columns.append(m.angles[:, j])
     values = np.array(columns).T
     return System("hand", "Glovetrack, fused hand", m.rate, channels, values, len(values) / m.rate)
@@ -89,11 +89,11 @@ def _hand(m: EstimateSeries, unit: str) -> System:
 def _imu(raw: RawImu, m: EstimateSeries) -> System:
     """All axes of all IMUs; the latency of each packet against the hand's first row."""
     names, values = raw.channels()
-    channels = [Channel("latency", "n/a", "LATENCY", "n/a", "s")]
+    channels = [MotionChannel("latency", "n/a", "LATENCY", "n/a", "s")]
     for name in names:
         imu, what, axis = name.rsplit("_", 2)
         kind, unit = _IMU[what]
-        channels.append(Channel(name, axis, kind, imu, unit))
+        channels.append(MotionChannel(name, axis, kind, imu, unit))
     latency = (raw.stamp_ns - (m.stamp_ns[0] + m.zero_ns)) * 1e-9
     table = np.column_stack([latency, values])
     duration = float(latency[-1] - latency[0]) + 1.0 / raw.rate
@@ -104,7 +104,7 @@ def _write(stem: Path, system: System, m: EstimateSeries) -> None:
     with Path(f"{stem}_motion.tsv").open("w", encoding="utf-8", newline="\n") as out:
         for row in system.values:
             out.write("\t".join("n/a" if np.isnan(v) else f"{v:.9g}" for v in row) + "\n")
-    head = (*Channel._fields, "sampling_frequency", "reference_frame")
+    head = (*MotionChannel._fields, "sampling_frequency", "reference_frame")
     rate = f"{system.rate:.9g}"
     rows = [(*c, rate, _frame(c)) for c in system.channels]
     _table(Path(f"{stem}_channels.tsv"), head, rows)
@@ -141,7 +141,7 @@ _FRAMES = {
 }
 
 
-def _frame(c: Channel) -> str:
+def _frame(c: MotionChannel) -> str:
     known = {"POS": "world", "ORNT": "world", "JNTANG": "joint", "LATENCY": "n/a"}
     return known.get(c.type, "sensor")
 

@@ -30,7 +30,7 @@ SAME_PLACE = 1e-4  # m
 
 
 @dataclass(frozen=True, eq=False)
-class Finger:
+class RobotFinger:
     """``body`` is its last; tip (3,) m in that; knuckle (3,) m in the palm's frame P, where its
     bones begin; ``length`` m from there to the tip; ``joints`` rows of the model; ``radius`` m."""
 
@@ -44,7 +44,7 @@ class Finger:
 
 
 @dataclass(frozen=True, eq=False)
-class Anatomy:
+class RobotAnatomy:
     """Of a model whose palm does not move: R_WP (3, 3), p_WP (3,) m of the palm's frame P (x to the
     fingertips, z out of its back, origin at the middle knuckle), rows of bodies and joints.
 
@@ -56,7 +56,7 @@ class Anatomy:
     base: int
     R_WP: Array
     p_WP: Array
-    fingers: tuple[Finger, ...]
+    fingers: tuple[RobotFinger, ...]
     couplings: Array
     coupled_to: Array
 
@@ -122,7 +122,7 @@ def _joints(model: mujoco.MjModel, body: int, after: int = 0) -> list[int]:
     return [j for j in out if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_HINGE]
 
 
-def read_anatomy(model: mujoco.MjModel) -> Anatomy:
+def read_anatomy(model: mujoco.MjModel) -> RobotAnatomy:
     """Of a model whose only joints are the fingers'. Raises ConfigError."""
     palm, base, leaves = find_palm(model)
     data = mujoco.MjData(model)
@@ -139,10 +139,10 @@ def read_anatomy(model: mujoco.MjModel) -> Anatomy:
         joints = tuple(_joints(model, body, palm))
         knuckle = R.T @ (chain[0] - p)
         fingers.append(
-            Finger(name, body, tips[name], knuckle, length, joints, _radius(model, body))
+            RobotFinger(name, body, tips[name], knuckle, length, joints, _radius(model, body))
         )
     couplings, middle = _couplings(model)
-    return Anatomy(side, palm, base, R, p, tuple(fingers), couplings, middle)
+    return RobotAnatomy(side, palm, base, R, p, tuple(fingers), couplings, middle)
 
 
 def _ranges(model: mujoco.MjModel) -> Array:

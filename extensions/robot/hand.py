@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from extensions.robot.anatomy import Anatomy, find_palm, plain, read_anatomy
+from extensions.robot.anatomy import RobotAnatomy, find_palm, plain, read_anatomy
 from extensions.robot.library import MODELS, model_path, need_mujoco
 from extensions.robot.mirror import mirrored
 from extensions.robot.settings import RobotSettings
@@ -29,7 +29,7 @@ class RobotHand:
     name: str
     mjcf: str
     model: mujoco.MjModel
-    anatomy: Anatomy
+    anatomy: RobotAnatomy
     joint_names: tuple[str, ...]
     limits: Array
     torque: Array

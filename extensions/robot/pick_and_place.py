@@ -24,7 +24,7 @@ NEAR = 0.03  # m from the goal: put down where it should be
 Count = Callable[[RobotState, Array, float], None]
 
 
-class Placed(NamedTuple):
+class PickTrial(NamedTuple):
     """``placed``: it was lifted, and lies at rest within `NEAR` of its goal."""
 
     seed: int
@@ -44,7 +44,7 @@ def pick_and_place(
     seed: int,
     count: Count = lambda state, errors, took: None,
     watch: Callable[[RobotState], None] = lambda state: None,
-) -> Placed:
+) -> PickTrial:
     """Within the robot's own scene, which is begun anew. Raises ConfigError without a cube."""
     things = teleop.world.scene.objects
     if "cube" not in things:
@@ -66,4 +66,4 @@ def pick_and_place(
     off = float(np.linalg.norm(place[:2] - goal))
     lies = abs(float(place[2]) - CUBE) < 0.01
     done = off < NEAR and lies and highest > 0.5 * LIFT
-    return Placed(seed, done, 1e3 * off, 1e3 * highest)
+    return PickTrial(seed, done, 1e3 * off, 1e3 * highest)

@@ -31,7 +31,7 @@ DENSITY = 400.0  # kg/m³: wood
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class RobotScene:
     """``model`` with the rows of what is asked of it: qpos of finger joints (n,) and of objects
     (7 each), motors (n,), bodies of objects and of fingertips (5,), -1 for a finger not there."""
 
@@ -45,7 +45,7 @@ class Scene:
     mount: int
 
 
-def build_scene(hand: RobotHand, objects: Sequence[str]) -> Scene:
+def build_scene(hand: RobotHand, objects: Sequence[str]) -> RobotScene:
     """The hand at the origin, carried by a body that goes where it is told."""
     spec = mujoco.MjSpec()
     _set_options(spec)
@@ -138,12 +138,12 @@ def _free_forearm(spec: Any, hand: RobotHand) -> None:
 
 def _rows(
     model: mujoco.MjModel, hand: RobotHand, objects: tuple[str, ...], joints: list[str]
-) -> Scene:
+) -> RobotScene:
     tips = np.full(len(FINGERS), -1)
     for finger in hand.anatomy.fingers:
         name = PREFIX + hand.model.body(finger.body).name
         tips[FINGERS.index(finger.name)] = model.body(name).id
-    return Scene(
+    return RobotScene(
         model,
         np.array([int(model.joint(n).qposadr[0]) for n in joints]),
         np.array([model.actuator(n).id for n in joints]),

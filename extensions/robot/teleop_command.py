@@ -126,7 +126,7 @@ def _session(args: argparse.Namespace) -> int:
     figures = DriveFigures()
     with SessionReader(args.source, watch=progress_line("driving")) as reader:
         driver = driver_of(reader, _settings(args, reader.info.side))
-        with _Sender(args.send, driver) as send:
+        with _StateSender(args.send, driver) as send:
             said = drive(reader, driver, figures, send)
             if args.out:
                 write_driven(reader, args.out, said, args.force)
@@ -144,7 +144,7 @@ def _live(args: argparse.Namespace) -> int:
 
     driver = RobotDriver(Teleop(_settings(args, "right")))
     figures = DriveFigures()
-    with _Sender(args.send, driver) as send:
+    with _StateSender(args.send, driver) as send:
         follow_stream(driver, args.listen, args.seconds, figures, send)
     return _finish(args, driver, figures)
 
@@ -157,7 +157,7 @@ def _script(args: argparse.Namespace) -> int:
 
     driver = RobotDriver(Teleop(_settings(args, "right")))
     figures = DriveFigures()
-    with _Sender(args.send, driver) as send:
+    with _StateSender(args.send, driver) as send:
         result = pick_and_place(driver.teleop, args.simulate, figures.count, send)
     words = "Cube placed" if result.placed else "Cube not placed"
     return _finish(args, driver, figures, [f"{words}, {result.off_mm:.0f} mm from its target."])
@@ -179,7 +179,7 @@ def _shown(value: Any) -> str:
     return f"{value:.2f}" if isinstance(value, float) else str(value)
 
 
-class _Sender:
+class _StateSender:
     """Sends each state to where the user wants it, if anywhere."""
 
     def __init__(self, target: str, driver: RobotDriver) -> None:

@@ -17,7 +17,7 @@ from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking
 from tracker.session.engine_state import pack, unpack
 from tracker.simulation.meeting import Meeting
-from tracker.simulation.two_hands import Dressed, Sided, TwoHandsSimulation
+from tracker.simulation.two_hands import Dressed, SidedMessage, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s, from which on the wearers' sizes are known somewhat
@@ -58,7 +58,7 @@ class Track:
         return np.array(apart)
 
 
-def tracked(hands: TwoHands, messages: Iterable[Sided]) -> dict[str, Track]:
+def tracked(hands: TwoHands, messages: Iterable[SidedMessage]) -> dict[str, Track]:
     out = {side: Track() for side in SIDES}
     for side, message in messages:
         if isinstance(message, BlobFrame):

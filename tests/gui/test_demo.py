@@ -12,7 +12,7 @@ from app.engines.demo import demo_setup
 from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import wait_until
-from extensions.conformance.window.view_model import Cue, Phase
+from extensions.conformance.window.view_model import CuePhase, StepCue
 from tests.gui.gui_fakes import models
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
@@ -117,7 +117,7 @@ def test_the_wearer_follows_the_conformance_script(demo, qtbot, tmp_path):
     dialog = demo.set_up.dialogs["conformance"]
     dialog.start()
     shown = lambda: reach(demo.host.setup.truth(time.monotonic()))  # noqa: E731
-    qtbot.waitUntil(lambda: dialog.run.cue == Cue(Phase.HOLDING, 0, 0, ANY), timeout=30_000)
+    qtbot.waitUntil(lambda: dialog.run.cue == StepCue(CuePhase.HOLDING, 0, 0, ANY), timeout=30_000)
     qtbot.waitUntil(lambda: dialog.run.label == "open_hand_open" and shown() > OPEN, timeout=5_000)
     qtbot.waitUntil(lambda: dialog.run.label == "fist" and shown() < FIST, timeout=15_000)
     dialog.reject()

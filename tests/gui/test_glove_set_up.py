@@ -6,7 +6,7 @@ import threading
 from dataclasses import replace
 
 from app.storage.bound_gloves import BoundGlove, bound, with_bound
-from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
+from app.viewmodels.glove_setup import SetUpPhase, StillRun, WiggleRun
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
@@ -25,8 +25,8 @@ def test_a_wiggle_run_leads_through_all_steps_by_what_it_sees():
     hand, glove, _ = models()
     run, t, asked = WiggleRun(WiggleTest(hand, glove)), 0.0, []
     recent: list = []
-    while run.phase != Phase.DONE and t < 60:
-        part = run.part if run.phase != Phase.READY else "rest"
+    while run.phase != SetUpPhase.DONE and t < 60:
+        part = run.part if run.phase != SetUpPhase.READY else "rest"
         asked.append(run.part)
         recent = (recent + samples(part, t, 1.0))[-1200:]
         t += 1.0

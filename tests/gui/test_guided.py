@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.engines.guide import WearersGuide
-from app.viewmodels.guided import Phase
+from app.viewmodels.guided import GuidedPhase
 from app.viewmodels.guided_hand import DrawnHand
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from tracker.base.errors import GlovetrackError
@@ -229,7 +229,7 @@ def test_a_glove_that_is_silent_is_said(guided, clock, engine, monkeypatch):
     engine.silent = True
     pass_time(guided, clock, 3.0)
     assert guided.lead.word.text() == "Nothing arrives from the glove"
-    assert guided.run.phase == Phase.REACHING
+    assert guided.run.phase == GuidedPhase.REACHING
 
 
 def test_escape_ends_it_and_tells_the_engine_that_the_pose_is_over(guided, clock, engine, qtbot):
@@ -381,7 +381,7 @@ def test_a_finger_that_nothing_measures_is_not_said_to_be_held_well(guided, cloc
     while guided.run.pose != "pinch_ring":
         guided.run.skip(clock.now)
     pass_time(guided, clock, 2.0)
-    assert guided.run.phase == Phase.HOLDING
+    assert guided.run.phase == GuidedPhase.HOLDING
     assert guided.lead.word.text() == "Hold it: no sensor tells of this finger"
 
 

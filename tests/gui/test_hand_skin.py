@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from app.viewmodels.hand_ground import Ground
+from app.viewmodels.hand_ground import HandGround
 from app.viewmodels.hand_skin import HandSkin, scales
 from app.viewmodels.hand_trail import ribbon, ribbon_faces
 from app.viewmodels.made_skins import MADE
@@ -228,7 +228,7 @@ def test_the_skin_is_as_large_as_the_wearer(skin: HandSkin) -> None:
 
 
 def test_the_ground_stays_under_a_hand_that_moves_a_little() -> None:
-    ground, hand = Ground(), pose()[1]
+    ground, hand = HandGround(), pose()[1]
     assert ground.follow(hand)
     corner = ground.grid.corner.copy()
     assert corner[2] < hand[:, 2].min()

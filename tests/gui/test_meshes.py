@@ -5,27 +5,27 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.widgets.view3d.meshes import Mesh, mesh_of
+from app.widgets.view3d.meshes import BodyMesh, mesh_of
 from app.widgets.view3d.raster.solids import Rounded, block_surface
-from app.widgets.view3d.shapes import Block, Capsule, Disc, ball
+from app.widgets.view3d.shapes import Block, CapsuleShape, Disc, ball
 
 OBLIQUE = np.array([0.6, 0.0, -0.8])
 BODIES = {
     "ball": mesh_of(ball(0.02)),
-    "capsule": mesh_of(Capsule(0.04, 0.01)),
+    "capsule": mesh_of(CapsuleShape(0.04, 0.01)),
     "disc": mesh_of(Disc(0.005, 0.002, OBLIQUE)),
     "block": mesh_of(Block(np.array([0.05, 0.04, 0.01]))),
 }
 
 
-def face_vectors(mesh: Mesh) -> np.ndarray:
+def face_vectors(mesh: BodyMesh) -> np.ndarray:
     """(M, 3) area vectors of the quads, by their diagonals."""
     a, b, c, d = (mesh.points[mesh.cells[:, i]] for i in range(4))
     return np.cross(c - a, d - b) / 2
 
 
 @pytest.mark.parametrize("mesh", BODIES.values(), ids=BODIES.keys())
-def test_a_body_is_closed(mesh: Mesh) -> None:
+def test_a_body_is_closed(mesh: BodyMesh) -> None:
     """The area vectors of a closed surface cancel."""
     vectors = face_vectors(mesh)
     assert np.abs(vectors.sum(axis=0)).max() < 1e-9 * len(vectors)
@@ -33,7 +33,7 @@ def test_a_body_is_closed(mesh: Mesh) -> None:
 
 
 @pytest.mark.parametrize("mesh", BODIES.values(), ids=BODIES.keys())
-def test_normals_point_out_of_the_surface(mesh: Mesh) -> None:
+def test_normals_point_out_of_the_surface(mesh: BodyMesh) -> None:
     assert np.linalg.norm(mesh.normals, axis=1) == pytest.approx(1.0)
     vectors = face_vectors(mesh)
     area = np.linalg.norm(vectors, axis=1)
@@ -45,7 +45,7 @@ def test_normals_point_out_of_the_surface(mesh: Mesh) -> None:
 
 
 def test_a_capsule_keeps_its_radius_all_along() -> None:
-    mesh = mesh_of(Capsule(0.04, 0.01))
+    mesh = mesh_of(CapsuleShape(0.04, 0.01))
     nearest = np.clip(mesh.points[:, 0], 0.0, 0.04)
     away = mesh.points - np.stack([nearest, 0 * nearest, 0 * nearest], axis=1)
     assert np.linalg.norm(away, axis=1) == pytest.approx(0.01)

@@ -9,7 +9,7 @@ from app.panels.hand.bodies import HandBodies
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
 from app.widgets.view3d.scene import BodyLook, Grid
-from app.widgets.view3d.shapes import Block, Capsule, Disc, Shape, ball, polyline
+from app.widgets.view3d.shapes import Block, CapsuleShape, Disc, Shape, ball, polyline
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 WIDTH, HEIGHT = 160, 120
@@ -58,7 +58,7 @@ def test_a_capsule_across_covers_its_tangents_and_caps() -> None:
     seen = FOCAL * radius / np.sqrt(orbit.distance**2 - radius**2)
     straight = 2 * seen * FOCAL * length / orbit.distance
     R = facing(orbit)
-    cover = cover_of(Capsule(length, radius), R, -R[:, 0] * length / 2)
+    cover = cover_of(CapsuleShape(length, radius), R, -R[:, 0] * length / 2)
     assert cover.sum() == pytest.approx(straight + np.pi * seen**2, rel=0.015)
     column = cover[:, WIDTH // 2]
     assert column.sum() == pytest.approx(2 * seen, abs=0.15)
@@ -190,7 +190,7 @@ def test_the_same_scene_gives_the_same_image() -> None:
         scene = RasterScene()
         for k in range(5):
             look = BodyLook("#4080C0", opacity=0.3 + 0.15 * k, specular=0.2, grid=Grid.OVER)
-            scene.add(Capsule(0.05, 0.008), look).move(np.eye(3), np.full(3, 0.005 * k))
+            scene.add(CapsuleShape(0.05, 0.008), look).move(np.eye(3), np.full(3, 0.005 * k))
         return rendered(scene).copy()
 
     np.testing.assert_array_equal(image(), image())

@@ -22,7 +22,7 @@ from app.viewmodels.recording import duration_text, position_text
 from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import BAD, WARN
 from app.viewmodels.status import fields, tracking_look
-from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
+from app.widgets.image_shapes import Cross, Ellipse, ImageLine, Ring
 from app.widgets.view3d.orbit import Orbit
 from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
@@ -66,7 +66,7 @@ def test_the_right_image_has_no_ellipses_since_none_is_known(view):
 
 def test_residuals_join_prediction_and_blob(view):
     only = Layers(blobs=False, rejected=False, predicted=False, skeleton=False)
-    lines = [s for s in overlay(view, only, {}, right=False) if isinstance(s, Line)]
+    lines = [s for s in overlay(view, only, {}, right=False) if isinstance(s, ImageLine)]
     marker = int(np.flatnonzero(view.result.match_left >= 0)[0])
     blob = view.blobs.left.uv[view.result.match_left[marker]]
     assert (lines[0].u0, lines[0].v0) == pytest.approx(tuple(view.result.predicted_left[marker]))

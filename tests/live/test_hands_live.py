@@ -23,7 +23,7 @@ from tracker.session.description import describe, of_hands
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
-from tracker.simulation.two_hands import Sided as Simulated
+from tracker.simulation.two_hands import SidedMessage as Simulated
 from tracker.simulation.two_hands import TwoHandsSimulation
 
 SIDES = ("left", "right")

@@ -13,7 +13,7 @@ from tracker.calibration.colours_image import learn_image
 from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
 from tracker.offline.colours import check_session, fit_session
-from tracker.offline.colours_fit import Sensed, Worn, fit_messages
+from tracker.offline.colours_fit import Sensed, WatchedGlove, fit_messages
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import (
@@ -73,7 +73,7 @@ LAMP = np.array([0.75, 1.0, 1.15])  # of blue, green and red
 
 
 @lru_cache(maxsize=1)
-def under_a_lamp() -> tuple[Worn, tuple[ImuSample | StereoFrame, ...]]:
+def under_a_lamp() -> tuple[WatchedGlove, tuple[ImuSample | StereoFrame, ...]]:
     """A simulated hand for a second, in light that the factory's colours are not made for."""
     hand, glove = library.load()
     sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=0.9), 2, fps=8)
@@ -85,10 +85,10 @@ def under_a_lamp() -> tuple[Worn, tuple[ImuSample | StereoFrame, ...]]:
             messages.append(replace(m, left=lit[0], right=lit[1]))
         elif isinstance(m, ImuSample):
             messages.append(m)
-    return Worn(hand, glove, sim.rig), tuple(messages)
+    return WatchedGlove(hand, glove, sim.rig), tuple(messages)
 
 
-def seen_by(cameras: str) -> tuple[Worn, list[Sensed]]:
+def seen_by(cameras: str) -> tuple[WatchedGlove, list[Sensed]]:
     """The same with the left camera alone, or beside one without colours."""
     worn, messages = under_a_lamp()
     out: list[Sensed] = []
@@ -121,4 +121,4 @@ def test_nothing_is_learned_from_a_glove_of_the_other_hand() -> None:
         m for m in sim.feed(images=True) if isinstance(m, ImuSample | StereoFrame)
     ]
     with pytest.raises(GlovetrackError, match="a glove of the left hand"):
-        fit_messages(messages, Worn(*library.load(), sim.rig), FACTORY)
+        fit_messages(messages, WatchedGlove(*library.load(), sim.rig), FACTORY)

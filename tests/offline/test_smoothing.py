@@ -14,7 +14,7 @@ from tracker.messages import Array, BlobFrame, Estimate, ImuSample, IntArray
 from tracker.offline import smooth
 from tracker.offline.simulate import SimulateOptions, build
 from tracker.offline.smooth import Smoother
-from tracker.offline.smooth_chain import Forgotten, Step, Update
+from tracker.offline.smooth_chain import Forgotten, SmootherStep, Update
 from tracker.session.description import SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.simulation.scenario import Simulation
@@ -52,7 +52,7 @@ def test_going_back_gives_the_least_squares_answer() -> None:
     for k, (H, z) in enumerate(measured):
         if k:
             x, P = A @ x, A @ P @ A.T + Q
-            tape.append(Step(A[:D]))
+            tape.append(SmootherStep(A[:D]))
         tape.append(Update(H, H @ P, H @ P @ H.T + R, z - H @ x))
         K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
         x, P = x + K @ (z - H @ x), P - K @ H @ P

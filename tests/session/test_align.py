@@ -13,7 +13,7 @@ from tracker.cli import main
 from tracker.messages import Estimate, ImuSample
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
-from tracker.session.align import Course, align, best_match, course_of_angles, read_alignment
+from tracker.session.align import SpeedCourse, align, best_match, course_of_angles, read_alignment
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
@@ -75,7 +75,7 @@ def test_what_was_aligned_is_kept_and_compared(
         read_alignment(kept)
 
 
-def swings(seed: int, n: int, start: float = 0.0) -> Course:
+def swings(seed: int, n: int, start: float = 0.0) -> SpeedCourse:
     """Speed of a movement that never repeats itself, seen from ``start`` on."""
     rng = np.random.default_rng(seed)
     t = np.arange(n) / 100

@@ -41,7 +41,7 @@ _TOKEN = re.compile(
 class TomlTable:
     """One table of a file, read key by key; `finish` complains about keys nobody asked for."""
 
-    def __init__(self, data: dict[str, Any], where: str, source: Source) -> None:
+    def __init__(self, data: dict[str, Any], where: str, source: TomlText) -> None:
         self._data, self._where, self._source = data, where, source
         self._used: set[str] = set()
 
@@ -174,7 +174,7 @@ class TomlTable:
                 raise self.fail(key, "is not a key that this file may have")
 
 
-class Source:
+class TomlText:
     """The text behind a table, for line numbers in messages."""
 
     def __init__(self, name: str, text: str) -> None:
@@ -221,7 +221,7 @@ def read_toml(text: str, name: str) -> TomlTable:
 
     Raises FileError if it is no TOML.
     """
-    return TomlTable(parse_toml(text, name), "", Source(name, text))
+    return TomlTable(parse_toml(text, name), "", TomlText(name, text))
 
 
 def parse_toml(text: str, name: str) -> dict[str, Any]:

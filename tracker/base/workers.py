@@ -35,7 +35,7 @@ class WorkItem:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class TaskOutcome:
     """What a task returned, or why it failed, in a sentence; and what it left out of sessions."""
 
     value: Any = None
@@ -146,7 +146,7 @@ def some_workers(count: int, dask: str = "") -> AbstractContextManager[Workers]:
 
 def run_all(
     tasks: Sequence[WorkItem], workers: Workers, progress: Callable[[float], None]
-) -> list[Outcome]:
+) -> list[TaskOutcome]:
     """Outcomes in the order of ``tasks``; ``progress`` hears the share of all work that is done."""
     board, stop = workers.board, workers.stop
     futures = {workers.submit(_work, task, i, board, stop): i for i, task in enumerate(tasks)}
@@ -183,16 +183,16 @@ def _notes(board: Board) -> Iterator[tuple[int, float]]:
         return
 
 
-def _outcome(future: Future[Any]) -> Outcome:
+def _outcome(future: Future[Any]) -> TaskOutcome:
     """A worker that died or could not even start is told like any other failure."""
     error = future.exception()
     if error is None:
-        outcome: Outcome = future.result()
+        outcome: TaskOutcome = future.result()
         return outcome
-    return Outcome(error=f"The work on it broke off: {type(error).__name__}: {error}.")
+    return TaskOutcome(error=f"The work on it broke off: {type(error).__name__}: {error}.")
 
 
-def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> Outcome:
+def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutcome:
     """Runs in the worker."""
     limit_this_process()
     reported = [-TELL_EVERY]
@@ -208,6 +208,6 @@ def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> Outcome:
     try:
         with gather() as left_out:
             value = task.function(*task.arguments, tell)
-        return Outcome(value, left_out=tuple(merged(left_out)))
+        return TaskOutcome(value, left_out=tuple(merged(left_out)))
     except GlovetrackError as error:
-        return Outcome(error=str(error))
+        return TaskOutcome(error=str(error))

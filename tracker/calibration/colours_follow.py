@@ -36,7 +36,7 @@ FEWER = 1  # markers an image that new colours may lack of the old ones
 MORE_OF_THE_ROOM = 4  # blobs in an image that new colours may find beyond the old ones
 
 
-class Expected(NamedTuple):
+class ExpectedHues(NamedTuple):
     """An image, and the markers that it should show: uv (n, 2) px and the hue's name of each."""
 
     image: Image
@@ -49,7 +49,7 @@ class Look(NamedTuple):
     (3,) of each hue's cloth."""
 
     sides: list[tuple[Image, KnownMarkers]]
-    expected: list[Expected]
+    expected: list[ExpectedHues]
     tints: Mapping[str, Array]
 
 
@@ -146,11 +146,13 @@ class ColourFollower:
         return found / max(len(sides), 1), others / max(len(sides), 1)
 
 
-def _expected(frame: StereoFrame, result: FrameResult, glove: GloveModel) -> list[Expected]:
+def _expected(frame: StereoFrame, result: FrameResult, glove: GloveModel) -> list[ExpectedHues]:
     """Of each side that there is."""
     out = []
     for image, uv in ((frame.left, result.predicted_left), (frame.right, result.predicted_right)):
         if image is not None:
             rows = np.flatnonzero(np.isfinite(uv).all(axis=1) & (result.visible >= LIKELY))
-            out.append(Expected(image, uv[rows], tuple(glove.markers[int(m)].hue for m in rows)))
+            out.append(
+                ExpectedHues(image, uv[rows], tuple(glove.markers[int(m)].hue for m in rows))
+            )
     return out

@@ -18,7 +18,7 @@ from tracker.vision.sharing import HandInView
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, turned
 
 
-class Worn(NamedTuple):
+class GloveOnHand(NamedTuple):
     """A glove on a hand."""
 
     hand: HandModel
@@ -29,7 +29,7 @@ class Ahead:
     """What an engine expects, at the instants at which the cameras will say that they exposed."""
 
     def __init__(
-        self, worn: Worn, engine: Engine, timing: FrameTiming, pair_offset: PairOffset
+        self, worn: GloveOnHand, engine: Engine, timing: FrameTiming, pair_offset: PairOffset
     ) -> None:
         self._glove, self._engine = worn.glove, engine
         self._timing, self._pair = timing, pair_offset

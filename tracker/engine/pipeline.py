@@ -9,7 +9,7 @@ import numpy as np
 
 from tracker.base.errors import ConfigError
 from tracker.base.records import record
-from tracker.engine.ahead import Ahead, Worn
+from tracker.engine.ahead import Ahead, GloveOnHand
 from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import guided_of
@@ -135,7 +135,7 @@ class Pipeline:
         self._crowded_due = -np.inf  # t of images, s
         self._packet = -np.inf  # arrival of the last packet, s
         self._by_images = False
-        self.ahead = Ahead(Worn(hand, glove), self.engine, self.timing, self.pair_offset)
+        self.ahead = Ahead(GloveOnHand(hand, glove), self.engine, self.timing, self.pair_offset)
 
     def with_engine(self, name: str) -> Pipeline:
         """The same hand with another engine, which looks for it anew.

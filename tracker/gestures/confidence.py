@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 
-from tracker.gestures.shape import HandShape
+from tracker.gestures.shape import GestureShape
 from tracker.gestures.values import ENDS_AT, PINCHES, GestureParams
 
 LEAST_SD = 1e-4  # m
 
 
-def confidence(gesture: str, shape: HandShape, params: GestureParams) -> float:
+def confidence(gesture: str, shape: GestureShape, params: GestureParams) -> float:
     """0 to 1. Of a pinch: the probability that pads are within reach of one another, and that no
     other finger's are nearer, as if the gaps' errors were normal and apart. Of the others: the
     share of the fingers that sensors tell. 0 where a part is lost."""
@@ -24,7 +24,7 @@ def confidence(gesture: str, shape: HandShape, params: GestureParams) -> float:
     return sum(known) / len(known)
 
 
-def _of_pinch(finger: int, shape: HandShape, params: GestureParams) -> float:
+def _of_pinch(finger: int, shape: GestureShape, params: GestureParams) -> float:
     touching = params.touching
     reach = touching.none + ENDS_AT * (touching.full - touching.none)
     gap, sd = shape.gap, shape.gap_sd

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from tracker.gestures.confidence import confidence
-from tracker.gestures.shape import HandShape, ShapeReader
+from tracker.gestures.shape import GestureShape, ShapeReader
 from tracker.gestures.values import (
     BEGINS_AT,
     ENDS_AT,
@@ -25,7 +25,7 @@ KIND = "gesture"
 WAIT = 0.03  # s that a value must last, to begin and to end: three packets
 
 
-class Start(NamedTuple):
+class StartRule(NamedTuple):
     """A gesture begins when its value has been above ``above`` for ``wait`` s, or ``plain_wait``
     where it is above `PLAIN` by then."""
 
@@ -34,14 +34,14 @@ class Start(NamedTuple):
     plain_wait: float = WAIT
 
 
-USUAL = Start()
+USUAL = StartRule()
 PLAIN = 0.95
-UNSURE = {"open_palm": Start(PLAIN), "grasp": Start(0.75, 0.15, 0.06)}
+UNSURE = {"open_palm": StartRule(PLAIN), "grasp": StartRule(0.75, 0.15, 0.06)}
 """Where some fingers are inferred. Fingers that close take their neighbours along, but beside some
 that are straight or half bent others may differ: of simulated people who moved freely, ring and
 little finger inferred, 36 of 39 false starts in 31 minutes were of these two. Hands that bend or
 straighten pass by a grasp within 0.15 s."""
-NEVER = Start(math.inf)
+NEVER = StartRule(math.inf)
 MUCH_MORE = 0.2  # by which another posture's value must exceed that of the one that stands
 NEARER = 0.006  # m by which another finger's pad must be nearer than that of the pinch that stands
 LOSES_AFTER = 0.1  # s that a gesture outlives the sight of what it is told by
@@ -82,7 +82,7 @@ class GestureRecogniser:
         self._shapes = ShapeReader(hand, keypoint_names)
         self._params = params or GestureParams()
         self._ones = {name: _One() for name in GESTURES}
-        self._shape: HandShape | None = None
+        self._shape: GestureShape | None = None
 
     @property
     def active(self) -> tuple[str, ...]:
@@ -164,7 +164,7 @@ class GestureRecogniser:
         wait = start.plain_wait if one.value > PLAIN else start.wait
         return (leads or one.active) and t - one.since >= wait - 1e-9
 
-    def _start(self, name: str) -> Start:
+    def _start(self, name: str) -> StartRule:
         """What it takes to begin; of a posture of which nothing is measured that is more than there
         can be."""
         if name not in POSTURES or self._shape is None:

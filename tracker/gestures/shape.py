@@ -26,7 +26,7 @@ MOMENT = 1e-6  # s
 SHORTEST = 1e-6  # m
 
 
-class HandShape(NamedTuple):
+class GestureShape(NamedTuple):
     """One instant's; NaN where unknown, rows in the order of `FINGERS`.
 
     bend (4,) rad: sum of a finger's three flexions; measured (4,): sensors tell one of them, else
@@ -47,7 +47,7 @@ class HandShape(NamedTuple):
     thrust: float
 
 
-class _Rows(NamedTuple):
+class _PlainEstimate(NamedTuple):
     """An estimate in plain numbers: so few are told here that arrays would take ten times as long
     as the sums, in the thread that tracks."""
 
@@ -78,9 +78,9 @@ class ShapeReader:
         self._index = points("index", "mcp", "pip", "dip", "tip")
         self._way: deque[tuple[float, list[float]]] = deque()  # of the index fingertip
 
-    def read(self, estimate: Estimate) -> HandShape:
+    def read(self, estimate: Estimate) -> GestureShape:
         """The shape that an estimate tells; a finger whose parts are lost is unknown."""
-        e = _Rows(
+        e = _PlainEstimate(
             estimate.t,
             estimate.keypoints.tolist(),
             estimate.keypoint_state.tolist(),
@@ -90,7 +90,7 @@ class ShapeReader:
         )
         thumb = self._bone(e, "thumb")
         gaps = [_between(thumb, self._bone(e, finger)) for finger in FINGERS]
-        return HandShape(
+        return GestureShape(
             bend=tuple(_bend(e, columns) for columns in self._bends),
             measured=tuple(_measured(e, columns) for columns in self._bends),
             thumb_bend=_bend(e, self._thumb_bend),
@@ -101,7 +101,7 @@ class ShapeReader:
             thrust=self._thrust(e),
         )
 
-    def _bone(self, e: _Rows, finger: str) -> _Bone | None:
+    def _bone(self, e: _PlainEstimate, finger: str) -> _Bone | None:
         rows = self._ends[finger]
         if _lost(rows, e.state):
             return None
@@ -110,7 +110,7 @@ class ShapeReader:
         pad = [y + PAD * (x - y) / length for x, y in zip(a, b, strict=True)]
         return _Bone(pad, self._radius[f"{finger}_distal"], e.sd[rows[1]])
 
-    def _thumb_off(self, e: _Rows) -> float:
+    def _thumb_off(self, e: _PlainEstimate) -> float:
         """From the thumb's tip to the chain of the index finger's bones."""
         thumb = self._ends["thumb"][1]
         if _lost((*self._index, thumb), e.state):
@@ -118,12 +118,12 @@ class ShapeReader:
         nodes = [e.p[i] for i in self._index]
         return min(_from_line(e.p[thumb], a, b) for a, b in pairwise(nodes))
 
-    def _distance(self, e: _Rows, one: str, other: str) -> float:
+    def _distance(self, e: _PlainEstimate, one: str, other: str) -> float:
         """m between two fingertips."""
         rows = self._ends[one][1], self._ends[other][1]
         return UNKNOWN if _lost(rows, e.state) else math.dist(e.p[rows[0]], e.p[rows[1]])
 
-    def _thrust(self, e: _Rows) -> float:
+    def _thrust(self, e: _PlainEstimate) -> float:
         """Unknown until the fingertip has been seen for that long."""
         rows, way, t = (self._index[0], self._index[-1]), self._way, e.t
         if _lost(rows, e.state):
@@ -153,11 +153,11 @@ def _lost(rows: tuple[int, ...], states: list[int]) -> bool:
     return min(rows) < 0 or LOST in [states[row] for row in rows]
 
 
-def _bend(e: _Rows, columns: tuple[int, ...]) -> float:
+def _bend(e: _PlainEstimate, columns: tuple[int, ...]) -> float:
     return UNKNOWN if _lost(columns, e.angle_state) else sum(e.angle[i] for i in columns)
 
 
-def _measured(e: _Rows, columns: tuple[int, ...]) -> bool:
+def _measured(e: _PlainEstimate, columns: tuple[int, ...]) -> bool:
     return any(i >= 0 and e.angle_state[i] == MEASURED for i in columns)
 
 

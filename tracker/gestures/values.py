@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from tracker.gestures.shape import HandShape
+from tracker.gestures.shape import GestureShape
 from tracker.hand.names import FINGERS
 
 PINCHES = tuple(f"pinch_{finger}" for finger in FINGERS)
@@ -56,7 +56,7 @@ class GestureParams(NamedTuple):
     thrust: Ramp = Ramp(0.010, 0.025)  # m ahead in 0.2 s
 
 
-def values(shape: HandShape, params: GestureParams) -> dict[str, float]:
+def values(shape: GestureShape, params: GestureParams) -> dict[str, float]:
     """Of all `GESTURES`; NaN where what it is told by is lost.
 
     In the thread that tracks, for each packet: what several gestures ask is asked once.
@@ -79,7 +79,7 @@ def values(shape: HandShape, params: GestureParams) -> dict[str, float]:
     }
 
 
-def _pinch(finger: int, s: HandShape, p: GestureParams) -> float:
+def _pinch(finger: int, s: GestureShape, p: GestureParams) -> float:
     """In a fist a finger holds its pad to the palm, not to the thumb's; with the others out of the
     way it may be bent as far, and pinches."""
     others = (sum(s.bend) - s.bend[finger]) / (len(s.bend) - 1)

@@ -12,7 +12,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.files import make_folder
 from tracker.base.workers import (
     ALL_CORES,
-    Outcome,
+    TaskOutcome,
     WorkersAsked,
     WorkItem,
     run_all,
@@ -62,7 +62,7 @@ def track_all(
     progress: Callable[[float], None],
     asked: WorkersAsked = ALL_CORES,
     force: bool = False,
-) -> list[Outcome]:
+) -> list[TaskOutcome]:
     """Track every job, each in a process of its own; an outcome's value is a `TrackReport`.
 
     A file that exists already is an outcome's error unless ``force``.
@@ -94,7 +94,7 @@ def _track_one(
     return track(source, out, options, progress, threads=1, force=force)
 
 
-def table(jobs: Sequence[Job], outcomes: Sequence[Outcome]) -> str:
+def table(jobs: Sequence[Job], outcomes: Sequence[TaskOutcome]) -> str:
     """A line per session: length, error where the truth is known, share tracked, time it took."""
     rows = [HEAD, *(_row(j, o) for j, o in zip(jobs, outcomes, strict=True))]
     widths = [max(len(row[k]) for row in rows) for k in range(len(HEAD) - 1)]
@@ -106,7 +106,7 @@ def table(jobs: Sequence[Job], outcomes: Sequence[Outcome]) -> str:
     return "\n".join(lines)
 
 
-def _row(job: Job, outcome: Outcome) -> tuple[str, ...]:
+def _row(job: Job, outcome: TaskOutcome) -> tuple[str, ...]:
     if outcome.error:
         return str(job.source), "–", "–", "–", "–", outcome.error
     r: TrackReport = outcome.value
@@ -115,7 +115,7 @@ def _row(job: Job, outcome: Outcome) -> tuple[str, ...]:
     return str(job.source), f"{r.duration_s:.1f} s", error, tracked, f"{r.wall_s:.1f}", ""
 
 
-def to_json(jobs: Sequence[Job], outcomes: Sequence[Outcome]) -> dict[str, Any]:
+def to_json(jobs: Sequence[Job], outcomes: Sequence[TaskOutcome]) -> dict[str, Any]:
     """The same for programs."""
     rows = []
     for job, outcome in zip(jobs, outcomes, strict=True):

@@ -13,7 +13,7 @@ from tracker.offline.colours_fit import (
     ColourCheck,
     Sensed,
     SessionFit,
-    Worn,
+    WatchedGlove,
     check_messages,
     fit_messages,
 )
@@ -46,11 +46,11 @@ def check_session(source: Path, colours: str = "") -> ColourCheck:
     return check_messages(messages, worn_in(info), profile_of(info))
 
 
-def worn_in(info: SessionInfo) -> Worn:
+def worn_in(info: SessionInfo) -> WatchedGlove:
     """What a session says of hand, glove and cameras. Raises FileError where it has no cameras."""
     if info.rig is None:
         raise FileError("The session says nothing of its cameras: no hand can be found in it.")
-    return Worn(info.hand, info.glove, info.rig)
+    return WatchedGlove(info.hand, info.glove, info.rig)
 
 
 def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:

@@ -45,7 +45,7 @@ SHOWS = 0.2  # of the markers that the other camera shows, for a camera that sho
 ROUNDS = 2  # of learning and looking again
 
 
-class Worn(NamedTuple):
+class WatchedGlove(NamedTuple):
     """The hand, the glove on it, and the cameras that see it."""
 
     hand: HandModel
@@ -153,7 +153,9 @@ class Looked:
         return np.asarray((there > 0) & (there >= SHOWS * there.max()))
 
 
-def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> SessionFit:
+def fit_messages(
+    messages: Sequence[Sensed], worn: WatchedGlove, profile: ColourProfile
+) -> SessionFit:
     """Colours for these packets and images, in the order of feeding.
 
     Raises GlovetrackError where no hand is found for sure, or the other one, or nothing better than
@@ -193,12 +195,12 @@ def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile)
 
 
 def _refuse_other_side(
-    messages: Sequence[Sensed], worn: Worn, profile: ColourProfile, own: Looked
+    messages: Sequence[Sensed], worn: WatchedGlove, profile: ColourProfile, own: Looked
 ) -> None:
     """Raises GlovetrackError where the first images show more of a glove of the other hand than of
     ours: of mirrored patches a hand that is found by mistake would have learned the colours."""
     hand, glove = mirrored_hand(worn.hand), mirrored_glove(worn.glove)
-    mirrored = look(_beginning(messages), Worn(hand, glove, worn.rig), profile)
+    mirrored = look(_beginning(messages), WatchedGlove(hand, glove, worn.rig), profile)
     if not _is_poor(mirrored) and mirrored.matched > own.matched:
         raise GlovetrackError(other_side_words(worn.glove))
 
@@ -223,13 +225,15 @@ def _is_worse(new: ColourCheck, old: ColourCheck) -> bool:
     return fewer or (same and new.clashing > old.clashing + 1)
 
 
-def check_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> ColourCheck:
+def check_messages(
+    messages: Sequence[Sensed], worn: WatchedGlove, profile: ColourProfile
+) -> ColourCheck:
     """How well ``profile`` serves for these packets and images."""
     looked = look(messages, worn, profile)
     return checked(looked, worn, profile, looked.showing)
 
 
-def look(messages: Iterable[Sensed], worn: Worn, profile: ColourProfile) -> Looked:
+def look(messages: Iterable[Sensed], worn: WatchedGlove, profile: ColourProfile) -> Looked:
     """Track the hand with these colours."""
     pipeline = Pipeline(worn.hand, worn.glove, worn.rig, Settings())
     size = float(np.median(worn.glove.marker_size)) if worn.glove.markers else 0.012
@@ -278,7 +282,7 @@ def _by_camera(result: FrameResult) -> NDArray[np.bool_]:
     return np.stack([result.match_left, result.match_right]) >= 0
 
 
-def _cameras(worn: Worn) -> str:
+def _cameras(worn: WatchedGlove) -> str:
     return "the camera" if worn.rig.one_camera else "both cameras"
 
 
@@ -302,7 +306,7 @@ def _beginning(messages: Sequence[Sensed], images: int = 10) -> list[Sensed]:
 
 
 def _samples(
-    looked: Looked, worn: Worn, names: tuple[str, ...], odd: bool, most: int = 12
+    looked: Looked, worn: WatchedGlove, names: tuple[str, ...], odd: bool, most: int = 12
 ) -> ColourSamples:
     """Pixels of at most so many images, every other one where ``odd`` ones are kept for a check."""
     out = ColourSamples.of(names)
@@ -315,7 +319,7 @@ def _samples(
 
 
 def checked(
-    looked: Looked, worn: Worn, profile: ColourProfile, showing: NDArray[np.bool_]
+    looked: Looked, worn: WatchedGlove, profile: ColourProfile, showing: NDArray[np.bool_]
 ) -> ColourCheck:
     """What a pass says of the colours, hue by hue; ``showing`` (2,) are the cameras that show the
     hand."""

@@ -14,7 +14,7 @@ from dataclasses import replace
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
 from tracker.messages import BlobFrame, Event, FrameResult, ImuSample, StereoFrame, Tracking
-from tracker.offline.colours_fit import Sensed, Worn, fit_messages
+from tracker.offline.colours_fit import Sensed, WatchedGlove, fit_messages
 from tracker.offline.detection import AHEAD, detected
 from tracker.session.decode import Decoded
 from tracker.session.description import SessionInfo
@@ -37,7 +37,7 @@ class OwnColours:
 
     def __init__(self, info: SessionInfo, profile: ColourProfile) -> None:
         assert info.rig is not None
-        self._worn, self._profile = Worn(info.hand, info.glove, info.rig), profile
+        self._worn, self._profile = WatchedGlove(info.hand, info.glove, info.rig), profile
         size = float(info.glove.marker_size.mean()) if info.glove.markers else 0.012
         self._camera = size, info.rig.fx
         self.detector = Detector(profile, *self._camera, DetectorParams())

@@ -25,7 +25,7 @@ from tracker.messages import Array, Estimate, IntArray
 
 
 @dataclass(frozen=True, eq=False)
-class Step:
+class SmootherStep:
     """Phi (D, w): the dynamic rows of a transition against the first w columns."""
 
     Phi: Array
@@ -115,7 +115,7 @@ class ChainTape:
         self._layout = layout
         self._shown_hand = ShownHand(layout, NoiseParams(), DistalSegments(layout, SynergyParams()))
         self._rows = shown_rows(layout)
-        self._entries: list[Step | Update | Forgotten | _Shown] = []
+        self._entries: list[SmootherStep | Update | Forgotten | _Shown] = []
         self.recording = False
 
     def wear(self, gains: Array, aside: Array) -> None:
@@ -126,7 +126,7 @@ class ChainTape:
 
     def step(self, state: ChainState, readings: Moment, dt: float) -> None:
         if self.recording:
-            self._entries.append(Step(transition(state, self._layout, readings, dt)))
+            self._entries.append(SmootherStep(transition(state, self._layout, readings, dt)))
 
     def update(self, H: Array, HP: Array, S: Array, r: Array) -> None:
         if self.recording:

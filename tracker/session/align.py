@@ -30,7 +30,7 @@ _SMOOTH = 0.05  # s
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class SpeedCourse:
     """``speed`` (N,) rad/s at ``t`` (N,) s from ``start_ns`` since 1970; NaN where not known."""
 
     start_ns: int
@@ -84,7 +84,7 @@ def align(first: Path, second: Path, by: str = "movement") -> Alignment:
     )
 
 
-def best_match(a: Course, b: Course) -> Match:
+def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
     """Raises FileError where no place, or more than one, fits well."""
     x, y = (_even(c) for c in (a, b))
     r = _correlations(x, y)
@@ -105,7 +105,7 @@ def best_match(a: Course, b: Course) -> Match:
     return Match(offset, float(r[k]), elsewhere)
 
 
-def _even(course: Course) -> Array:
+def _even(course: SpeedCourse) -> Array:
     """Speed at even steps without its mean; 0 where it is not known, and its logarithm, so that
     the fastest instants do not count alone."""
     known = np.isfinite(course.speed)
@@ -148,7 +148,7 @@ def _between(r: Array, k: int) -> float:
     return 0.0 if bend >= 0 else float(np.clip(0.5 * (r[k - 1] - r[k + 1]) / bend, -0.5, 0.5))
 
 
-def read_courses(first: Path, second: Path) -> tuple[Course, Course]:
+def read_courses(first: Path, second: Path) -> tuple[SpeedCourse, SpeedCourse]:
     """By what both have: IMUs, else the tracked angles. Raises FileError where they have neither
     in common."""
     found = [(_of_imus(path), path) for path in (first, second)]
@@ -161,7 +161,7 @@ def read_courses(first: Path, second: Path) -> tuple[Course, Course]:
     return a, b
 
 
-def _of_imus(path: Path) -> Course | None:
+def _of_imus(path: Path) -> SpeedCourse | None:
     """The angular speed of the root's IMU, or of the one that is there most; None without one."""
     with SessionReader(path) as reader:
         start = reader.span_ns[0]
@@ -173,10 +173,10 @@ def _of_imus(path: Path) -> Course | None:
     gyro = np.linalg.norm(np.array([m.gyro for m in found]), axis=2)
     known = np.isfinite(gyro)
     most = int(np.argmax(known.sum(axis=0)))  # the first of those that are there most: the root
-    return Course(start, np.array([m.t for m in found]) - began, gyro[:, most])
+    return SpeedCourse(start, np.array([m.t for m in found]) - began, gyro[:, most])
 
 
-def _of_angles(path: Path) -> Course | None:
+def _of_angles(path: Path) -> SpeedCourse | None:
     """Root of the summed squares of all joints' speeds."""
     with SessionReader(path) as reader:
         start = reader.span_ns[0]
@@ -189,11 +189,11 @@ def _of_angles(path: Path) -> Course | None:
                             np.array([m.angles for m in found]))  # fmt: skip
 
 
-def course_of_angles(start_ns: int, t: Array, angles: Array) -> Course:
+def course_of_angles(start_ns: int, t: Array, angles: Array) -> SpeedCourse:
     """Of joint angles (N, J) rad at ``t`` (N,) s; instants at which all are lost are not known."""
     rate = np.gradient(angles, np.maximum(t, np.arange(len(t)) * 1e-9), axis=0)
     known = np.isfinite(rate).any(axis=1)
-    return Course(start_ns, t, np.where(known, np.sqrt(np.nansum(rate**2, axis=1)), np.nan))
+    return SpeedCourse(start_ns, t, np.where(known, np.sqrt(np.nansum(rate**2, axis=1)), np.nan))
 
 
 def kept_beside(second: Path) -> Path:
@@ -219,7 +219,9 @@ def read_alignment(path: Path) -> Alignment:
     return Alignment(words[0], words[1], words[2], numbers[0], numbers[1])
 
 
-def draw(path: Path, a: Course, b: Course, alignment: Alignment, force: bool = False) -> None:
+def draw(
+    path: Path, a: SpeedCourse, b: SpeedCourse, alignment: Alignment, force: bool = False
+) -> None:
     """Both speeds on the first one's axis, as PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure

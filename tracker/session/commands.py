@@ -11,7 +11,7 @@ from tracker.base.terminal import add_json, check_json, finish, printable
 from tracker.session.align_command import add_align
 
 if TYPE_CHECKING:
-    from tracker.session.verify import Finding
+    from tracker.session.verify import FileFinding
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -258,7 +258,7 @@ def _verify(args: argparse.Namespace) -> int:
     return 0 if result["ok"] else 1
 
 
-def _verdict(path: Path, findings: list[Finding]) -> tuple[dict[str, Any], list[str]]:
+def _verdict(path: Path, findings: list[FileFinding]) -> tuple[dict[str, Any], list[str]]:
     """For programs and for people."""
     from dataclasses import asdict
 
@@ -273,14 +273,14 @@ def _verdict(path: Path, findings: list[Finding]) -> tuple[dict[str, Any], list[
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     """All at once, on all cores; a file that is no session counts as damaged."""
     from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
-    from tracker.session.verify import Finding, verify_one
+    from tracker.session.verify import FileFinding, verify_one
 
     tasks = [WorkItem(verify_one, (path.absolute(),)) for path in paths]
     with some_workers(min(usable_cores(), len(paths))) as workers:
         outcomes = run_all(tasks, workers, lambda share: None)
     files, lines = {}, []
     for path, outcome in zip(paths, outcomes, strict=True):
-        findings = [Finding("error", outcome.error, "file")] if outcome.error else outcome.value
+        findings = [FileFinding("error", outcome.error, "file")] if outcome.error else outcome.value
         files[str(path)], said = _verdict(path, findings)
         lines += said
     return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines

@@ -29,7 +29,7 @@ _REMEMBERED = 64  # messages of an IMU that are compared with the next one
 
 
 @dataclass(frozen=True)
-class Finding:
+class FileFinding:
     """``severity`` error, warning or note; ``where`` a topic, a device, an attachment or a byte.
     ``silence``: s in all for which nothing came from a device, 0 of other findings.
     """
@@ -58,7 +58,7 @@ class _Track:
     count: int = 0
 
 
-def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -> list[Finding]:
+def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -> list[FileFinding]:
     """Everything that is wrong with a session. Raises FileError if it is no MCAP at all.
 
     ``progress`` hears which share (0..1) was read, and may raise to end it.
@@ -75,37 +75,39 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
         heard = {topic: track.log_times for topic, track in tracks.items()}
         for device, seconds in silences(heard, reader.span_ns).items():
             text = f"nothing came for {seconds:.1f} s"
-            out.append(Finding("warning", text, device, seconds))
+            out.append(FileFinding("warning", text, device, seconds))
         return out
 
 
-def verify_one(path: Path, progress: Callable[[float], None]) -> list[Finding]:
+def verify_one(path: Path, progress: Callable[[float], None]) -> list[FileFinding]:
     """`verify` as a task of `tracker.base.workers`."""
     return verify(path, progress)
 
 
-def is_ok(findings: list[Finding]) -> bool:
+def is_ok(findings: list[FileFinding]) -> bool:
     """Whether none of the findings is an error."""
     return all(f.severity != "error" for f in findings)
 
 
-def _container(reader: SessionReader) -> list[Finding]:
+def _container(reader: SessionReader) -> list[FileFinding]:
     contents = reader.source.contents
     damage = [*contents.damage]
     if contents.finished and not damage:
         damage += index_damage(reader.path, contents)
-    out = [Finding("error", d.what, f"byte {d.offset}") for d in damage]
+    out = [FileFinding("error", d.what, f"byte {d.offset}") for d in damage]
     if not contents.finished:
         text = "the recording was never finished; `glovetrack recover` makes a whole file of it"
-        out.append(Finding("error", text, "file"))
+        out.append(FileFinding("error", text, "file"))
     if contents.profile != "ros2":
-        out.append(Finding("warning", f"the profile is {contents.profile!r}, not 'ros2'", "file"))
+        out.append(
+            FileFinding("warning", f"the profile is {contents.profile!r}, not 'ros2'", "file")
+        )
     if not reader.metadata:
-        out.append(Finding("note", "not recorded by Glovetrack", "file"))
+        out.append(FileFinding("note", "not recorded by Glovetrack", "file"))
     return out
 
 
-def _description(reader: SessionReader) -> list[Finding]:
+def _description(reader: SessionReader) -> list[FileFinding]:
     """Hand, glove and camera: there, readable, and fitting together."""
     names = [description.HAND, description.GLOVE]
     if reader.sides:
@@ -114,29 +116,29 @@ def _description(reader: SessionReader) -> list[Finding]:
         try:
             reader.attachment(name)
         except GlovetrackError as error:
-            return [Finding("error", str(error), name)]
+            return [FileFinding("error", str(error), name)]
     try:
         info = reader.info
     except GlovetrackError as error:
-        return [Finding("error", str(error), "attachments")]
+        return [FileFinding("error", str(error), "attachments")]
     if info.rig is None and any(t.startswith("/camera/") for t in reader.topic_names):
         what = "the stereo calibration or where it stands is missing"
-        return [Finding("warning", what, "camera")]
+        return [FileFinding("warning", what, "camera")]
     return []
 
 
 def _read_all(
     reader: SessionReader, progress: Callable[[float], None]
-) -> tuple[dict[str, _Track], list[Finding]]:
+) -> tuple[dict[str, _Track], list[FileFinding]]:
     tracks: dict[str, _Track] = {}
-    out: list[Finding] = []
+    out: list[FileFinding] = []
     spans = reader.source.contents.spans
     for i in range(len(spans)):
         progress(i / len(spans))
         try:
             messages = reader.source.messages_in(spans[i])
         except GlovetrackError as error:
-            out.append(Finding("error", str(error), f"byte {spans[i].offset}"))
+            out.append(FileFinding("error", str(error), f"byte {spans[i].offset}"))
             continue
         for m in messages:
             track = tracks.setdefault(m.topic, _Track())
@@ -196,21 +198,21 @@ def _judge_delay(track: _Track, step: int, delay: int) -> None:
         track.usual_delay = delay
 
 
-def _judge(topic: str, track: _Track, start_ns: int) -> list[Finding]:
-    out: list[Finding] = []
+def _judge(topic: str, track: _Track, start_ns: int) -> list[FileFinding]:
+    out: list[FileFinding] = []
     if track.damaged:
-        out.append(Finding("error", _damage_text(track.damaged, start_ns), topic))
+        out.append(FileFinding("error", _damage_text(track.damaged, start_ns), topic))
     if track.repeated:
         text = f"{track.repeated} messages are there more than once; tracking uses them once"
-        out.append(Finding("warning", text, topic))
+        out.append(FileFinding("warning", text, topic))
     if track.backward:
-        out.append(Finding("warning", f"{track.backward} stamps run backward", topic))
+        out.append(FileFinding("warning", f"{track.backward} stamps run backward", topic))
     if track.jumps:
-        out.append(Finding("warning", f"the clock jumps {_times(track.jumps)}", topic))
+        out.append(FileFinding("warning", f"the clock jumps {_times(track.jumps)}", topic))
     if track.late:
         late = f"{max(track.late) / 1e9:.1f} s late, {_times(len(track.late))}"
         text = f"messages arrived up to {late}: the computer was overloaded"
-        out.append(Finding("warning", text, topic))
+        out.append(FileFinding("warning", text, topic))
     if topic.startswith(("/glove/", "/camera/")) and len(track.steps) > 10:
         out += _gaps(topic, track)
     return out
@@ -229,7 +231,7 @@ def _damage_text(log_times: list[int], start_ns: int) -> str:
     return f"{count} damaged: at {first}{more} after the start"
 
 
-def _gaps(topic: str, track: _Track) -> list[Finding]:
+def _gaps(topic: str, track: _Track) -> list[FileFinding]:
     period = statistics.median(s for s, _ in track.steps)
     gaps = [(s, at) for s, at in track.steps if s > _GAP_PERIODS * max(period, 1)]
     if not gaps:
@@ -237,20 +239,20 @@ def _gaps(topic: str, track: _Track) -> list[Finding]:
     longest, at = max(gaps)
     after = (at - track.steps[0][1]) / 1e9
     text = f"{len(gaps)} gaps, the longest {longest / 1e9:.3f} s after {after:.1f} s"
-    return [Finding("warning", text, topic)]
+    return [FileFinding("warning", text, topic)]
 
 
-def _edits(reader: SessionReader) -> list[Finding]:
+def _edits(reader: SessionReader) -> list[FileFinding]:
     """What was interpolated, and whether the file calls any of it measured."""
     try:
-        found = [Finding("note", line, NAME) for line in lines(reader.edits)]
+        found = [FileFinding("note", line, NAME) for line in lines(reader.edits)]
         sides = {f.side for edit in reader.edits for f in edit.filled}
         wrong = sum(_called_measured(reader.path, side) for side in sorted(sides))
     except GlovetrackError as error:
-        return [Finding("error", str(error), NAME)]
+        return [FileFinding("error", str(error), NAME)]
     if wrong:
         text = f"{wrong} interpolated positions are marked as measured"
-        found.append(Finding("error", text, NAME))
+        found.append(FileFinding("error", text, NAME))
     return found
 
 
@@ -262,7 +264,7 @@ def _called_measured(path: Path, side: str) -> int:
         return int((points & (hand.state == Validity.MEASURED)).sum())
 
 
-def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:
+def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[FileFinding]:
     """Topics that a session of this glove should have."""
     try:
         info = reader.info
@@ -272,8 +274,8 @@ def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:
     if tracked_only:
         return []
     wanted = [topics.imu(hand.side, n) for hand in info.hands for n in hand.glove.imu_names]
-    out = [Finding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
+    out = [FileFinding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
     seen = any(f(c) in tracks for c in EYES for f in (topics.image, topics.blobs))
     if not seen:
-        out.append(Finding("warning", "neither images nor blobs of a camera", "/camera"))
+        out.append(FileFinding("warning", "neither images nor blobs of a camera", "/camera"))
     return out

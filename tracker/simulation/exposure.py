@@ -34,7 +34,7 @@ class Scene(Protocol):
         """What the camera says of its pose; None for one that stands still."""
 
 
-class View(NamedTuple):
+class EyeView(NamedTuple):
     """From ``eye`` (3,) in C, by the rectified fx, fy, cx and cy, with one of the two cameras."""
 
     eye: Array
@@ -96,7 +96,7 @@ def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[Int
     )
 
 
-def seen_patches(sewn: SewnPatches, now: Instant, view: View) -> SeenPatches:
+def seen_patches(sewn: SewnPatches, now: Instant, view: EyeView) -> SeenPatches:
     """Patches at an instant, in C and as pixels: `shade` asks each of them only about these."""
     segment = np.repeat(np.arange(len(sewn.first) - 1), np.diff(sewn.first))
     R, p = now.R_CB[segment], now.p_CB[segment]

@@ -14,8 +14,8 @@ from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_ba
 from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
 from tracker.simulation.exposure import (
     JITTER_PX,
+    EyeView,
     Scene,
-    View,
     moments_of,
     patches_of_all,
     seen_patches,
@@ -147,7 +147,7 @@ class Renderer:
             jitter = JITTER_PX[k] / self._K[:2]
             rays = PixelRays(self._rays[side], self._pitch[side], jitter, eye, corner)
             sewn = self._patches._replace(position=moment.markers[self._order])
-            patches = seen_patches(sewn, moment, View(eye, self._K, camera))
+            patches = seen_patches(sewn, moment, EyeView(eye, self._K, camera))
             self._expose(moment.solids, rays, pixels, patches, ground, (total, buffer))
         develop(total, len(moments), self._grain, rng.integers(0, 500, 2), corner, out)
 

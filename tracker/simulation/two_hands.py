@@ -44,14 +44,14 @@ class Dressed(NamedTuple):
     glove: GloveModel
 
 
-class Sided(NamedTuple):
+class SidedMessage(NamedTuple):
     """A message, and the side of the glove that it is of; empty for what both are seen in."""
 
     side: str
     message: ImuSample | BlobFrame | StereoFrame
 
 
-class OtherHand:
+class HidingHand:
     """The other hand as something in the scene: it hides, and brings no blobs of its own."""
 
     def __init__(self, wearer: Wearer, motion: Motion) -> None:
@@ -124,7 +124,7 @@ class TwoHandsSimulation:
         others = {}
         for side, other in zip(SIDES, reversed(SIDES), strict=True):
             wearer = Wearer.random(*dressed[other], seeds[other], params.wearer)
-            others[side] = OtherHand(wearer, motions[other])
+            others[side] = HidingHand(wearer, motions[other])
         self.hands = {
             side: Simulation(
                 *dressed[side], motions[side], seeds[side], params, fps, self.rig, [others[side]]
@@ -162,18 +162,18 @@ class TwoHandsSimulation:
         for index, t, arrival in self.exposures():
             yield self.renderer.frame(t, arrival, index)
 
-    def messages(self, images: bool = False) -> Iterator[Sided]:
+    def messages(self, images: bool = False) -> Iterator[SidedMessage]:
         """All packets, and blobs or images, in the order of arrival; packets first of what arrives
         together."""
         parts = [self._packets(side) for side in SIDES]
         seen: Iterator[BlobFrame | StereoFrame]
         seen = self.image_frames() if images else self.blob_frames()
-        frames = (Sided("", frame) for frame in seen)
+        frames = (SidedMessage("", frame) for frame in seen)
         return heapq.merge(*parts, frames, key=lambda m: m.message.t_arrival)
 
-    def _packets(self, side: str) -> Iterator[Sided]:
+    def _packets(self, side: str) -> Iterator[SidedMessage]:
         for sample in self.hands[side].imu_samples():
-            yield Sided(side, sample)
+            yield SidedMessage(side, sample)
 
 
 def both_seen(a: BlobFrame, b: BlobFrame, seed: int) -> BlobFrame:

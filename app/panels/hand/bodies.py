@@ -6,7 +6,7 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.panels.hand.tip_rings import TipRings
-from app.viewmodels.hand_ground import AXIS, CELL, Ground
+from app.viewmodels.hand_ground import AXIS, CELL, HandGround
 from app.viewmodels.hand_scene import (
     MARKER_LATELY,
     MARKER_NOW,
@@ -52,7 +52,7 @@ class HandBodies:
         self._trail = scene.add_surface(
             Surface(faces, np.full(len(faces), TRAIL_PART), np.zeros(2 * TRAIL_POINTS))
         )
-        self._ground = Ground()
+        self._ground = HandGround()
         self._has_place = setup.camera_calibrated
         for body in (*self._axes, *self._world, self._camera):
             body.show(False)  # nothing has its place before the first hand

@@ -12,7 +12,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.hand.controls import HandControls
 from app.panels.hand.legend import ValidityLegend
-from app.panels.hand.shown_hand import ShownHand
+from app.panels.hand.shown_hand import HandInScene
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob, TaskOwner
@@ -51,7 +51,7 @@ class HandPanel(Panel):
         self.chooser = ViewChooser(self.view, store, tasks, self)
         self.chooser.refused.connect(host.error)
         self.view.scene_changed.connect(self._make_bodies)
-        self._hands: list[ShownHand] = []  # the main one first
+        self._hands: list[HandInScene] = []  # the main one first
         self._gestures: ShownGestures | None = None
         self._found = False
         self._since = QElapsedTimer()  # the last drawing
@@ -123,7 +123,7 @@ class HandPanel(Panel):
     def _open(self, setup: EngineSetup) -> None:
         self._clear()
         of_two = setup.other is not None
-        self._hands = [ShownHand(s, k == 0, of_two) for k, s in enumerate(setup.hands)]
+        self._hands = [HandInScene(s, k == 0, of_two) for k, s in enumerate(setup.hands)]
         self._gestures = ShownGestures(setup)
         tips = self._hands[0].model.tip_names
         self.controls.offer(tips, setup.reference_tracking is not None)
@@ -135,7 +135,7 @@ class HandPanel(Panel):
         self._make_bodies()
         self._make_skins(self._hands)
 
-    def _make_skins(self, hands: list[ShownHand]) -> None:
+    def _make_skins(self, hands: list[HandInScene]) -> None:
         """At once where they were made before, as when a session is opened again; otherwise they
         take a second each, so beside the window."""
         models = [(hand.setup.hand, hand.setup.glove) for hand in hands]

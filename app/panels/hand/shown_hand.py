@@ -14,7 +14,7 @@ from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.scene import BodyScene, Label
 
 
-class ShownHand:
+class HandInScene:
     """Knows its hand from the start; gets a ``skin``, and ``bodies`` in whatever scene is drawn."""
 
     def __init__(self, setup: EngineSetup, is_main: bool, of_two: bool) -> None:

@@ -31,7 +31,7 @@ from app.viewmodels.gaps import (
 from app.viewmodels.recording import position_text
 from app.widgets.measures import TIGHT
 from app.widgets.one_line import OneLine
-from app.widgets.timeline import Span
+from app.widgets.timeline import TimelineSpan
 from app.words import local, tr
 
 START, LENGTH, SIDE, PART, KIND, CAUSE = range(6)
@@ -189,7 +189,7 @@ class GapPage(QWidget):
                 self.table.setItem(row, column, cell)
         self.table.setSortingEnabled(True)
         spans = stretches(found, shown) if found is not None else []
-        self.shown_changed.emit([Span(s.start, s.stop, s.colour, s.text) for s in spans])
+        self.shown_changed.emit([TimelineSpan(s.start, s.stop, s.colour, s.text) for s in spans])
         self._enable()
 
     def _number_of(self, row: int) -> int:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, turn_x_to
+from app.widgets.view3d.shapes import Block, CapsuleShape, Disc, Lines, Shape, turn_x_to
 from tracker.messages import Array
 
 
 @dataclass(frozen=True)
-class Mesh:
+class BodyMesh:
     """A surface of quads, or lines. In the body's own frame, m."""
 
     points: Array  # (N, 3)
@@ -28,9 +28,9 @@ class Mesh:
         return tuple(ends.ravel().tolist())
 
 
-def mesh_of(shape: Shape) -> Mesh:
+def mesh_of(shape: Shape) -> BodyMesh:
     """In the frame that the shape has."""
-    if isinstance(shape, Capsule):
+    if isinstance(shape, CapsuleShape):
         return capsule(shape)
     if isinstance(shape, Disc):
         return disc(shape)
@@ -39,7 +39,7 @@ def mesh_of(shape: Shape) -> Mesh:
     return lines(shape)
 
 
-def capsule(shape: Capsule, sides: int = 24) -> Mesh:
+def capsule(shape: CapsuleShape, sides: int = 24) -> BodyMesh:
     arc = np.linspace(0.0, np.pi / 2, sides // 4 + 2)
     half = np.stack([np.cos(arc), np.sin(arc)], axis=1)  # from the pole to the equator
     normals = np.vstack([half * [-1, 1], half[::-1]])
@@ -48,16 +48,16 @@ def capsule(shape: Capsule, sides: int = 24) -> Mesh:
     return _revolved(profile, normals, sides)
 
 
-def disc(shape: Disc, sides: int = 16) -> Mesh:
+def disc(shape: Disc, sides: int = 16) -> BodyMesh:
     h, radius = shape.height / 2, shape.radius
     profile = np.array([[-h, 0], [-h, radius], [-h, radius], [h, radius], [h, radius], [h, 0]])
     normals = np.array([[-1, 0], [-1, 0], [0, 1], [0, 1], [1, 0], [1, 0]], float)
     mesh = _revolved(profile, normals, sides)
     R = turn_x_to(shape.normal)
-    return Mesh(mesh.points @ R.T + shape.centre, mesh.normals @ R.T, mesh.cells)
+    return BodyMesh(mesh.points @ R.T + shape.centre, mesh.normals @ R.T, mesh.cells)
 
 
-def block(shape: Block, sides: int = 6) -> Mesh:
+def block(shape: Block, sides: int = 6) -> BodyMesh:
     """An outline goes up around the edges, ``sides`` steps a corner, from one flat side's middle
     to the other's."""
     quarter = np.linspace(0.0, np.pi / 2, sides + 1)
@@ -76,18 +76,18 @@ def block(shape: Block, sides: int = 6) -> Mesh:
     flat = np.broadcast_to(up, (1, *outline.shape))
     points = np.concatenate([-shape.half[2] * flat, points, shape.half[2] * flat])
     normals = np.concatenate([-flat, normals, flat])
-    return Mesh(
+    return BodyMesh(
         points.reshape(-1, 3) + shape.centre,
         normals.reshape(-1, 3),
         _grid(len(points), len(angle)),
     )
 
 
-def lines(shape: Lines) -> Mesh:
-    return Mesh(np.asarray(shape.points, float), np.empty((0, 3)), shape.pairs)
+def lines(shape: Lines) -> BodyMesh:
+    return BodyMesh(np.asarray(shape.points, float), np.empty((0, 3)), shape.pairs)
 
 
-def _revolved(profile: Array, normals: Array, sides: int) -> Mesh:
+def _revolved(profile: Array, normals: Array, sides: int) -> BodyMesh:
     """A profile (K, 2) of (along x, away from x), with its normals, turned around x."""
     angle = np.linspace(0.0, 2 * np.pi, sides + 1)[:-1]
     spokes = np.stack([np.zeros(sides), np.cos(angle), np.sin(angle)], axis=1)  # (S, 3)
@@ -96,7 +96,7 @@ def _revolved(profile: Array, normals: Array, sides: int) -> Mesh:
         along = rows[:, :1, None] * np.array([1.0, 0.0, 0.0])
         return (along + rows[:, 1:, None] * spokes).reshape(-1, 3)
 
-    return Mesh(turned(profile), turned(normals), _grid(len(profile), sides))
+    return BodyMesh(turned(profile), turned(normals), _grid(len(profile), sides))
 
 
 def _grid(rows: int, columns: int) -> npt.NDArray[np.intp]:

@@ -15,7 +15,7 @@ def _origin() -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Capsule:
+class CapsuleShape:
     """Along x from the origin to ``length`` (m), with half a ball on either end."""
 
     length: float
@@ -82,12 +82,12 @@ class Surface:
     along: Array
 
 
-Shape = Capsule | Disc | Block | Lines
+Shape = CapsuleShape | Disc | Block | Lines
 
 
-def ball(radius: float) -> Capsule:
+def ball(radius: float) -> CapsuleShape:
     """Around the origin."""
-    return Capsule(0.0, radius)
+    return CapsuleShape(0.0, radius)
 
 
 def polyline(points: Array) -> Lines:

@@ -8,10 +8,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from app.widgets.view3d.meshes import Mesh
+from app.widgets.view3d.meshes import BodyMesh
 
 
-def polydata(mesh: Mesh) -> vtkPolyData:
+def polydata(mesh: BodyMesh) -> vtkPolyData:
     """VTK's form of a mesh; the arrays are copied."""
     data, points = vtkPolyData(), vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.points), deep=True))

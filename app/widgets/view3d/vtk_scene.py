@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
 )
 
-from app.widgets.view3d.meshes import Mesh, mesh_of
+from app.widgets.view3d.meshes import BodyMesh, mesh_of
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.scene import BodyLook, Grid, GroundLines, Label, rgb
 from app.widgets.view3d.shapes import Lines, Shape, Surface
@@ -30,7 +30,7 @@ GROUND_OPACITY = 0.25
 class VtkBody:
     """A mesh that VTK draws."""
 
-    def __init__(self, mesh: Mesh) -> None:
+    def __init__(self, mesh: BodyMesh) -> None:
         self._data, mapper = polydata(mesh), vtkPolyDataMapper()
         mapper.SetInputData(self._data)
         self.actor = vtkActor()

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersHybrid import vtkPolyDataSilhouette
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkTexture
 
-from app.widgets.view3d.meshes import Mesh
+from app.widgets.view3d.meshes import BodyMesh
 from app.widgets.view3d.raster.skin import BETWEEN_DOTS, HATCH_DARKNESS, RING
 from app.widgets.view3d.scene import rgb
 from app.widgets.view3d.shapes import Surface
@@ -27,7 +27,7 @@ class VtkSurface:
         self._surface, self._outlined = surface, outlined
         many = len(surface.along)
         nowhere = np.zeros((many, 3))
-        self.data: vtkPolyData = polydata(Mesh(nowhere, nowhere, surface.faces))
+        self.data: vtkPolyData = polydata(BodyMesh(nowhere, nowhere, surface.faces))
         mapper = vtkPolyDataMapper()
         self.actor = vtkActor()
         self.actor.SetMapper(mapper)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.glove_setup import (
     GloveRow,
-    Phase,
+    SetUpPhase,
     StillRun,
     WiggleRun,
     motion_rows,
@@ -182,7 +182,7 @@ class WigglePage(QWidget):
         self.table.show_rows([])
 
     @property
-    def phase(self) -> Phase | None:
+    def phase(self) -> SetUpPhase | None:
         """Where the test stands; None before the first."""
         return self._run.phase if self._run is not None else None
 
@@ -194,8 +194,8 @@ class WigglePage(QWidget):
     def look(self, recent: Sequence[ImuSample]) -> None:
         self._show_motion(recent)
         run = self._run
-        self.start.setEnabled(len(recent) > 0 and (run is None or run.phase == Phase.DONE))
-        if run is None or run.phase == Phase.DONE:
+        self.start.setEnabled(len(recent) > 0 and (run is None or run.phase == SetUpPhase.DONE))
+        if run is None or run.phase == SetUpPhase.DONE:
             return
         run.look(recent)
         if run.part != self._asked:
@@ -203,7 +203,7 @@ class WigglePage(QWidget):
             self.asked.emit(run.part)
         self.words.setText(run.words)
         self.bar.setValue(round(100 * run.share))
-        if run.phase == Phase.DONE:
+        if run.phase == SetUpPhase.DONE:
             self.bar.setValue(100)
             self.table.show_rows(wiggle_rows(run.test.result()))
 

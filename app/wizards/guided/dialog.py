@@ -11,7 +11,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.guide import PoseGuide
 from app.jobs.guided_poses import GuidedCommands
 from app.storage.settings import SettingsStore
-from app.viewmodels.guided import GuidedRun, Phase
+from app.viewmodels.guided import GuidedPhase, GuidedRun
 from app.viewmodels.guided_result import WearerNow, learned
 from app.viewmodels.guided_words import LiveJudge
 from app.wizards.guided.lead import LeadPage
@@ -91,7 +91,7 @@ class GuidedDialog(LeadingDialog):
     def _go_on(self) -> None:
         now = monotonic()
         self.run.tick(now)
-        if self.run.phase == Phase.DONE:
+        if self.run.phase == GuidedPhase.DONE:
             self._finish()
             return
         held = sum(self.run.held.values())

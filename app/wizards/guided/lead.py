@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.engines.engine import EngineSetup
-from app.viewmodels.guided import GuidedRun, Phase
+from app.viewmodels.guided import GuidedPhase, GuidedRun
 from app.viewmodels.guided_words import POSE_WORDS, chips, colour, word
 from app.wizards.leading.page import LeadingPage
 from app.words import tr
@@ -31,10 +31,10 @@ class LeadPage(LeadingPage):
 
     def show_run(self, run: GuidedRun, t: float, estimate: Estimate | None) -> None:
         """As it is at the time ``t`` (s)."""
-        waiting = run.phase == Phase.WAITING
+        waiting = run.phase == GuidedPhase.WAITING
         if not waiting and self.stage.pose != run.pose:
             self.stage.show_pose(run.pose)
-        self.stage.refresh(estimate, again=run.phase != Phase.HOLDING)
+        self.stage.refresh(estimate, again=run.phase != GuidedPhase.HOLDING)
         self.stage.ring.show_share(run.share, colour(run))
         if waiting:
             self.words.setText(self.tr("Hold eight poses, each for two seconds"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from app.viewmodels.guided_result import Learned
+from app.viewmodels.guided_result import LearnedWords
 from app.wizards.leading.outcome import OutcomePage
 
 
@@ -30,7 +30,7 @@ class GuidedResultPage(OutcomePage):
         self.tell(self.tr("Evaluating the poses…"), "")
         self.enable(False)
 
-    def show_learned(self, learned: Learned, held: int, asked: int) -> None:
+    def show_learned(self, learned: LearnedWords, held: int, asked: int) -> None:
         """The engine's answer, after ``held`` of ``asked`` poses."""
         nothing = self.tr("Your fingers bend as expected.")
         rows = [

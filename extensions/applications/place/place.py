@@ -46,7 +46,7 @@ class PlaceSettings:
 
 
 @dataclass(eq=False)
-class _Object:
+class _OpenObject:
     """The open one: which, R (3, 3), p (3,) m, its size and how much of the source is shown."""
 
     thing: Thing
@@ -69,7 +69,7 @@ class _Grip:
     fade: float
 
 
-class Place:
+class VirtualPlace:
     name: ClassVar[str] = "place"
     title: ClassVar[str] = "Virtual place"
     between: ClassVar[int] = 0
@@ -77,7 +77,7 @@ class Place:
     def __init__(self, settings: PlaceSettings) -> None:
         self.settings = settings
         self._middle: Array | None = None
-        self._open: _Object | None = None
+        self._open: _OpenObject | None = None
         self._grip: _Grip | None = None
         self._aimed: Thing | None = None
         self._aimed_since = self._palm_since = np.nan
@@ -137,7 +137,7 @@ class Place:
 
     def _choose(self, thing: Thing, t: float, events: list[Happening]) -> None:
         assert self._middle is not None
-        self._open = _Object(thing, np.eye(3), self._middle, self.settings.size)
+        self._open = _OpenObject(thing, np.eye(3), self._middle, self.settings.size)
         self._aimed = None
         events.append(Happening("choose", {"label": thing.name}))
         self._feel("index_tip", t)
@@ -154,7 +154,7 @@ class Place:
 
     # --- the object
 
-    def _handle(self, hand: HandSample, thing: _Object, events: list[Happening]) -> None:
+    def _handle(self, hand: HandSample, thing: _OpenObject, events: list[Happening]) -> None:
         for gesture, finger in GRIPS.items():
             if hand.begins(gesture):
                 self._grip = self._gripped(hand, gesture, hand.pinch_point(finger), thing)
@@ -174,7 +174,7 @@ class Place:
             _move(grip, thing, hand.palm[0], point)
 
     def _gripped(
-        self, hand: HandSample, gesture: str, point: Array | None, thing: _Object
+        self, hand: HandSample, gesture: str, point: Array | None, thing: _OpenObject
     ) -> _Grip | None:
         if point is None or hand.palm is None:
             return None
@@ -221,7 +221,7 @@ class Place:
         return out
 
 
-def _move(grip: _Grip, thing: _Object, R_palm: Array, point: Array) -> None:
+def _move(grip: _Grip, thing: _OpenObject, R_palm: Array, point: Array) -> None:
     """The object as the hand has it since the grip."""
     moved = point - grip.point
     if grip.gesture == "grasp":
@@ -235,7 +235,7 @@ def _move(grip: _Grip, thing: _Object, R_palm: Array, point: Array) -> None:
         thing.fade = float(np.clip(grip.fade + aside / SLIDE, 0.0, 1.0))
 
 
-def _let_go(grip: _Grip, thing: _Object) -> Happening:
+def _let_go(grip: _Grip, thing: _OpenObject) -> Happening:
     if grip.gesture == "grasp":
         cosine = np.clip((np.trace(thing.R @ grip.R.T) - 1) / 2, -1.0, 1.0)
         moved = (thing.p - grip.p).tolist()
@@ -245,7 +245,7 @@ def _let_go(grip: _Grip, thing: _Object) -> Happening:
     return Happening("faded", {"source": thing.fade})
 
 
-def _object(thing: _Object) -> list[Primitive]:
+def _object(thing: _OpenObject) -> list[Primitive]:
     """The object, and its source over it: the one fades as the other comes."""
     R = thing.size * thing.R
     out: list[Primitive] = []

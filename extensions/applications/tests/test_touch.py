@@ -14,7 +14,7 @@ from extensions.applications.interface import MotorCommand
 from extensions.applications.motors import LASTS_MS, PULLS, THREE, MotorSink, pulls
 from extensions.applications.runner import ApplicationRunner
 from extensions.applications.tests.hands import GLOVE, HAND, datas, estimates, outcomes, words
-from extensions.applications.touch.contact import Placed, contacts, pads
+from extensions.applications.touch.contact import PlacedMesh, contacts, pads
 from extensions.applications.touch.meshes import load_mesh, solid
 from tracker.base.errors import ConfigError, FileError
 from tracker.geometry.triangles import triangles_of
@@ -43,7 +43,7 @@ def table(tmp_path_factory: pytest.TempPathFactory) -> str:
 def test_each_fingertip_touches_a_table_as_deep_as_it_is_below_its_top(table: str) -> None:
     mesh = triangles_of(*load_mesh(table))
     top = 0.1
-    thing = Placed(mesh, np.eye(3), 0.6, np.array([0.25, 0.0, top - 0.05]))
+    thing = PlacedMesh(mesh, np.eye(3), 0.6, np.array([0.25, 0.0, top - 0.05]))
     reader = HandReader(HAND, GLOVE)
     for estimate in estimates(PRESS)[::40]:
         hand = reader.read(estimate)

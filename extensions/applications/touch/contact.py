@@ -49,7 +49,7 @@ def pads(hand: HandSample) -> Pads:
     return Pads(tips, R, hand.p[known] - radius[:, None] * R[:, :, 0], radius)
 
 
-class Placed(NamedTuple):
+class PlacedMesh(NamedTuple):
     """A mesh in its own units, which stands in G turned by R (3, 3), ``size`` m large, at p."""
 
     mesh: Triangles
@@ -58,7 +58,7 @@ class Placed(NamedTuple):
     p: Array
 
 
-def contacts(fingers: Pads, thing: Placed) -> list[Contact]:
+def contacts(fingers: Pads, thing: PlacedMesh) -> list[Contact]:
     """Of each pad."""
     local = (fingers.centre - thing.p) @ thing.R / thing.size
     found = nearest(thing.mesh, local)

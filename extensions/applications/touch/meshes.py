@@ -27,14 +27,14 @@ class MeshFile(NamedTuple):
     faces: IntArray
 
 
-class Solid(NamedTuple):
+class TouchableSolid(NamedTuple):
     """A mesh, and what it takes to be felt."""
 
     file: MeshFile
     triangles: Triangles
 
 
-def solid(name: str) -> Solid:
+def solid(name: str) -> TouchableSolid:
     """As `load_mesh`, which takes some tenths of a second of a large mesh, but at once where the
     file was read before and has not changed. Raises FileError."""
     path = Path(name)
@@ -42,9 +42,9 @@ def solid(name: str) -> Solid:
 
 
 @lru_cache(maxsize=4)
-def _solid(name: str, _written_ns: int) -> Solid:
+def _solid(name: str, _written_ns: int) -> TouchableSolid:
     file = load_mesh(name)
-    return Solid(file, triangles_of(*file))
+    return TouchableSolid(file, triangles_of(*file))
 
 
 def load_mesh(name: str) -> MeshFile:

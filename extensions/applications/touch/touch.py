@@ -14,7 +14,7 @@ import numpy as np
 from extensions.applications.drawing import Drawing, Line, Mesh, Points, Text
 from extensions.applications.hand import HandSample
 from extensions.applications.interface import Command, Happening, MotorCommand, Step, Value
-from extensions.applications.touch.contact import Contact, Placed, contacts, pads
+from extensions.applications.touch.contact import Contact, PlacedMesh, contacts, pads
 from extensions.applications.touch.meshes import solid
 from tracker.geometry import so3
 from tracker.messages import Array
@@ -66,7 +66,7 @@ class Touch:
         if place is None:
             return Step(events=self._let_go(events))
         s = self.settings
-        thing = Placed(self._solid.triangles, so3.rz(np.deg2rad(s.turn)), s.size, place)
+        thing = PlacedMesh(self._solid.triangles, so3.rz(np.deg2rad(s.turn)), s.size, place)
         if not hand.located:
             return Step(self._drawing(thing, []), self._let_go(events))
         found = contacts(pads(hand), thing)
@@ -111,7 +111,7 @@ class Touch:
         x, y, z = contact.push.tolist()
         return MotorCommand(contact.tip, self._strength(contact), (x, y, z), self.settings.axes)
 
-    def _drawing(self, thing: Placed, felt: list[Contact]) -> Drawing:
+    def _drawing(self, thing: PlacedMesh, felt: list[Contact]) -> Drawing:
         colour = FELT if felt else QUIET
         mesh = Mesh("object", *self._solid.file, colour, thing.size * thing.R, thing.p)
         arrows = [

@@ -13,7 +13,7 @@ import pytest
 
 from extensions.conformance.finding import PASS
 from extensions.conformance.run import judge, session_records
-from extensions.conformance.take import SCRIPT, Step, take_of
+from extensions.conformance.take import SCRIPT, ScriptStep, take_of
 from extensions.conformance.window.view_model import ScriptRun
 from tracker.base.clock import NS
 from tracker.messages import CameraPose
@@ -63,7 +63,7 @@ def test_a_wearer_who_is_asked_for_each_gesture_keeps_every_rule(tmp_path: Path)
         records = session_records(reader)["right"]
     zero = info.anchor.monotonic_ns
     steps = [
-        Step(label, zero + round(at * NS), zero + round((at + SCRIPT[label]) * NS))
+        ScriptStep(label, zero + round(at * NS), zero + round((at + SCRIPT[label]) * NS))
         for label, at in begun
     ]
     found = judge("the demo's wearer", [take_of("right", records)], steps).findings

@@ -14,7 +14,7 @@ from app.engines.guide import WearersGuide
 from app.viewmodels.guided_hand import DRAWN, DrawnHand
 from extensions.conformance.run import WARM_UP, cues
 from extensions.conformance.take import BEAT, BEATS, GRASPS, SCRIPT
-from extensions.conformance.window.view_model import Phase, ScriptRun
+from extensions.conformance.window.view_model import CuePhase, ScriptRun
 from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from tracker.base.clock import ClockAnchor
@@ -193,7 +193,7 @@ def test_cues_count_three_beats_and_then_hold(dialog, clock, engine):
         clock.now += 0.4
         dialog.tick()
     assert [beat for _, beat, _ in seen[:6]] == ["3", "3", "2", "2", "1", "1"]
-    assert seen[7][0] == Phase.HOLDING and seen[7][1] == "Hold it"
+    assert seen[7][0] == CuePhase.HOLDING and seen[7][1] == "Hold it"
     assert seen[0][2] == seen[7][2] == "Hand open, fingers straight"
     assert 0.2 < dialog.lead.stage.ring.share < 1.0
     clock.now += 4.0

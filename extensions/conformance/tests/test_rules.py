@@ -16,8 +16,8 @@ from extensions.conformance.isaac.writer import write_records
 from extensions.conformance.page import as_json, page
 from extensions.conformance.run import Verdict, cues, judge, read_take
 from extensions.conformance.take import (
-    Step,
-    Take,
+    RecordTake,
+    ScriptStep,
     labels_beside,
     read_labels,
     take_of,
@@ -34,7 +34,7 @@ HZ = 30
 
 
 @pytest.fixture(scope="module")
-def scripted() -> dict[str, tuple[list[HandRecord], list[Step]]]:
+def scripted() -> dict[str, tuple[list[HandRecord], list[ScriptStep]]]:
     """The script as it truly is, without any sensor, one metre above the floor."""
     out = {}
     for side in SIDES:
@@ -54,7 +54,7 @@ def scripted() -> dict[str, tuple[list[HandRecord], list[Step]]]:
             stamps = Stamps(sample + 2_000_000, sample, sample)
             records.append(HandRecord(stamps, joints_of(OpenXrHand(t[k], *joints))))
         steps = [
-            Step(label, round(start * 1e9), round((start + cue.hold) * 1e9))
+            ScriptStep(label, round(start * 1e9), round((start + cue.hold) * 1e9))
             for cue, label, start in zip(shown, labels, motion.starts, strict=True)
             if label
         ]
@@ -62,7 +62,9 @@ def scripted() -> dict[str, tuple[list[HandRecord], list[Step]]]:
     return out
 
 
-def verdict(scripted, change: Callable[[Take], Take] | None = None, side: str = "right") -> Verdict:
+def verdict(
+    scripted, change: Callable[[RecordTake], RecordTake] | None = None, side: str = "right"
+) -> Verdict:
     records, steps = scripted[side]
     take = take_of(side, records)
     return judge("test", [change(take) if change else take], steps)
@@ -95,67 +97,67 @@ def test_a_pinch_of_the_simulator_touches_the_named_finger(scripted) -> None:
                 assert (angles >= low - 1e-9).all() and (angles <= high + 1e-9).all()
 
 
-def _mirrored(take: Take) -> Take:
+def _mirrored(take: RecordTake) -> RecordTake:
     position = take.position * [-1, 1, 1]
     q = take.orientation * [1, -1, -1, 1]
     return replace(take, position=position, orientation=q)
 
 
-def _noisy(take: Take) -> Take:
+def _noisy(take: RecordTake) -> RecordTake:
     rng = np.random.default_rng(1)
     return replace(take, position=take.position + rng.normal(0, 0.015, take.position.shape))
 
 
-def _dead_finger(take: Take) -> Take:
+def _dead_finger(take: RecordTake) -> RecordTake:
     valid, position = take.valid.copy(), take.position.copy()
     rows = slice(len(take) // 2, None)
     valid[rows, 7:11], position[rows, 7:11] = False, np.nan
     return replace(take, valid=valid, position=position)
 
 
-def _stiff_ring(take: Take) -> Take:
+def _stiff_ring(take: RecordTake) -> RecordTake:
     """The ring finger's tip joints exchanged with the index': a wrong assignment."""
     order = list(range(26))
     order[7:11], order[17:21] = order[17:21], order[7:11]
     return replace(take, position=take.position[:, order], orientation=take.orientation[:, order])
 
 
-def _jump(take: Take) -> Take:
+def _jump(take: RecordTake) -> RecordTake:
     position = take.position.copy()
     position[500] += 1.0
     return replace(take, position=position)
 
 
-def _gap(take: Take) -> Take:
+def _gap(take: RecordTake) -> RecordTake:
     later = np.where(np.arange(len(take)) > 300, 200_000_000, 0)
     return replace(take, sample=take.sample + later, available=take.available + later)
 
 
-def _jitter(take: Take) -> Take:
+def _jitter(take: RecordTake) -> RecordTake:
     rng = np.random.default_rng(3)
     period = round(1e9 / HZ)
     late = rng.integers(0, 3 * period // 4, len(take))
     return replace(take, sample=take.sample + late, available=take.available + period)
 
 
-def _wxyz(take: Take) -> Take:
+def _wxyz(take: RecordTake) -> RecordTake:
     return replace(take, orientation=take.orientation[..., [3, 0, 1, 2]])
 
 
-def _unturned(take: Take) -> Take:
+def _unturned(take: RecordTake) -> RecordTake:
     """The wrist's quaternion is that of the first record for ever."""
     q = take.orientation.copy()
     q[:, 1] = q[0, 1]
     return replace(take, orientation=q)
 
 
-def _growing(take: Take) -> Take:
+def _growing(take: RecordTake) -> RecordTake:
     size = np.linspace(0.7, 1.3, len(take))[:, None, None]
     wrist = take.position[:, 1:2]
     return replace(take, position=wrist + size * (take.position - wrist))
 
 
-def _at_origin(take: Take) -> Take:
+def _at_origin(take: RecordTake) -> RecordTake:
     return replace(take, position=take.position - take.position[:, 1:2])
 
 
@@ -202,7 +204,7 @@ def test_a_step_that_was_not_shown_fails_under_its_name(scripted) -> None:
     still = next(s for s in steps if s.label == "open_hand_close")
     by = {"fist": still, "pinch_ring": still, "wrist_rotate": still}
     wrong = [
-        Step(s.label, by[s.label].start_ns, by[s.label].end_ns) if s.label in by else s
+        ScriptStep(s.label, by[s.label].start_ns, by[s.label].end_ns) if s.label in by else s
         for s in steps
     ]
     assert {"fist", "pinch_ring", "wrist_rotate", "windows in order"} <= failed(
@@ -224,7 +226,7 @@ def test_a_turned_room_changes_nothing_but_the_place(scripted) -> None:
     """Shape is judged in the wrist's frame."""
     turn = Rotation.from_euler("xyz", [0.4, 1.0, -2.0])
 
-    def turned(take: Take) -> Take:
+    def turned(take: RecordTake) -> RecordTake:
         q = turn * Rotation.from_quat(take.orientation.reshape(-1, 4))
         position = take.position @ turn.as_matrix().T
         return replace(take, position=position, orientation=q.as_quat().reshape(-1, 26, 4))

@@ -82,7 +82,7 @@ RULES = {
 LOOKS: dict[str, StateLook] = {PASS: GOOD, FAIL: BAD}
 
 
-class Phase(Enum):
+class CuePhase(Enum):
     WAITING = "waiting"  # not begun
     COUNTING = "counting"  # the beats before a step
     HOLDING = "holding"
@@ -90,10 +90,10 @@ class Phase(Enum):
 
 
 @dataclass(frozen=True)
-class Cue:
+class StepCue:
     """At an instant: ``beat`` 3, 2, 1 while counting; ``share`` 0..1 of the step that is over."""
 
-    phase: Phase
+    phase: CuePhase
     number: int
     beat: int = 0
     share: float = 0.0
@@ -114,7 +114,7 @@ class ScriptRun:
         self._end = ends[-1]
         self._zero = 0.0
         self._begun = 0
-        self.cue = Cue(Phase.WAITING, 0)
+        self.cue = StepCue(CuePhase.WAITING, 0)
 
     @property
     def label(self) -> str:
@@ -123,7 +123,7 @@ class ScriptRun:
 
     @property
     def is_running(self) -> bool:
-        return self.cue.phase in (Phase.COUNTING, Phase.HOLDING)
+        return self.cue.phase in (CuePhase.COUNTING, CuePhase.HOLDING)
 
     @property
     def duration(self) -> float:
@@ -137,7 +137,7 @@ class ScriptRun:
 
     def cancel(self) -> None:
         """No further step."""
-        self.cue = Cue(Phase.DONE, self.cue.number)
+        self.cue = StepCue(CuePhase.DONE, self.cue.number)
 
     def tick(self, t: float, anew: bool = False) -> None:
         """Look at the clock, s."""
@@ -149,15 +149,15 @@ class ScriptRun:
             self._begun += 1
         self.cue = self._cue(since)
 
-    def _cue(self, since: float) -> Cue:
+    def _cue(self, since: float) -> StepCue:
         if since >= self._end:
-            return Cue(Phase.DONE, len(self.steps))
+            return StepCue(CuePhase.DONE, len(self.steps))
         holds = list(SCRIPT.values())
         number = next(k for k, s in enumerate(self._starts) if since < s + holds[k])
         left = self._starts[number] - since
         if left > 0:
-            return Cue(Phase.COUNTING, number, min(int(left / BEAT - 1e-9) + 1, BEATS))
-        return Cue(Phase.HOLDING, number, 0, -left / holds[number])
+            return StepCue(CuePhase.COUNTING, number, min(int(left / BEAT - 1e-9) + 1, BEATS))
+        return StepCue(CuePhase.HOLDING, number, 0, -left / holds[number])
 
     # --- what is shown
 

@@ -51,7 +51,7 @@ class HandFigures:
 
 
 @dataclass(frozen=True)
-class _Shown:
+class _TrialErrors:
     """Of one hand at instants t (n,) s: errors (n,) mm, NaN where lost, and whether tracked."""
 
     t: Array
@@ -82,7 +82,9 @@ def run_trial(
     ]
 
 
-def _figures(seed: int, side: str, both: _Shown, alone: _Shown, covered: _Shown) -> HandFigures:
+def _figures(
+    seed: int, side: str, both: _TrialErrors, alone: _TrialErrors, covered: _TrialErrors
+) -> HandFigures:
     known = np.isfinite(both.off_mm)
     common = known & np.isfinite(alone.off_mm) & np.isfinite(covered.off_mm)
     return HandFigures(
@@ -126,7 +128,7 @@ def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]
     return out
 
 
-def _by_itself(hand: Simulation, engine: str) -> _Shown:
+def _by_itself(hand: Simulation, engine: str) -> _TrialErrors:
     """Of a simulated hand whose blobs alone are seen."""
     pipeline, out = _make(hand, engine), []
     for message in hand.feed():
@@ -139,7 +141,7 @@ def _by_itself(hand: Simulation, engine: str) -> _Shown:
     return _shown(hand, out)
 
 
-def _shown(hand: Simulation, estimates: list[Estimate]) -> _Shown:
+def _shown(hand: Simulation, estimates: list[Estimate]) -> _TrialErrors:
     late = [e for e in estimates if e.t > SETTLED]
     names = hand.glove.keypoint_names(hand.hand)
     rows = [names.index(name) for name in MARKED_KEYPOINTS if name in names]
@@ -150,4 +152,4 @@ def _shown(hand: Simulation, estimates: list[Estimate]) -> _Shown:
         for e, true in zip(late, truths, strict=True)
     ]
     tracked = np.array([e.tracking == Tracking.TRACKING for e in late])
-    return _Shown(t, 1e3 * np.array(apart), tracked)
+    return _TrialErrors(t, 1e3 * np.array(apart), tracked)

@@ -45,7 +45,7 @@ class Plan:
 
 
 @dataclass(frozen=True)
-class Row:
+class ErrorRow:
     """RMS error (°) of both measured angles over whole motions, and its range over seeds."""
 
     condition: str
@@ -71,11 +71,13 @@ class FingerCase:
     side: tuple[str, ...]  # peers and variants, for the first seeds only
 
 
-def run(plan: Plan, finger: Finger, progress: Progress = lambda share, what: None) -> list[Row]:
+def run(
+    plan: Plan, finger: Finger, progress: Progress = lambda share, what: None
+) -> list[ErrorRow]:
     """Every case of the plan."""
     cases = list(_cases(plan))
     work = np.cumsum([c.t_m * c.rate_hz + 1 for c in cases])
-    rows: list[Row] = []
+    rows: list[ErrorRow] = []
     for case, done in zip(cases, work, strict=True):
         rows += run_case(case, plan, finger)
         progress(float(done / work[-1]), f"{case.condition.name} {case.series} {case.rate_hz:g} Hz")
@@ -94,7 +96,7 @@ def _cases(plan: Plan) -> Iterator[FingerCase]:
             yield FingerCase(condition, "both", plan.rates_hz[0], t_m, own, ())
 
 
-def run_case(case: FingerCase, plan: Plan, finger: Finger) -> list[Row]:
+def run_case(case: FingerCase, plan: Plan, finger: Finger) -> list[ErrorRow]:
     """One row per estimator; each sees the same readings of the same seeds."""
     motion = grasp(finger, case.t_m, case.rate_hz, case.condition)
     errors: dict[str, list[float]] = {}
@@ -124,13 +126,13 @@ def _seed(case: FingerCase, seed: int) -> tuple[int, ...]:
     return seed, SERIES.index(case.series), round(case.rate_hz), round(1e3 * case.t_m)
 
 
-def _row(case: FingerCase, name: str, values: list[float]) -> Row:
+def _row(case: FingerCase, name: str, values: list[float]) -> ErrorRow:
     pooled = float(np.sqrt(np.mean(np.square(values))))
     where = (case.condition.name, case.series, case.rate_hz, case.t_m)
-    return Row(*where, name, pooled, min(values), max(values), len(values))
+    return ErrorRow(*where, name, pooled, min(values), max(values), len(values))
 
 
-def crossover(rows: list[Row], series: str, rate_hz: float) -> float | None:
+def crossover(rows: list[ErrorRow], series: str, rate_hz: float) -> float | None:
     """t_m (s) from which gravity alone beats integration; None if there is none in the rows."""
     t_m, gravity = curve(rows, series, rate_hz, "gravity")
     gain = np.log(gravity / curve(rows, series, rate_hz, "integration")[1])
@@ -142,7 +144,7 @@ def crossover(rows: list[Row], series: str, rate_hz: float) -> float | None:
     return float(t_m[i] * (t_m[i + 1] / t_m[i]) ** share)
 
 
-def curve(rows: list[Row], series: str, rate_hz: float, name: str) -> tuple[Array, Array]:
+def curve(rows: list[ErrorRow], series: str, rate_hz: float, name: str) -> tuple[Array, Array]:
     """t_m and RMS error of one estimator with the plane vertical, by duration."""
     found = sorted(
         (r.t_m, r.rms_deg)

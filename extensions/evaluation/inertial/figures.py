@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from extensions.evaluation.inertial.errors import draw
 from extensions.evaluation.inertial.estimators import BETAS, ESTIMATORS
-from extensions.evaluation.inertial.experiment import Row
+from extensions.evaluation.inertial.experiment import ErrorRow
 from extensions.evaluation.inertial.motion import grasp
 from tracker.inertial.finger import Finger
 
@@ -20,7 +20,7 @@ _SIZE = (9.0, 6.5)
 _TITLES = {"white": "white noise", "offset": "zero offset", "both": "both errors"}
 
 
-def save_figures(rows: list[Row], finger: Finger, folder: Path, rate_hz: float) -> list[Path]:
+def save_figures(rows: list[ErrorRow], finger: Finger, folder: Path, rate_hz: float) -> list[Path]:
     """Every figure that the rows allow; returns the files."""
     folder.mkdir(parents=True, exist_ok=True)
     made = {f"trajectory_{rate_hz:g}Hz": trajectory(finger, rate_hz)}
@@ -63,7 +63,7 @@ def trajectory(finger: Finger, rate_hz: float, t_m: float = FIGURE_9_T_M) -> Fig
     return figure
 
 
-def rms(rows: list[Row], rate_hz: float) -> Figure:
+def rms(rows: list[ErrorRow], rate_hz: float) -> Figure:
     """Figure 10: RMS error over the duration of the motion, one panel per series."""
     series = [s for s in _TITLES if any(r.series == s for r in rows)]
     figure = Figure((2.0 + 4.5 * len(series), 5.0), layout="constrained")
@@ -78,7 +78,7 @@ def rms(rows: list[Row], rate_hz: float) -> Figure:
     return figure
 
 
-def beta(rows: list[Row], rate_hz: float) -> Figure:
+def beta(rows: list[ErrorRow], rate_hz: float) -> Figure:
     """β and the kinematic compensation: noise only on the left, both errors on the right."""
     figure = Figure(_SIZE, layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
@@ -99,7 +99,7 @@ def _is_variant(name: str) -> bool:
     return name.split("_")[-1] in {f"{b:g}" for b in BETAS}
 
 
-def _curve(ax: Axes, rows: list[Row], label: str, colour: int, style: str = "-") -> None:
+def _curve(ax: Axes, rows: list[ErrorRow], label: str, colour: int, style: str = "-") -> None:
     found = sorted(rows, key=lambda r: r.t_m)
     if not found:
         return

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from extensions.evaluation.inertial.broad import BroadRow
-from extensions.evaluation.inertial.experiment import Row, crossover, curve
+from extensions.evaluation.inertial.experiment import ErrorRow, crossover, curve
 from tracker.messages import Array
 
 RATE_HZ = 100.0  # the paper's own figures
@@ -25,24 +25,24 @@ class Goal:
     reached: bool
 
 
-def goals(rows: list[Row], broad: list[BroadRow], cost_us: dict[str, float]) -> list[Goal]:
+def goals(rows: list[ErrorRow], broad: list[BroadRow], cost_us: dict[str, float]) -> list[Goal]:
     """All goals that the rows can answer."""
     out = [*_crossing(rows), *_envelope(rows), *_ours(rows), *_beta(rows), *_compensation(rows)]
     return [*out, *_broad(broad), *_cost(cost_us)]
 
 
-def _has(rows: list[Row], series: str, rate_hz: float) -> bool:
+def _has(rows: list[ErrorRow], series: str, rate_hz: float) -> bool:
     return any(r.series == series and r.rate_hz == rate_hz for r in rows)
 
 
-def _crossing(rows: list[Row]) -> list[Goal]:
+def _crossing(rows: list[ErrorRow]) -> list[Goal]:
     t = crossover(rows, "both", RATE_HZ)
     if t is None:
         return []
     return [Goal("integration and gravity cross", "1.2 to 1.4 s", f"{t:.2f} s", 1.2 <= t <= 1.4)]
 
 
-def _envelope(rows: list[Row]) -> list[Goal]:
+def _envelope(rows: list[ErrorRow]) -> list[Goal]:
     if not _has(rows, "both", RATE_HZ):
         return []
     better = _best(rows, ("gravity", "integration"))
@@ -58,7 +58,7 @@ def _envelope(rows: list[Row]) -> list[Goal]:
     ]
 
 
-def _ours(rows: list[Row]) -> list[Goal]:
+def _ours(rows: list[ErrorRow]) -> list[Goal]:
     if not _has(rows, "both", RATE_HZ):
         return []
     t_m, ours = curve(rows, "both", RATE_HZ, "learned")
@@ -76,11 +76,11 @@ def _ours(rows: list[Row]) -> list[Goal]:
     ]
 
 
-def _best(rows: list[Row], names: tuple[str, ...]) -> Array:
+def _best(rows: list[ErrorRow], names: tuple[str, ...]) -> Array:
     return np.min([curve(rows, "both", RATE_HZ, n)[1] for n in names], axis=0)
 
 
-def _beta(rows: list[Row]) -> list[Goal]:
+def _beta(rows: list[ErrorRow]) -> list[Goal]:
     """Small β against large β at the shortest and at the longest motion."""
     if not _has(rows, "both", RATE_HZ):
         return []
@@ -96,7 +96,7 @@ def _beta(rows: list[Row]) -> list[Goal]:
     ]
 
 
-def _compensation(rows: list[Row]) -> list[Goal]:
+def _compensation(rows: list[ErrorRow]) -> list[Goal]:
     """Compensated over plain Madgwick, noise only, at the duration next to 1 s."""
     out = []
     for rate_hz, wanted in ((1000.0, 0.2), (100.0, None)):

@@ -11,7 +11,7 @@ from typing import Any
 from extensions.evaluation.inertial import broad as inertial_broad
 from extensions.evaluation.inertial import cost as inertial_cost
 from extensions.evaluation.inertial.estimators import ESTIMATORS
-from extensions.evaluation.inertial.experiment import Plan, Row, crossover, run
+from extensions.evaluation.inertial.experiment import ErrorRow, Plan, crossover, run
 from extensions.evaluation.inertial.goals import Goal, goals
 from extensions.evaluation.inertial.peers import available
 from tracker.base.files import check_folder_target
@@ -23,7 +23,7 @@ from tracker.inertial.finger import Finger
 class Report:
     """Everything that one evaluation found."""
 
-    rows: list[Row]
+    rows: list[ErrorRow]
     crossover_s: dict[str, float | None]
     cost_us: dict[str, float]
     cost_batch_us: dict[str, float]
@@ -99,7 +99,7 @@ def _text(report: Report, plan: Plan) -> str:
     return "\n".join([*lines, *_broad_lines(report), *_cost_lines(report), *_goal_lines(report)])
 
 
-def _table(rows: list[Row], columns: int = 8) -> list[str]:
+def _table(rows: list[ErrorRow], columns: int = 8) -> list[str]:
     """Estimators down, some of the durations across."""
     t_all = sorted({r.t_m for r in rows})
     step = max(1, -(-len(t_all) // columns))

@@ -15,7 +15,7 @@ from extensions.evaluation.inertial import goals as inertial_goals
 from extensions.evaluation.inertial.broad import BroadTrial, score
 from extensions.evaluation.inertial.commands import add_evaluate_inertial
 from extensions.evaluation.inertial.errors import MPU9250, draw
-from extensions.evaluation.inertial.experiment import Plan, Row, crossover, run
+from extensions.evaluation.inertial.experiment import ErrorRow, Plan, crossover, run
 from extensions.evaluation.inertial.motion import (
     CONDITIONS,
     DURATIONS,
@@ -81,8 +81,8 @@ def test_errors_are_the_data_sheets() -> None:
     assert MPU9250.accel_sd(400.0) == pytest.approx(2 * MPU9250.accel_sd(100.0))
 
 
-def _row(t_m: float, name: str, rms: float) -> Row:
-    return Row("vertical", "both", 100.0, t_m, name, rms, rms, rms, 1)
+def _row(t_m: float, name: str, rms: float) -> ErrorRow:
+    return ErrorRow("vertical", "both", 100.0, t_m, name, rms, rms, rms, 1)
 
 
 def test_the_crossing_of_known_power_laws_is_found() -> None:
@@ -95,18 +95,18 @@ def test_the_crossing_of_known_power_laws_is_found() -> None:
 
 
 @pytest.fixture(scope="module")
-def measured() -> list[Row]:
+def measured() -> list[ErrorRow]:
     short = tuple(t for t in DURATIONS[::2] if t < 12)
     return run(Plan((100.0,), 6, 1, short, ("both", "white"), with_peers=False), FINGER)
 
 
-def test_the_papers_crossing_and_our_goals_are_reached(measured: list[Row]) -> None:
+def test_the_papers_crossing_and_our_goals_are_reached(measured: list[ErrorRow]) -> None:
     found = inertial_goals.goals(measured, [], {})
     assert [g.what for g in found if not g.reached] == []
     assert len(found) >= 6
 
 
-def test_figures_of_the_paper_order_of_magnitude(measured: list[Row]) -> None:
+def test_figures_of_the_paper_order_of_magnitude(measured: list[ErrorRow]) -> None:
     """Closed forms: 5 °/s over t has RMS 5 t / √3; noise of 300 µg/√Hz over 50 Hz is 0.1215°."""
     vertical = [r for r in measured if r.condition == "vertical"]
     by = {(r.series, r.estimator, r.t_m): r.rms_deg for r in vertical}

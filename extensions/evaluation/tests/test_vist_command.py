@@ -21,7 +21,7 @@ from extensions.evaluation.vist.cases import (
 from extensions.evaluation.vist.command import cases_of
 from extensions.evaluation.vist.metrics import Trial, summarise
 from extensions.evaluation.vist.report import write_report
-from extensions.evaluation.vist.run import Progress, run_cases
+from extensions.evaluation.vist.run import ProgressBar, run_cases
 from extensions.evaluation.vist.scenes import motion_of, simulation_of
 from extensions.evaluation.vist.table import line_of, row_of
 from extensions.evaluation.vist.trial import meet_again, models, owners
@@ -159,7 +159,7 @@ class Terminal(io.StringIO):
 def test_the_bar_tells_what_is_left():
     now = iter([0.0, 30.0, 60.0])
     screen = Terminal()
-    bar = Progress(screen, clock=lambda: next(now))
+    bar = ProgressBar(screen, clock=lambda: next(now))
     for done in (0, 1, 2, 10):
         bar.show(done, 10)
     lines = screen.getvalue().split("\r")

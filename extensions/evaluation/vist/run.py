@@ -22,7 +22,7 @@ def run_cases(
     cases: Sequence[Case],
     participants: int,
     processes: int = 1,
-    progress: Progress | None = None,
+    progress: ProgressBar | None = None,
     kept: KeptTrials | None = None,
 ) -> list[list[Trial]]:
     """Trials of each case, by participant; the same for any number of processes.
@@ -32,7 +32,7 @@ def run_cases(
     """
     wanted = [(i, case, k) for i, case in enumerate(cases) for k in range(participants)]
     out, jobs = _done_before(wanted, len(cases), kept)
-    progress = progress or Progress()
+    progress = progress or ProgressBar()
     try:
         progress.show(0, len(jobs))
         for done, (i, trial) in enumerate(_results(jobs, processes), start=1):
@@ -88,7 +88,7 @@ def _run(job: Job) -> tuple[int, Trial]:
     return index, run_trial(case, participant)
 
 
-class Progress:
+class ProgressBar:
     """A bar on standard error where that is a terminal; silent elsewhere."""
 
     WIDTH = 30

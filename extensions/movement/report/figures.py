@@ -13,7 +13,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
-from extensions.movement.report.measure import Told
+from extensions.movement.report.measure import MeasuredTake
 from tracker.hand.names import CHAINS
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.edits import Mask
@@ -48,24 +48,24 @@ def png(figure: Figure) -> bytes:
     return out.getvalue()
 
 
-def flexion_names(told: Told) -> list[str]:
+def flexion_names(told: MeasuredTake) -> list[str]:
     """Flexions of fingers and thumb."""
     names = told.take.angle_names
     return [n for n in names if n.endswith("_flexion") and n.split("_")[0] in CHAINS]
 
 
-def all_figures(takes: Sequence[Told]) -> Iterator[tuple[str, Figure]]:
+def all_figures(takes: Sequence[MeasuredTake]) -> Iterator[tuple[str, Figure]]:
     """Each figure of a report with a name for its file."""
     for name, draw in _drawn(takes):
         yield name, draw()
 
 
-def figure_names(takes: Sequence[Told]) -> list[str]:
+def figure_names(takes: Sequence[MeasuredTake]) -> list[str]:
     """Names of `all_figures`, without drawing them."""
     return [name for name, _ in _drawn(takes)]
 
 
-def _drawn(takes: Sequence[Told]) -> Iterator[tuple[str, Callable[[], Figure]]]:
+def _drawn(takes: Sequence[MeasuredTake]) -> Iterator[tuple[str, Callable[[], Figure]]]:
     yield "ranges", partial(ranges, takes)
     for number, told in enumerate(takes, 1):
         yield f"{number}_flexion", partial(courses, told, flexion_names(told))
@@ -73,12 +73,12 @@ def _drawn(takes: Sequence[Told]) -> Iterator[tuple[str, Callable[[], Figure]]]:
             yield f"{number}_aperture", partial(apertures, told)
 
 
-def aperture_names(told: Told) -> list[str]:
+def aperture_names(told: MeasuredTake) -> list[str]:
     """Of the distances between the thumb's tip and the fingers'."""
     return [r.measure.name for r in told.rows if not r.measure.is_angle]
 
 
-def ranges(takes: Sequence[Told]) -> Figure:
+def ranges(takes: Sequence[MeasuredTake]) -> Figure:
     """From least to greatest of every recorded angle, takes beside each other; twice the claimed
     standard deviation at both ends."""
     names = [r.measure.name for r in takes[0].rows if r.measure.is_angle and not r.isb]
@@ -106,7 +106,7 @@ def ranges(takes: Sequence[Told]) -> Figure:
     return figure
 
 
-def courses(told: Told, names: Sequence[str]) -> Figure:
+def courses(told: MeasuredTake, names: Sequence[str]) -> Figure:
     """Angles (deg) over time, each in a row of its own, over what was inferred and lost."""
     take = told.take
     figure = Figure(figsize=(9, 0.6 + 1.05 * len(names)))
@@ -125,7 +125,7 @@ def courses(told: Told, names: Sequence[str]) -> Figure:
     return figure
 
 
-def apertures(told: Told) -> Figure:
+def apertures(told: MeasuredTake) -> Figure:
     """Distances (mm) between the thumb's tip and the fingers' over time, their greatest marked."""
     figure = Figure(figsize=(9, 2.6))
     axes = figure.add_subplot()

@@ -35,7 +35,7 @@ class Row:
 
 
 @dataclass(frozen=True, eq=False)
-class Told:
+class MeasuredTake:
     """A take with its rows. ``wearer`` empty where it is not known or not told; ``session``: which
     one of a report's sessions it is of, from 0."""
 
@@ -55,19 +55,19 @@ class Told:
         return next((r for r in self.rows if r.measure.name == name), None)
 
 
-def tell_hands(path: Path, anonymous: bool = False) -> list[Told]:
+def tell_hands(path: Path, anonymous: bool = False) -> list[MeasuredTake]:
     """`tell` of each hand that the session is of."""
     with SessionReader(path) as reader:
         sides = reader.sides or ("",)
     return [tell(path, anonymous, side) for side in sides]
 
 
-def tell(path: Path, anonymous: bool = False, side: str = "") -> Told:
+def tell(path: Path, anonymous: bool = False, side: str = "") -> MeasuredTake:
     """Of the hand of that side, in a session of both. Raises FileError where the session holds no
     estimates."""
     with SessionReader(path, side=side) as reader:
         take, info, edits = read_take(reader), reader.info, reader.edits
-    return Told(
+    return MeasuredTake(
         name="" if anonymous else f"{path.stem} {side}".strip(),
         wearer="" if anonymous else info.participant,
         side=info.side,

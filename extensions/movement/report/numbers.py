@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from extensions.movement.report.measure import Row, Told
+from extensions.movement.report.measure import MeasuredTake, Row
 from extensions.movement.report.table import scaled
 
 
-def as_json(takes: Sequence[Told]) -> dict[str, Any]:
+def as_json(takes: Sequence[MeasuredTake]) -> dict[str, Any]:
     """``hand`` by side of one session; of several ``sessions``, a list of such objects."""
     sessions: dict[int, dict[str, Any]] = {}
     for told in takes:
@@ -22,7 +22,7 @@ def as_json(takes: Sequence[Told]) -> dict[str, Any]:
     return {"sessions": list(sessions.values())}
 
 
-def _hand(told: Told) -> dict[str, Any]:
+def _hand(told: MeasuredTake) -> dict[str, Any]:
     recorded = [r for r in told.rows if r.measure.is_angle and not r.isb]
     isb = [r for r in told.rows if r.isb]
     apart = [r for r in told.rows if not r.measure.is_angle]

@@ -11,7 +11,7 @@ import numpy as np
 
 from extensions.movement.report.angles import RECORDED, SEQUENCE
 from extensions.movement.report.course import CUTOFF
-from extensions.movement.report.measure import Row, Told
+from extensions.movement.report.measure import MeasuredTake, Row
 from extensions.movement.report.table import scaled, table, text
 from tracker import __version__
 from tracker.session.edits import lines as edit_lines
@@ -36,7 +36,7 @@ _HEAD = (
 )  # fmt: skip
 
 
-def page(takes: Sequence[Told], drawn: Mapping[str, str]) -> str:
+def page(takes: Sequence[MeasuredTake], drawn: Mapping[str, str]) -> str:
     """The report of one take or several, as HTML; ``drawn``: `figures.all_figures` as SVG."""
     csv = base64.b64encode(table(takes).encode()).decode()
     link = f'<a download="report.csv" href="data:text/csv;base64,{csv}">all numbers as CSV</a>'
@@ -59,11 +59,11 @@ def page(takes: Sequence[Told], drawn: Mapping[str, str]) -> str:
     )
 
 
-def name_of(told: Told, number: int) -> str:
+def name_of(told: MeasuredTake, number: int) -> str:
     return told.name or f"take {number}"
 
 
-def _takes(takes: Sequence[Told]) -> str:
+def _takes(takes: Sequence[MeasuredTake]) -> str:
     rows = [
         [name_of(t, n), t.wearer, t.side, text(t.seconds, 1), f"{t.engine} {t.version}"]
         + ["simulated" if t.simulated else "recorded"]
@@ -72,7 +72,7 @@ def _takes(takes: Sequence[Told]) -> str:
     return _table(("take", "wearer", "hand", "s", "tracked by", ""), rows)
 
 
-def _one(told: Told, number: int, drawn: Mapping[str, str]) -> list[str]:
+def _one(told: MeasuredTake, number: int, drawn: Mapping[str, str]) -> list[str]:
     recorded = [r for r in told.rows if r.measure.is_angle and not r.isb]
     isb = [r for r in told.rows if r.isb]
     apart = [r for r in told.rows if not r.measure.is_angle]
@@ -117,7 +117,7 @@ def _cells(row: Row) -> list[str]:
     ]
 
 
-def _compared(takes: Sequence[Told]) -> str:
+def _compared(takes: Sequence[MeasuredTake]) -> str:
     """Ranges of the takes beside each other, and how they spread."""
     head = ["range", *(name_of(t, n) for n, t in enumerate(takes, 1)), "mean", "sd"]
     rows = []
@@ -131,9 +131,9 @@ def _compared(takes: Sequence[Told]) -> str:
     return "<h2>Takes compared</h2>" + _table(head, rows)
 
 
-def _wearers(takes: Sequence[Told]) -> str:
+def _wearers(takes: Sequence[MeasuredTake]) -> str:
     """Mean range ± sd of each wearer, where there are several."""
-    of: dict[str, list[Told]] = defaultdict(list)
+    of: dict[str, list[MeasuredTake]] = defaultdict(list)
     for told in takes:
         of[told.wearer].append(told)
     if len(of) < 2 or "" in of:

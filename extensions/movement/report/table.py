@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from extensions.movement.report.angles import RECORDED, SEQUENCE
-from extensions.movement.report.measure import Row, Told
+from extensions.movement.report.measure import MeasuredTake, Row
 from tracker.session.motion import Units
 
 COLUMNS = (
@@ -22,7 +22,7 @@ COLUMNS = (
 _UNITS = Units()
 
 
-def table(takes: Sequence[Told]) -> str:
+def table(takes: Sequence[MeasuredTake]) -> str:
     """Angles in degrees, distances in mm; empty where nothing is known."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from extensions.movement.report.measure import Told, tell_hands
+from extensions.movement.report.measure import MeasuredTake, tell_hands
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
 
@@ -19,7 +19,7 @@ def write_report(
     anonymous: bool = False,
     force: bool = False,
     watch: Callable[[float], None] = lambda share: None,
-) -> list[Told]:
+) -> list[MeasuredTake]:
     """``out`` (HTML), a CSV of the same name and each figure as ``NAME_ranges.png`` and ``.svg``,
     ``NAME_1_flexion.png``…; all whole or none.
 

@@ -47,7 +47,7 @@ def table_lines() -> tuple[Array, Array]:
     return np.concatenate([across, along]), np.full(2 * len(at), TABLE_STRENGTH)
 
 
-class Draped(NamedTuple):
+class DrapedRobot(NamedTuple):
     """points, normals (V, 3) in the robot's world, looks (V, 7) as the 3D view has them."""
 
     points: Array
@@ -85,7 +85,7 @@ class RobotView:
         now = self._now
         return 1e3 * now[2] if now is not None else float("nan")
 
-    def draped(self) -> Draped | None:
+    def draped(self) -> DrapedRobot | None:
         """None before there is anything to be seen."""
         now = self._now
         if now is None:
@@ -95,7 +95,7 @@ class RobotView:
         R = placed.R[shape.body]
         points = np.einsum("vij,vj->vi", R, shape.points) + placed.p[shape.body]
         normals = np.einsum("vij,vj->vi", R, shape.normals)
-        return Draped(points, normals, self._looks(state))
+        return DrapedRobot(points, normals, self._looks(state))
 
     def _looks(self, state: RobotState) -> Array:
         """Fingertips take the colour of touch the more they press."""

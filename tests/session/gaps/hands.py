@@ -9,7 +9,7 @@ import numpy as np
 from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.session.description import SessionInfo
-from tracker.session.gaps.interpolate import Motion, Skeleton
+from tracker.session.gaps.interpolate import RecordedMotion, SessionSkeleton
 
 RATE, ROWS = 100.0, 101  # Hz
 SPEED, TURN, BEND = np.array([0.2, -0.1, 0.3]), np.array([0.4, 0.9, -0.6]), 0.8  # m/s, rad/s
@@ -20,8 +20,8 @@ class Swing:
     """``motion`` of a hand of ``info``."""
 
     info: SessionInfo
-    skeleton: Skeleton
-    motion: Motion
+    skeleton: SessionSkeleton
+    motion: RecordedMotion
 
     @property
     def all_points(self) -> list[int]:
@@ -45,5 +45,5 @@ def made(info: SessionInfo, phase: object) -> Swing:
         points.append(glove.keypoint_positions(hand, R, p))
         turns.append(so3.quat_from_matrix(R[glove.keypoint_segments(hand)]))
         angles.append(bent)
-    motion = Motion(t, np.array(points), np.array(turns), np.array(angles))
-    return Swing(info, Skeleton(info), motion)
+    motion = RecordedMotion(t, np.array(points), np.array(turns), np.array(angles))
+    return Swing(info, SessionSkeleton(info), motion)

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from tests.session.gaps.hands import Swing
-from tracker.session.gaps.interpolate import Motion, Skeleton, fill_motion
+from tracker.session.gaps.interpolate import RecordedMotion, SessionSkeleton, fill_motion
 from tracker.session.gaps.methods import CUBIC, LINEAR
 
 GAP = (40, 61)
@@ -18,9 +18,9 @@ def filled(
     swing: Swing,
     method: str,
     columns: list[int],
-    shape: Motion | None = None,
+    shape: RecordedMotion | None = None,
     gap: tuple[int, int] = GAP,
-) -> Motion:
+) -> RecordedMotion:
     motion, rows = swing.motion.copy(), slice(gap[0] + 1, gap[1])
     motion.keypoints[rows, columns] = np.nan
     motion.q[rows, columns] = np.nan
@@ -115,7 +115,7 @@ def test_a_gap_without_an_end_stays(swing: Swing) -> None:
 
 
 def test_the_skeleton_has_an_origin_for_each_segment(swing: Swing) -> None:
-    skeleton: Skeleton = swing.skeleton
+    skeleton: SessionSkeleton = swing.skeleton
     names = [skeleton.names[k] for k in skeleton.origin]
     assert names[skeleton.hand.root] == "wrist"
     assert len(set(names)) == len(skeleton.hand.segments)

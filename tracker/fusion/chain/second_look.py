@@ -23,7 +23,7 @@ FITTED = 2  # corrections of a copy before it is judged
 CLOSER = 0.8  # markers, of support by stereo points, for a posture that finds as many as before
 
 
-class Fit(NamedTuple):
+class ImageFit(NamedTuple):
     """A state that an image has corrected, and what the image shows of it."""
 
     state: ChainState
@@ -142,7 +142,7 @@ class SecondLook:
         self._filter.move(moved)
         return Recognised(self._recognition.look(moved, image).prediction, there.found.match)
 
-    def _support(self, image: SeenImage, pairs: StereoMatches, fit: Fit, digit: int) -> float:
+    def _support(self, image: SeenImage, pairs: StereoMatches, fit: ImageFit, digit: int) -> float:
         """Markers of a digit that stereo points support."""
         points = self._recognition.free_points(image, pairs, fit.found, digit)
         return self._digits.support(fit.state, digit, points)
@@ -152,10 +152,10 @@ class SecondLook:
         there = self._fit(image, state).found
         return there, self._recognition.evidence(image, there)
 
-    def _fit(self, image: SeenImage, state: ChainState) -> Fit:
+    def _fit(self, image: SeenImage, state: ChainState) -> ImageFit:
         """A copy of ``state`` that the image has corrected, and what it shows of it."""
         trial = state
         for _ in range(FITTED):
             there = self._recognition.look(trial, image)
             trial = self._filter.corrected(self._recognition.rows(trial, image, there), trial)
-        return Fit(trial, self._recognition.look(trial, image))
+        return ImageFit(trial, self._recognition.look(trial, image))

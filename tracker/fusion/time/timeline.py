@@ -90,7 +90,7 @@ class Filter(Protocol[S]):
 
 @record("timeline.ahead")
 @dataclass(eq=False)
-class Ahead:
+class ImagesWithoutPackets:
     """What a filter knew before it used images without packets, and these images."""
 
     filter: Any  # its `Filter.kept`
@@ -110,7 +110,7 @@ class TimelineKept(Generic[S]):
     results: list[FrameResult]
     packets: list[ImuSample]
     health: ImuHealthKept
-    ahead: Ahead | None = None
+    ahead: ImagesWithoutPackets | None = None
     reported: float = -np.inf  # s of the newest image that has a result
 
 
@@ -129,7 +129,7 @@ class Timeline(Generic[S]):
         self._waiting: list[BlobFrame] = []
         self._results: list[FrameResult] = []
         self._last_frame = self._reported = -np.inf
-        self._ahead: Ahead | None = None
+        self._ahead: ImagesWithoutPackets | None = None
 
     # ---- messages
 
@@ -215,7 +215,7 @@ class Timeline(Generic[S]):
         if self._buffer.covers(frame.t) or self._searching:
             return
         if self._ahead is None:
-            self._ahead = Ahead(copy.deepcopy(self._filter.kept), self._last_frame)
+            self._ahead = ImagesWithoutPackets(copy.deepcopy(self._filter.kept), self._last_frame)
         self._ahead.frames.append(frame)
         if frame.t - self._ahead.frames[0].t > LONGEST_AHEAD:
             self._ahead = None

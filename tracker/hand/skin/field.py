@@ -78,7 +78,7 @@ def distance(form: HandForm, x: Array) -> Array:
     )
 
 
-class Surface:
+class BlendedSurface:
     """The blended surface, pulled so that it passes through ``points`` (M, 3)."""
 
     def __init__(self, form: HandForm, points: Array) -> None:

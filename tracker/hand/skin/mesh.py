@@ -8,7 +8,7 @@ import numpy as np
 
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS
-from tracker.hand.skin.field import Surface
+from tracker.hand.skin.field import BlendedSurface
 from tracker.hand.skin.form import HandForm, hand_form
 from tracker.hand.skin.polygons import is_closed, surface_net
 from tracker.hand.skin.weights import bone_weights
@@ -59,7 +59,7 @@ class SkinMaker:
     def __init__(self, hand: HandModel, fixed: tuple[IntArray, Array] | None = None) -> None:
         self._hand, self._form = hand, hand_form(hand)
         points = np.empty((0, 3)) if fixed is None else self.in_bind_pose(*fixed)
-        self._surface = Surface(self._form, points)
+        self._surface = BlendedSurface(self._form, points)
 
     def in_bind_pose(self, segment: IntArray, points: Array) -> Array:
         """(M, 3) m in the root's B, of points (M, 3) in the B of segments (M,)."""

@@ -19,7 +19,7 @@ import numpy as np
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
 from tracker.messages import Array
-from tracker.offline.imports.samples import MOST, Samples
+from tracker.offline.imports.samples import MOST, ImportedSamples
 
 _ACC, _GYR = ("acc", "imu_acc"), ("gyr", "imu_gyr")
 _MOST_BYTES = 400_000_000
@@ -31,7 +31,7 @@ _PIECE = 1_000_000
 _RATES = ("sampling_rate", "rate", "fs")
 
 
-def read_matlab(path: Path, imu: str) -> Samples:
+def read_matlab(path: Path, imu: str) -> ImportedSamples:
     """``imu``: the name of one that has none. Raises FileError for what is no such file."""
     found = _loaded(path)
     parts = {imu: found} | {n: vars(v) for n, v in found.items() if hasattr(v, "_fieldnames")}
@@ -43,7 +43,7 @@ def read_matlab(path: Path, imu: str) -> Samples:
         raise FileError(f"The IMUs in {path} have no samples, too many, or not the same number.")
     t = _time(found, lengths.pop(), path)
     acc, gyr = (np.stack([pair[k] for pair in pairs.values()], axis=1) for k in (0, 1))
-    return Samples(tuple(pairs), t, acc, gyr)
+    return ImportedSamples(tuple(pairs), t, acc, gyr)
 
 
 def _loaded(path: Path) -> dict[str, Any]:

@@ -13,9 +13,9 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target
 from tracker.glove import library
 from tracker.offline.imports.matlab import read_matlab
-from tracker.offline.imports.samples import Samples, doubts, in_order
+from tracker.offline.imports.samples import ImportedSamples, doubts, in_order
 from tracker.offline.imports.table import read_table
-from tracker.offline.imports.together import Packets, chosen, together
+from tracker.offline.imports.together import ImportedPackets, chosen, together
 from tracker.session.description import describe
 from tracker.session.writer import new_session
 
@@ -77,7 +77,7 @@ def _files(source: Path) -> list[Path]:
     return found
 
 
-def _read(path: Path) -> Samples:
+def _read(path: Path) -> ImportedSamples:
     """By its ending; an IMU that has no name is named as its file, or as the folder of it."""
     own = path.parent.name if path.name == FOLDERS_FILE else path.stem
     if path.suffix.lower() == ".mat":
@@ -87,13 +87,13 @@ def _read(path: Path) -> Samples:
     raise FileError(f"{path} is neither .csv nor .mat.")
 
 
-def _began(path: Path, packets: Packets) -> int:
+def _began(path: Path, packets: ImportedPackets) -> int:
     """Where the file tells no time of day, its last change is taken for its end."""
     return path.stat().st_mtime_ns - round(float(packets.t[-1] - packets.t[0]) * NS)
 
 
 def _report(
-    packets: Packets, wanted: dict[str, str], files: list[Samples], left_out: int
+    packets: ImportedPackets, wanted: dict[str, str], files: list[ImportedSamples], left_out: int
 ) -> dict[str, Any]:
     used = [f for f in files if set(f.names) & set(wanted.values())]
     return {

@@ -33,7 +33,7 @@ class Clocks(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Samples:
+class ImportedSamples:
     """Of one file: names (n), t (N,) s, accel m/s² and gyro rad/s (N, n, 3), NaN where missing.
 
     ``began_ns`` is the instant of t = 0 since 1970 where the file tells it.
@@ -51,7 +51,7 @@ class Samples:
         """Samples per second: the inverse of the median step; NaN of fewer than two."""
         return 1.0 / float(np.median(np.diff(self.t))) if len(self.t) > 1 else float("nan")
 
-    def rows(self, rows: IntArray) -> Samples:
+    def rows(self, rows: IntArray) -> ImportedSamples:
         """Some of the samples."""
         c = self.clocks
         kept = None if c is None else Clocks(c.arrival[rows], c.device[rows], c.seq[rows])
@@ -60,7 +60,7 @@ class Samples:
         )
 
 
-def in_order(samples: Samples, name: str) -> tuple[Samples, int]:
+def in_order(samples: ImportedSamples, name: str) -> tuple[ImportedSamples, int]:
     """Rising in time, and how many samples had to go for it. FileError without two."""
     known = np.flatnonzero(np.isfinite(samples.t) & (np.abs(samples.t) < LATEST))
     if len(known):
@@ -72,7 +72,7 @@ def in_order(samples: Samples, name: str) -> tuple[Samples, int]:
     return samples.rows(rows[rising]), len(samples.t) - int(rising.sum())
 
 
-def doubts(samples: Samples, wanted: set[str]) -> list[str]:
+def doubts(samples: ImportedSamples, wanted: set[str]) -> list[str]:
     """Sentences on the IMUs ``wanted`` whose numbers can hardly be m/s²."""
     out = []
     for k, name in enumerate(samples.names):

@@ -19,7 +19,14 @@ import numpy as np
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
 from tracker.messages import Array, IntArray
-from tracker.offline.imports.samples import GRAVITY, LATEST, MOST, SINCE_1970, Clocks, Samples
+from tracker.offline.imports.samples import (
+    GRAVITY,
+    LATEST,
+    MOST,
+    SINCE_1970,
+    Clocks,
+    ImportedSamples,
+)
 
 _DEG = np.pi / 180
 _UNITS = {
@@ -50,7 +57,7 @@ class _Column(NamedTuple):
     factor: float
 
 
-def read_table(path: Path, imu: str) -> Samples:
+def read_table(path: Path, imu: str) -> ImportedSamples:
     """``imu``: the name of one that the header does not name.
 
     Raises FileError, naming the line, for what is no such table.
@@ -161,7 +168,7 @@ def _whole(cell: str) -> int:
     return number if number < 2**63 else -1
 
 
-def _samples(path: Path, columns: list[_Column | None], table: _Table) -> Samples:
+def _samples(path: Path, columns: list[_Column | None], table: _Table) -> ImportedSamples:
     clocks = {c.what: k for k, c in enumerate(columns) if c is not None and not c.imu}
     if "time" not in clocks:
         raise FileError(f"{path} has no column of time with its unit, as 'Time (s)'.")
@@ -172,7 +179,7 @@ def _samples(path: Path, columns: list[_Column | None], table: _Table) -> Sample
         motion = _motion(columns, names, table)
         began, t = _seconds(table, clocks["time"], columns, path)
         more = _clocks(table, clocks, columns, began)
-    return Samples(names, t, motion[0], motion[1], began, more)
+    return ImportedSamples(names, t, motion[0], motion[1], began, more)
 
 
 def _motion(columns: list[_Column | None], names: tuple[str, ...], table: _Table) -> Array:

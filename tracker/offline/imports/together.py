@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Array, ImuSample
-from tracker.offline.imports.samples import MOST, Clocks, Samples
+from tracker.offline.imports.samples import MOST, Clocks, ImportedSamples
 
 GAP = 0.05
 """s between two samples, beyond which nothing is put between them."""
@@ -21,7 +21,7 @@ FASTEST = 1.5
 """Times `RATE` up to which a recording is left as it is."""
 
 
-class Packets(NamedTuple):
+class ImportedPackets(NamedTuple):
     """t (N,) s from ``began_ns`` since 1970 (None: unknown), accel m/s² and gyro rad/s (N, n, 3) of
     the glove's n IMUs, NaN where there is none; ``clocks`` where one file of ours tells them."""
 
@@ -67,7 +67,9 @@ def chosen(names: Sequence[str], imus: Sequence[str], asked: dict[str, str]) -> 
     return same
 
 
-def together(files: Sequence[Samples], imus: Sequence[str], wanted: dict[str, str]) -> Packets:
+def together(
+    files: Sequence[ImportedSamples], imus: Sequence[str], wanted: dict[str, str]
+) -> ImportedPackets:
     """Raises FileError where the files have no time in common, or only some tell the calendar's."""
     told = {f.began_ns is not None for f in files}
     if len(told) > 1:
@@ -93,7 +95,7 @@ def together(files: Sequence[Samples], imus: Sequence[str], wanted: dict[str, st
             motion[what, :, imus.index(imu)] = at_instants(shifted[k], values, t)
     alone = len(used) == 1 and not fast and len(t) == len(files[main].t)
     first_ns = None if began is None else began + nanoseconds(float(t[0]))
-    return Packets(t, motion[0], motion[1], first_ns, files[main].clocks if alone else None)
+    return ImportedPackets(t, motion[0], motion[1], first_ns, files[main].clocks if alone else None)
 
 
 def at_instants(t_old: Array, values: Array, t: Array) -> Array:

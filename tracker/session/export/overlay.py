@@ -18,7 +18,7 @@ from tracker.session.export.film import NO_FFMPEG, PLAIN, Film, open_film
 from tracker.session.export.load import load_series
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text
-from tracker.session.export.views import View, side_by_side, views_of
+from tracker.session.export.views import FilmView, side_by_side, views_of
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.reader import SessionReader
 
@@ -93,7 +93,7 @@ class Overlay:
                 yield stamp, row, frame
             count += 1
 
-    def _drawn(self, frame: StereoFrame, row: int, views: Sequence[View]) -> Image | None:
+    def _drawn(self, frame: StereoFrame, row: int, views: Sequence[FilmView]) -> Image | None:
         """All views of an instant; None without the first one's image."""
         return side_by_side([view.draw(frame, row) for view in views])
 

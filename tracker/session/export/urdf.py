@@ -24,8 +24,8 @@ from tracker.session.export.load import load_series
 from tracker.session.export.options import TRAJECTORY, ExportOptions
 from tracker.session.export.series import EstimateSeries, series_of
 from tracker.session.export.urdf_joints import (
-    Axis,
     LinkAxes,
+    UrdfAxis,
     hand_axes,
     write_trajectory,
 )
@@ -78,7 +78,7 @@ def robot_description(info: SessionInfo) -> str:
     return ET.tostring(robot, "unicode", xml_declaration=True) + "\n"
 
 
-def _links(robot: ET.Element, m: EstimateSeries, scale: Array) -> list[Axis]:
+def _links(robot: ET.Element, m: EstimateSeries, scale: Array) -> list[UrdfAxis]:
     """All links and joints; returns the joints that move."""
     hand = m.info.hand
     origins = np.array(
@@ -169,7 +169,7 @@ def _chain(
     the turns; links between them are bare."""
     parent, child = names
     xyz, rest = _numbers(place[0]), _numbers(Rotation.from_matrix(place[1]).as_euler("xyz"))
-    steps: list[Axis | None] = [*axes.shifts, *axes.turns]
+    steps: list[UrdfAxis | None] = [*axes.shifts, *axes.turns]
     if not axes.turns and (rest != _NOUGHT or not steps):
         steps.append(None)  # no axis: what is left of place and rest
     for k, axis in enumerate(steps):
@@ -196,7 +196,7 @@ def _joint(
     return element
 
 
-def _moves(joint: ET.Element, axis: Axis) -> None:
+def _moves(joint: ET.Element, axis: UrdfAxis) -> None:
     """Its axis, and limits that what was tracked keeps."""
     ET.SubElement(joint, "axis", xyz=_VECTOR[axis.letter])
     rates = {"effort": _STRONGEST, "velocity": _FASTEST}

@@ -28,7 +28,7 @@ REACH = 10.0
 _LETTERS = "xyz"
 
 
-class Axis(NamedTuple):
+class UrdfAxis(NamedTuple):
     """A joint of one degree of freedom: ``kind`` of URDF, ``letter`` of its axis, values (N,) m or
     rad, ``limits`` that hold beside what was tracked."""
 
@@ -42,8 +42,8 @@ class Axis(NamedTuple):
 class LinkAxes(NamedTuple):
     """From a parent to a link: shifts in the parent's axes, then rotations one after the other."""
 
-    shifts: tuple[Axis, ...] = ()
-    turns: tuple[Axis, ...] = ()
+    shifts: tuple[UrdfAxis, ...] = ()
+    turns: tuple[UrdfAxis, ...] = ()
 
 
 class HandAxes(NamedTuple):
@@ -52,7 +52,7 @@ class HandAxes(NamedTuple):
     segments: tuple[LinkAxes, ...]
     keypoints: tuple[LinkAxes, ...]
 
-    def joints(self) -> list[Axis]:
+    def joints(self) -> list[UrdfAxis]:
         """All of them, from the root outward."""
         links = (*self.segments, *self.keypoints)
         return [axis for link in links for axis in (*link.shifts, *link.turns)]
@@ -80,10 +80,12 @@ def _root(m: EstimateSeries, i: int) -> LinkAxes:
         turns[known] = np.unwrap(euler, axis=0)
     return LinkAxes(
         tuple(
-            Axis(f"{name}_{c}", "prismatic", c, p[:, k], (-REACH, REACH))
+            UrdfAxis(f"{name}_{c}", "prismatic", c, p[:, k], (-REACH, REACH))
             for k, c in enumerate(_LETTERS)
         ),
-        tuple(Axis(f"{name}_turn_{c}", "continuous", c, turns[:, k]) for k, c in enumerate("zyx")),
+        tuple(
+            UrdfAxis(f"{name}_turn_{c}", "continuous", c, turns[:, k]) for k, c in enumerate("zyx")
+        ),
     )
 
 
@@ -99,7 +101,7 @@ def _joint(m: EstimateSeries, motion: JointMotion, i: int, origin: Array) -> Lin
             angles[:, k] = _angle(m, i, k, turn)
             name_of = f"{joint.name}_{axis}"
             limits = joint.limits[axis]
-            turns.append(Axis(name_of, "revolute", "zyx"[k], angles[:, k], limits))
+            turns.append(UrdfAxis(name_of, "revolute", "zyx"[k], angles[:, k], limits))
     return LinkAxes(shifts, (*turns, *_leans(name, turn, angles)))
 
 
@@ -111,7 +113,7 @@ def _angle(m: EstimateSeries, i: int, k: int, turn: Array) -> Array:
     return np.where(known & ~np.isfinite(angle), 0.0, np.where(known, angle, np.nan))
 
 
-def _leans(name: str, turn: Array, angles: Array) -> tuple[Axis, ...]:
+def _leans(name: str, turn: Array, angles: Array) -> tuple[UrdfAxis, ...]:
     """Joints for what the angles (N, 3) leave of the rotations (N, 3, 3)."""
     left = np.full((len(turn), 3), np.nan)
     known = np.isfinite(turn).all(axis=(1, 2)) & np.isfinite(angles).all(axis=1)
@@ -120,7 +122,9 @@ def _leans(name: str, turn: Array, angles: Array) -> tuple[Axis, ...]:
         left[known] = (said.inv() * Rotation.from_matrix(turn[known])).as_euler("ZYX")
     used = _used(left, STILL)
     return tuple(
-        Axis(f"{name}_lean_{c}", "revolute", c, left[:, k]) for k, c in enumerate("zyx") if used[k]
+        UrdfAxis(f"{name}_lean_{c}", "revolute", c, left[:, k])
+        for k, c in enumerate("zyx")
+        if used[k]
     )
 
 
@@ -136,10 +140,12 @@ def _keypoints(m: EstimateSeries, tips: Array) -> list[LinkAxes]:
     return out
 
 
-def _shifts(name: str, away: Array) -> tuple[Axis, ...]:
+def _shifts(name: str, away: Array) -> tuple[UrdfAxis, ...]:
     used = _used(away, STILL_M)
     return tuple(
-        Axis(f"{name}_{c}", "prismatic", c, away[:, k]) for k, c in enumerate(_LETTERS) if used[k]
+        UrdfAxis(f"{name}_{c}", "prismatic", c, away[:, k])
+        for k, c in enumerate(_LETTERS)
+        if used[k]
     )
 
 
@@ -148,7 +154,7 @@ def _used(values: Array, least: float) -> list[bool]:
     return [bool(v) for v in np.abs(np.nan_to_num(values)).max(axis=0, initial=0.0) > least]
 
 
-def write_trajectory(path: Path, m: EstimateSeries, axes: list[Axis]) -> None:
+def write_trajectory(path: Path, m: EstimateSeries, axes: list[UrdfAxis]) -> None:
     """A row of values, m and rad, for each row of the CSV; empty where lost."""
     with path.open("w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")

@@ -33,7 +33,7 @@ _LOW_DEG, _HIGH_DEG = -30.0, 120.0
 _FONT = cv2.FONT_HERSHEY_SIMPLEX
 
 
-class View(Protocol):
+class FilmView(Protocol):
     """Draws a row of the motion with the images of its instant; None where there is no image."""
 
     def draw(self, frame: StereoFrame, row: int) -> Image | None: ...
@@ -41,10 +41,10 @@ class View(Protocol):
 
 def views_of(
     names: Sequence[str], reader: SessionReader, m: EstimateSeries, rig: StereoRig
-) -> list[View]:
+) -> list[FilmView]:
     """Of `options.VIEWS`; what has no camera's size takes the rig's."""
     size = rig.left.width, rig.left.height
-    made: dict[str, View] = {}
+    made: dict[str, FilmView] = {}
     for name in names:
         if name in ("left", "right"):
             made[name] = CameraView(m, rig, right=name == "right")

@@ -16,8 +16,8 @@ from tracker.session.gaps.find import HOLE, INFERRED, LOST, Gap
 from tracker.session.gaps.interpolate import (
     SPEED_OVER,
     Mask,
-    Motion,
-    Skeleton,
+    RecordedMotion,
+    SessionSkeleton,
     fill_motion,
 )
 from tracker.session.gaps.merge import merged
@@ -108,11 +108,11 @@ class _HandWork:
         self, reader: SessionReader, hand: HandColumns, method: str, shape: HandColumns | None
     ) -> None:
         self._reader, self._hand, self._method, self._shape = reader, hand, method, shape
-        self._of = Skeleton(reader.info)
+        self._of = SessionSkeleton(reader.info)
         self._names = reader.info.keypoint_names
         self._t = (hand.stamp_ns - hand.stamp_ns[0]) / NS
         self._step_ns = int(np.median(np.diff(hand.stamp_ns))) if len(hand.stamp_ns) > 1 else NS
-        motion = Motion(self._t, hand.keypoints, hand.q, hand.angles)
+        motion = RecordedMotion(self._t, hand.keypoints, hand.q, hand.angles)
         course = None if shape is None else _sampled(shape, hand.stamp_ns)
         self._spread = Spread(motion, hand.state != Validity.LOST, self._of, method, course)
 
@@ -181,7 +181,7 @@ class _HandWork:
         order = np.argsort(stamp, kind="stable")
         return _Grid(stamp[order], row[order])
 
-    def _motion(self, grid: _Grid) -> tuple[Motion, IntArray, IntArray]:
+    def _motion(self, grid: _Grid) -> tuple[RecordedMotion, IntArray, IntArray]:
         """The hand on a grid, and the states of keypoints and angles; new rows are lost."""
         hand, new = self._hand, grid.row < 0
         parts = [v[grid.row].astype(float) for v in (hand.keypoints, hand.q, hand.angles)]
@@ -191,7 +191,7 @@ class _HandWork:
         for values in states:
             values[new] = Validity.LOST
         t = (grid.stamp_ns - hand.stamp_ns[0]) / NS
-        return Motion(t, *parts), states[0], states[1]
+        return RecordedMotion(t, *parts), states[0], states[1]
 
     def _record(self, gap: Gap, rows: tuple[int, int], found: _Found, out: HandFill) -> bool:
         """Note what was filled of a gap; False where nothing was."""
@@ -281,7 +281,7 @@ class _Found(NamedTuple):
     """A span after filling: ``points`` (n, K) and ``angles`` (n, J) were filled."""
 
     grid: _Grid
-    motion: Motion
+    motion: RecordedMotion
     states: IntArray
     angle_states: IntArray
     points: Mask
@@ -312,7 +312,7 @@ def _nothing(reader: SessionReader, t: float) -> Estimate:
     )
 
 
-def _sampled(hand: HandColumns, stamp_ns: IntArray) -> Motion:
+def _sampled(hand: HandColumns, stamp_ns: IntArray) -> RecordedMotion:
     """Another tracking at the stamps (n,): on lines between its estimates, NaN where it is lost or
     has a hole."""
     own = hand.rows(np.flatnonzero(np.diff(hand.stamp_ns, prepend=hand.stamp_ns[0] - 1) > 0))
@@ -332,4 +332,4 @@ def _sampled(hand: HandColumns, stamp_ns: IntArray) -> Motion:
         mixed[~known] = np.nan
         parts.append(mixed)
     q = parts[1] / np.linalg.norm(parts[1], axis=-1, keepdims=True)
-    return Motion((stamp_ns - own.stamp_ns[0]) / NS, parts[0], q, parts[2])
+    return RecordedMotion((stamp_ns - own.stamp_ns[0]) / NS, parts[0], q, parts[2])

@@ -28,7 +28,7 @@ Rows = tuple[int, int]
 
 
 @dataclass(eq=False)
-class Motion:
+class RecordedMotion:
     """A hand at the rising times t (N,) s: keypoints (N, K, 3) m, q (N, K, 4) xyzw of the segment
     of each, angles (N, J) rad; NaN where not known."""
 
@@ -37,13 +37,13 @@ class Motion:
     q: Array
     angles: Array
 
-    def copy(self) -> Motion:
+    def copy(self) -> RecordedMotion:
         """One that can be changed."""
-        return Motion(self.t, self.keypoints.copy(), self.q.copy(), self.angles.copy())
+        return RecordedMotion(self.t, self.keypoints.copy(), self.q.copy(), self.angles.copy())
 
-    def part(self, rows: slice | IntArray) -> Motion:
+    def part(self, rows: slice | IntArray) -> RecordedMotion:
         """Some of the rows, as a copy."""
-        return Motion(
+        return RecordedMotion(
             self.t[rows].copy(),
             self.keypoints[rows].copy(),
             self.q[rows].copy(),
@@ -51,7 +51,7 @@ class Motion:
         )
 
 
-class Skeleton:
+class SessionSkeleton:
     """Which keypoints and angles belong to which segment of a session's hand."""
 
     def __init__(self, info: SessionInfo) -> None:
@@ -84,12 +84,12 @@ class Skeleton:
 
 
 def fill_motion(
-    motion: Motion,
-    skeleton: Skeleton,
+    motion: RecordedMotion,
+    skeleton: SessionSkeleton,
     missing: Mapping[int, Sequence[Rows]],
     free_angles: Mask,
     method: str = LINEAR,
-    shape: Motion | None = None,
+    shape: RecordedMotion | None = None,
 ) -> tuple[Mask, Mask]:
     """Fill ``motion`` in place, strictly between the rows given for each column of a keypoint.
     Returns which keypoints (N, K) and which angles (N, J) were filled.
@@ -111,11 +111,11 @@ def fill_motion(
 class _Filler:
     def __init__(
         self,
-        motion: Motion,
-        skeleton: Skeleton,
+        motion: RecordedMotion,
+        skeleton: SessionSkeleton,
         free: Mask,
         cubic: bool,
-        shape: Motion | None,
+        shape: RecordedMotion | None,
     ) -> None:
         self._m, self._of, self._free, self._shape = motion, skeleton, free, shape
         self._cubic = cubic
@@ -175,7 +175,7 @@ class _Filler:
 
     # --- poses in the parent
 
-    def _local_place(self, m: Motion, parent: int, k: int) -> Array:
+    def _local_place(self, m: RecordedMotion, parent: int, k: int) -> Array:
         """(N, 3) m of a keypoint in the parent's B, or in G."""
         if parent < 0:
             return m.keypoints[:, k]
@@ -188,7 +188,7 @@ class _Filler:
             out[known] = Rotation.from_quat(q[known]).inv().apply(away)
         return out
 
-    def _local_turn(self, m: Motion, segment: int) -> Array:
+    def _local_turn(self, m: RecordedMotion, segment: int) -> Array:
         """(N, 4) of a segment in its parent's B, or in G."""
         own, parent = m.q[:, self._of.origin[segment]], self._of.hand.parent[segment]
         if parent < 0:

@@ -7,7 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from tracker.messages import Array
-from tracker.session.gaps.interpolate import SPEED_OVER, Mask, Motion, Skeleton, fill_motion
+from tracker.session.gaps.interpolate import (
+    SPEED_OVER,
+    Mask,
+    RecordedMotion,
+    SessionSkeleton,
+    fill_motion,
+)
 from tracker.session.holes import LONGEST_FILLED
 
 TRIALS = 24  # gaps that are tried for each length
@@ -25,11 +31,11 @@ class Spread:
 
     def __init__(
         self,
-        motion: Motion,
+        motion: RecordedMotion,
         known: Mask,
-        skeleton: Skeleton,
+        skeleton: SessionSkeleton,
         method: str,
-        shape: Motion | None = None,
+        shape: RecordedMotion | None = None,
     ) -> None:
         """``shape``: as `fill_motion` takes it, with the rows of ``motion``."""
         self._m, self._known, self._of, self._method = motion, known, skeleton, method
@@ -91,7 +97,9 @@ class Spread:
         return np.asarray(np.linalg.norm(part.keypoints[middle, columns] - truth, axis=1))
 
 
-def _forget(part: Motion, rows: tuple[int, int], columns: Sequence[int], free: Mask) -> None:
+def _forget(
+    part: RecordedMotion, rows: tuple[int, int], columns: Sequence[int], free: Mask
+) -> None:
     inside = slice(rows[0] + 1, rows[1])
     part.keypoints[inside, columns] = np.nan
     part.q[inside, columns] = np.nan

@@ -49,7 +49,7 @@ class DeskParams:
     backgrounds: int = 0  # drawn once and laid behind the hand by turns; 0: noise of its own each
 
 
-class _View(NamedTuple):
+class _CameraView(NamedTuple):
     """One of the two cameras, its rays and how far they are apart, what it sees of the desk, all of
     that together, and ``light``: the same with the hand over it while an image is drawn; ``drawn``:
     images of the desk alone."""
@@ -132,7 +132,7 @@ class DeskRenderer:
         eyes = {"left": (rig.left, 0.0), "right": (rig.right, rig.baseline)}
         self._views = tuple(self._view(desk, *eyes[side]) for side in rig.sides)
 
-    def _view(self, desk: Desk, camera: Camera, shift: float) -> _View:
+    def _view(self, desk: Desk, camera: Camera, shift: float) -> _CameraView:
         rays, eye = ray_map(camera), np.array([shift, 0.0, 0.0])
         seen = desk.seen(rays, self._R_CD.T, self._p_DC + self._R_CD.T @ eye)
         dark = 1.0 / (1.0 + self.light.vignetting * np.sum(rays * rays, axis=2, keepdims=True))
@@ -140,7 +140,7 @@ class DeskRenderer:
         ground, whole = GroundLight(lamp, rest, seen.depth), lamp + rest
         rng = rng_for(self.scene.seed, "backgrounds")
         drawn = [self._developed(whole, rng) for _ in range(self.params.backgrounds)]
-        return _View(camera, eye, rays, pitch_of(rays), ground, whole, whole.copy(), drawn)
+        return _CameraView(camera, eye, rays, pitch_of(rays), ground, whole, whole.copy(), drawn)
 
     def _through_lens(self, light: Array) -> NDArray[np.float32]:
         blurred = cv2.GaussianBlur(leaked(light, self.light.leak), (0, 0), 1.3 * self.light.blur_px)
@@ -183,7 +183,7 @@ class DeskRenderer:
 
     def _image(
         self,
-        view: _View,
+        view: _CameraView,
         moments: list[Instant],
         shadow: tuple[CastShadow, Array],
         rng: np.random.Generator,
@@ -208,7 +208,7 @@ class DeskRenderer:
         quality = self.params.jpeg_quality
         return through_jpeg(out, quality) if quality else out
 
-    def _add_shadow(self, view: _View, shadow: tuple[CastShadow, Array]) -> _Box:
+    def _add_shadow(self, view: _CameraView, shadow: tuple[CastShadow, Array]) -> _Box:
         """The hand's shadow on the desk into the view's light; where that is."""
         points = shadow[1] - view.eye
         points = points[points[:, 2] > 0.05]
@@ -229,7 +229,7 @@ class DeskRenderer:
 
     def _add_hand(
         self,
-        view: _View,
+        view: _CameraView,
         moments: list[Instant],
         boxes: list[IntArray],
         shadow: CastShadow,

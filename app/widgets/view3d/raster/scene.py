@@ -15,7 +15,7 @@ from app.widgets.view3d.raster.placing import Bodies, Pinhole, Strokes
 from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC, LINES
 from app.widgets.view3d.raster.surface_rows import RasterSurface, SurfaceRows
 from app.widgets.view3d.scene import BodyLook, GroundLines, rgb
-from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, Surface, turn_x_to
+from app.widgets.view3d.shapes import Block, CapsuleShape, Disc, Lines, Shape, Surface, turn_x_to
 from tracker.kernels.arrays import UInt32Matrix
 from tracker.messages import Array, IntArray
 
@@ -152,7 +152,7 @@ def focal_px(height: int) -> float:
 def _form_of(shape: Shape) -> tuple[int, Array, Array, Array]:
     """Kind, form (5,) m, and the place R_BS (3, 3), p_BS (3,) of a shape in its body."""
     form, R, p = np.zeros(5), np.eye(3), np.zeros(3)
-    if isinstance(shape, Capsule):
+    if isinstance(shape, CapsuleShape):
         form[:2] = shape.length, shape.radius
         return CAPSULE, form, R, p
     if isinstance(shape, Disc):

@@ -17,7 +17,7 @@ from app.wizards.leading.dialog import LeadingDialog
 from extensions.conformance.window.guide.lead import ScriptPage
 from extensions.conformance.window.guide.result import VerdictPage
 from extensions.conformance.window.job import Judged, conformance_job
-from extensions.conformance.window.view_model import Phase, ScriptRun, finding_row
+from extensions.conformance.window.view_model import CuePhase, ScriptRun, finding_row
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
 
@@ -79,7 +79,7 @@ class ConformanceDialog(LeadingDialog):
         self.run.tick(monotonic())
         self._lead_wearer()
         cue = self.run.cue
-        if cue.phase == Phase.DONE:
+        if cue.phase == CuePhase.DONE:
             self.pages.setCurrentWidget(self.outcome)
             self.outcome.show_waiting()
             self._end_take()  # it may be closed before this returns

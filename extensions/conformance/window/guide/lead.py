@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 from app.engines.engine import EngineSetup
 from app.viewmodels.states import BLUISH_GREEN, SKY
 from app.wizards.leading.page import LeadingPage
-from extensions.conformance.window.view_model import Phase, ScriptRun
+from extensions.conformance.window.view_model import CuePhase, ScriptRun
 from tracker.messages import Estimate
 
 
@@ -27,11 +27,11 @@ class ScriptPage(LeadingPage):
 
     def show_run(self, run: ScriptRun, estimate: Estimate | None) -> None:
         """As it is now."""
-        waiting = run.cue.phase == Phase.WAITING
+        waiting = run.cue.phase == CuePhase.WAITING
         if not waiting and self.stage.pose != run.drawn():
             self.stage.show_pose(run.drawn())
-        self.stage.refresh(estimate, again=run.cue.phase == Phase.COUNTING)
-        holding = run.cue.phase == Phase.HOLDING
+        self.stage.refresh(estimate, again=run.cue.phase == CuePhase.COUNTING)
+        holding = run.cue.phase == CuePhase.HOLDING
         self.stage.ring.show_share(run.cue.share, BLUISH_GREEN if holding else SKY)
         if waiting:
             self._show_waiting(run)
