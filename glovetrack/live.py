@@ -36,8 +36,8 @@ from tracker.messages import Estimate as Message
 from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.writer import SessionRecorder
 from tracker.streaming.attach import attach
-from tracker.streaming.params import StreamParams, open_for_hands
-from tracker.streaming.params import Worn as StreamedHand
+from tracker.streaming.publisher import Names
+from tracker.streaming.registry import StreamSettings, open_streams, with_streams
 from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.detector import Detector
 
@@ -210,13 +210,29 @@ class LiveTracker:
             for e in self._tracker.take_events()
         )
 
-    def publish(self, params: StreamParams, say: Callable[[str], None] = lambda text: None) -> None:
-        """Send every estimate to the outputs that are on in ``params``, until the tracker is
-        closed. ``say`` gets a sentence where one fails or works again. Raises StreamError.
+    def publish(
+        self,
+        streams: str | StreamSettings,
+        *,
+        host: str = "",
+        joints: str = "",
+        say: Callable[[str], None] = lambda text: None,
+    ) -> None:
+        """Send every estimate to ``streams`` until the tracker is closed.
+
+        ``streams``: as on the command line (``"udp,vmc:39541"``) or settings. ``host`` and
+        ``joints`` (``own`` or ``openxr``) replace those of the settings. ``say`` gets a sentence
+        when a stream fails or works again. Raises ConfigError for an unknown stream and
+        StreamError for one that cannot be opened.
         """
-        worn = [StreamedHand(info.hand, info.glove) for info in self._info.hands]
-        for publishers in open_for_hands(params, worn):
-            for info, publisher in zip(self._info.hands, publishers, strict=True):
+        settings, words = StreamSettings(), streams
+        if isinstance(streams, StreamSettings):
+            settings, words = streams, ""
+        settings = with_streams(settings, str(words), host, joints)
+        infos = self._info.hands
+        names = [Names.of(info.hand, info.glove, settings.joints) for info in infos]
+        for publishers in open_streams(settings, names).values():
+            for info, publisher in zip(infos, publishers, strict=True):
                 attachment = attach(self._tracker.hand(info.side), [publisher], say=say)
                 self._open.callback(attachment.close)
 

@@ -194,7 +194,7 @@ THREADS = {
     "extensions/applications/swarm/simulated_vehicles.py": "simulated vehicles fly by themselves",
     "tracker/simulation/glove_device.py": "the simulated glove has a chip of its own",
     "tracker/streaming/attach.py": "looks at the latest estimate",
-    "tracker/streaming/remote/lsl_markers.py": "reads markers of other programs",
+    "extensions/lsl/markers.py": "reads markers of other programs",
     "tracker/streaming/remote/doors.py": "stamps requests as they arrive",
     "tracker/streaming/server_thread.py": "the event loop of a server",
     "tracker/streaming/streams.py": "one for each output, which may hang",
@@ -242,9 +242,9 @@ CLOCKS = {
     "tracker/live/threads.py": "how long devices are waited for",
     "tracker/live/right_of_way.py": "how long a painter has waited in vain",
     "tracker/simulation/glove_device.py": "a device in real time",
-    "tracker/streaming/foxglove_live.py": "stamps of the wall clock, which clients want",
+    "extensions/foxglove/live.py": "stamps of the wall clock, which clients want",
     "tracker/streaming/streams.py": "how many a second were sent, for display",
-    "tracker/streaming/lsl.py": "the default of a clock that is handed over",
+    "extensions/lsl/outlet.py": "the default of a clock that is handed over",
     "tracker/base/workers.py": "how long is left",
 }
 """Who reads a clock, and what for. Filters never do: a session read back gives the same states."""

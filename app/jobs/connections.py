@@ -3,32 +3,39 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterable
-from dataclasses import asdict, replace
-from typing import Any, TypeVar
+from collections.abc import Iterable, Mapping
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
 from app.storage.settings import SettingsStore
 from tracker.base.config import from_dict
+from tracker.streaming.connection import ConnectionKind, ConnectionSettings, key_of
 
 _log = logging.getLogger(__name__)
 P = TypeVar("P")
+K = TypeVar("K", bound=ConnectionKind[Any])
+S = TypeVar("S", bound=ConnectionSettings)
 
 
-class Connections(QObject):
-    """``params`` has a field NAME for each connection's switch, NAME_port for its port, and
-    ``host``. ``wanted`` names one that is to be closed and opened as it is wanted now."""
+class Connections(QObject, Generic[K, S]):
+    """The connections of ``kinds``. ``wanted`` names one to close and to open again as set now."""
 
     changed = Signal()
     wanted = Signal(str)
-    names: tuple[str, ...] = ()
-    settings_key = ""  # under which the parameters are remembered
-    params: Any
 
-    def __init__(self, store: SettingsStore, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        kinds: Mapping[str, K],
+        settings: S,
+        store: SettingsStore,
+        settings_key: str,
+        parent: QObject | None = None,
+    ) -> None:
+        """``settings_key``: under which ``store`` has the settings."""
         super().__init__(parent)
-        self._store = store
+        self.kinds, self.settings = kinds, settings
+        self._store, self._key = store, settings_key
 
     def switch(self, name: str, on: bool) -> None:
         """Turn one on or off, now and after the next start."""
@@ -39,18 +46,27 @@ class Connections(QObject):
         self._change(self._on(), host=host)
 
     def set_port(self, name: str, port: int) -> None:
-        self._change([name] if self.is_on(name) else [], **{f"{name}_port": port})
+        self.set_option(name, "port", port)
+
+    def set_option(self, name: str, option: str, value: object) -> None:
+        """Change an option; what is on is opened again with it."""
+        self._change([name] if self.is_on(name) else [], **{key_of(name, option): value})
+
+    def port(self, name: str) -> int | None:
+        """The port that is set; None for a connection without one."""
+        kind = self.kinds[name]
+        return int(self.settings.options(kind).port) if kind.has("port") else None
 
     def is_on(self, name: str) -> bool:
-        return bool(getattr(self.params, name))
+        return self.settings.is_on(name)
 
     def _on(self) -> list[str]:
-        return [name for name in self.names if self.is_on(name)]
+        return [name for name in self.kinds if self.is_on(name)]
 
-    def _change(self, names: Iterable[str], **changes: Any) -> None:
-        """Remember other parameters, and open ``names`` anew with them."""
-        self.params = replace(self.params, **changes)
-        self._store.update(**{self.settings_key: asdict(self.params)})
+    def _change(self, names: Iterable[str], **changes: object) -> None:
+        """Remember other settings, and open ``names`` again with them."""
+        self.settings = self.settings.changed(**changes)
+        self._store.update(**{self._key: dict(self.settings.table)})
         for name in names:
             self.wanted.emit(name)
 

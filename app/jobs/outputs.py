@@ -23,9 +23,16 @@ from app.storage.settings import SettingsStore, sessions_folder
 from tracker.base.files import free_path
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
+from tracker.streaming.connection import HOST, key_of
 from tracker.streaming.haptics import HapticPublisher, Sphere
-from tracker.streaming.params import STREAMS, StreamParams, Worn, open_for_hands
 from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.registry import (
+    JOINTS,
+    StreamKind,
+    StreamSettings,
+    open_stream,
+    stream_kinds,
+)
 from tracker.streaming.streams import StreamCounts, of_all_hands
 
 HAPTICS = "haptics"
@@ -65,11 +72,8 @@ class HandsOutput:
             part.close()
 
 
-class Outputs(Connections):
+class Outputs(Connections[StreamKind[Any], StreamSettings]):
     """Follows the session: what is switched on runs while an engine runs."""
-
-    names = STREAMS
-    settings_key = "streams"
 
     def __init__(
         self,
@@ -78,9 +82,9 @@ class Outputs(Connections):
         tasks: TaskOwner,
         parent: QObject | None = None,
     ) -> None:
-        super().__init__(store, parent)
+        settings = StreamSettings(store.value.streams)
+        super().__init__(stream_kinds(), settings, store, "streams", parent)
         self._host = host
-        self.params: StreamParams = remembered(StreamParams, store.value.streams)
         self.rule = remembered(HapticRule, store.value.haptics)
         self._openings: Openings[HandsOutput] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
@@ -90,30 +94,27 @@ class Outputs(Connections):
 
     # --- what the user asks
 
-    def use(self, asked: StreamParams) -> None:
+    def use(self, asked: StreamSettings) -> None:
         """Turn on what the command line asks for; not remembered unless something is changed."""
-        for name in (n for n in STREAMS if getattr(asked, n)):
-            more = (f for f in (f"{name}_port", f"{name}_file") if hasattr(asked, f))
-            changes: dict[str, Any] = {name: True, **{f: getattr(asked, f) for f in more}}
-            self.params = replace(self.params, **changes)
-        if asked.host != StreamParams.host:
-            self.params = replace(self.params, host=asked.host)
-        if asked.joints != StreamParams.joints:
-            self.params = replace(self.params, joints=asked.joints)
+        for name in asked.on:
+            kind = self.kinds[name]
+            options = asked.options(kind)
+            given = [option for option in ("port", "file") if kind.has(option)]
+            changes = {key_of(name, option): getattr(options, option) for option in given}
+            self.settings = self.settings.changed(**{name: True, **changes})
+        for key in (HOST, JOINTS):
+            if key in asked.table:
+                self.settings = self.settings.changed(**{key: asked.table[key]})
 
     def set_joints(self, joints: str) -> None:
         """Send our keypoints or OpenXR's joints; what runs is opened again with them."""
         self._change(self._on(), joints=joints)
 
-    def set_file(self, path: Path) -> None:
-        """Where the Isaac record goes; what is being written ends."""
-        self._change(["isaac"], isaac_file=str(path))
-
-    @property
-    def isaac_file(self) -> Path:
-        """As chosen, or beside the recordings; where it is there already a number is added."""
-        usual = sessions_folder(self._store.value) / "hands.mcap"
-        return Path(self.params.isaac_file) if self.params.isaac_file else usual
+    def file(self, name: str) -> Path:
+        """Where a stream writes to: as chosen, or next to the recordings."""
+        kind = self.kinds[name]
+        chosen: str = self.settings.options(kind).file
+        return Path(chosen) if chosen else sessions_folder(self._store.value) / kind.default_file
 
     def set_rule(self, rule: HapticRule) -> None:
         """Another sphere, or none; one that has no place yet stands at the index fingertip."""
@@ -159,7 +160,7 @@ class Outputs(Connections):
     # --- opening and closing
 
     def _apply_all(self) -> None:
-        for name in (*STREAMS, HAPTICS):
+        for name in (*self.kinds, HAPTICS):
             self._apply(name)
 
     def _apply(self, name: str) -> None:
@@ -184,12 +185,13 @@ class Outputs(Connections):
         if name == HAPTICS:
             sphere = Sphere(np.array(self.rule.center), self.rule.radius)
             return [_haptic(hand, sphere) for hand in setup.hands]
-        switches: dict[str, Any] = {n: n == name for n in STREAMS}
-        alone = replace(self.params, **switches)
-        if name == "isaac":
-            self.isaac_file.parent.mkdir(parents=True, exist_ok=True)
-            alone = replace(alone, isaac_file=str(free_path(self.isaac_file)))
-        return open_for_hands(alone, [Worn(hand.hand, hand.glove) for hand in setup.hands])[0]
+        kind, settings = self.kinds[name], self.settings
+        if kind.default_file:
+            path = self.file(name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            settings = settings.changed(**{key_of(name, "file"): str(free_path(path))})
+        hands = [Names.of(hand.hand, hand.glove, settings.joints) for hand in setup.hands]
+        return open_stream(kind, settings.options(kind), hands)
 
     def _attach(self, setup: EngineSetup | None, output: HandsOutput) -> bool:
         """False where another engine runs by now."""

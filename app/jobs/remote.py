@@ -3,27 +3,26 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Any
 
 from PySide6.QtCore import QObject
 
 from app.engines.engine_host import EngineHost
-from app.jobs.connections import Connections, remembered
+from app.jobs.connections import Connections
 from app.jobs.openings import Openings
 from app.jobs.remote_answers import RemoteAnswers
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from tracker.messages import Event
+from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.remote.doors import Door
-from tracker.streaming.remote.params import DOORS, RemoteParams, open_door, with_doors
 from tracker.streaming.remote.reception import DoorCounts
+from tracker.streaming.remote.registry import DoorKind, door_kinds, open_door, with_doors
 
 
-class RemoteControl(Connections):
+class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
     """Opens the doors that are switched on; ``answers`` does what comes through them."""
-
-    names = DOORS
-    settings_key = "remote"
 
     def __init__(
         self,
@@ -33,10 +32,10 @@ class RemoteControl(Connections):
         tasks: TaskOwner,
         parent: QObject | None = None,
     ) -> None:
-        super().__init__(store, parent)
+        settings = ConnectionSettings(store.value.remote)
+        super().__init__(door_kinds(), settings, store, "remote", parent)
         self._host = host
         self.answers = RemoteAnswers(host, plan, self)
-        self.params: RemoteParams = remembered(RemoteParams, store.value.remote)
         self._openings: Openings[Door] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
         self.wanted.connect(self._apply)
@@ -45,7 +44,7 @@ class RemoteControl(Connections):
     def use(self, words: str, host: str = "") -> None:
         """Open what the command line asks for; not remembered unless something is changed."""
         if words or host:
-            self.params = with_doors(self.params, words, host)
+            self.settings = with_doors(self.settings, words, host)
             self._open_all()
 
     def counts(self, name: str) -> DoorCounts | None:
@@ -58,7 +57,8 @@ class RemoteControl(Connections):
             self._apply(name)
 
     def _apply(self, name: str) -> None:
-        make = partial(open_door, name, self.params, self.answers.answer)
+        kind = self.kinds[name]
+        make = partial(open_door, kind, self.settings.options(kind), self.answers.answer)
         title = self.tr("Remote control by {}").format(name)
         self._openings.renew(name, title, make if self.is_on(name) else None, self._take)
 

@@ -1,4 +1,4 @@
-"""The button that says where the Isaac record is written, and chooses another place."""
+"""The button that shows which file a stream writes to, and selects another one."""
 
 from __future__ import annotations
 
@@ -8,18 +8,21 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QPushButton, QWidget
 
 from app.jobs.outputs import Outputs
+from app.words import tr
 
 WIDTH = 90
 """px of a file's name."""
 
 
 class RecordFile(QPushButton):
-    """Follows what the outputs have."""
+    """Shows the file of the stream ``name``."""
 
-    def __init__(self, outputs: Outputs, parent: QWidget | None = None) -> None:
+    def __init__(self, outputs: Outputs, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._outputs = outputs
-        self.setAccessibleName(self.tr("File of the Isaac record"))
+        self._outputs, self._name = outputs, name
+        self._title = self.tr("File of {}").format(tr(outputs.kinds[name].title))
+        self._suffix = Path(outputs.kinds[name].default_file).suffix
+        self.setAccessibleName(self._title)
         self.clicked.connect(self._choose)
         outputs.changed.connect(self._show)
         self._show()
@@ -27,18 +30,18 @@ class RecordFile(QPushButton):
     def _choose(self) -> None:
         path, _ = QFileDialog.getSaveFileName(
             self,
-            self.tr("File of the Isaac record"),
-            str(self._outputs.isaac_file),
-            self.tr("Hand records (*.mcap)"),
+            self._title,
+            str(self._outputs.file(self._name)),
+            self.tr("Hand records (*{})").format(self._suffix),
             options=QFileDialog.Option.DontConfirmOverwrite,
         )
         if path:
-            self._outputs.set_file(Path(path).with_suffix(".mcap"))
+            chosen = Path(path).with_suffix(self._suffix)
+            self._outputs.set_option(self._name, "file", str(chosen))
             self._show()
 
     def _show(self) -> None:
-        path = self._outputs.isaac_file
+        path = self._outputs.file(self._name)
         middle = Qt.TextElideMode.ElideMiddle
         self.setText(self.fontMetrics().elidedText(path.name, middle, WIDTH))
-        told = self.tr("{}; where that is there already a number is added")
-        self.setToolTip(told.format(path))
+        self.setToolTip(self.tr("{}; where that is there already a number is added").format(path))

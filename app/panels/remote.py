@@ -13,7 +13,8 @@ from PySide6.QtWidgets import (
 
 from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
-from app.viewmodels.remote import DOORS, WITHOUT_PORT, door_row, is_loopback, title
+from app.viewmodels.remote import door_row, is_loopback
+from app.words import tr
 
 
 class RemoteBox(QGroupBox):
@@ -53,7 +54,7 @@ class RemoteBox(QGroupBox):
 
     def _move(self) -> None:
         host = self.address.text().strip()
-        if host and host != self._remote.params.host:
+        if host and host != self._remote.settings.host:
             self._remote.move(host)
 
     def _table(self) -> ConnectionTable:
@@ -67,22 +68,22 @@ class RemoteBox(QGroupBox):
                 self.tr("Refused"),
             )
         )
-        for name in DOORS:
-            port = None if name in WITHOUT_PORT else self._remote.set_port
-            table.add(name, title(name), self._remote.switch, port)
+        for name, kind in self._remote.kinds.items():
+            port = self._remote.set_port if kind.has("port") else None
+            table.add(name, tr(kind.title), self._remote.switch, port)
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table
 
     def show_state(self) -> None:
         """As it is now; the command line may have changed it."""
-        params = self._remote.params
+        host = self._remote.settings.host
         if not self.address.hasFocus():
-            self.address.setText(params.host)
-        self.opened.setVisible(not is_loopback(params.host))
-        for name in DOORS:
+            self.address.setText(host)
+        self.opened.setVisible(not is_loopback(host))
+        for name in self._remote.kinds:
             on = self._remote.is_on(name)
-            self.table.show_wanted(name, on, getattr(params, f"{name}_port", None))
+            self.table.show_wanted(name, on, self._remote.port(name))
             row = door_row(on, self._remote.counts(name), self._remote.problems.get(name, ""))
             sign = f'<span style="color:{row.look.colour}">{row.look.sign}</span>'
             texts = f"{sign} {row.state}", row.clients, row.sent, row.dropped

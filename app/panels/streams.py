@@ -30,17 +30,7 @@ from app.panels.connection_table import ConnectionTable
 from app.panels.panel import Panel
 from app.panels.record_file import RecordFile
 from app.panels.remote import RemoteBox
-from app.viewmodels.streams import (
-    MOTORS,
-    OPENXR,
-    OWN,
-    REACH,
-    STREAMS,
-    WITHOUT_PORT,
-    StreamRow,
-    stream_row,
-    title,
-)
+from app.viewmodels.streams import MOTORS, OPENXR, OWN, StreamRow, stream_row
 from app.widgets.measures import NEAR
 from app.words import tr
 
@@ -85,7 +75,7 @@ class StreamsPanel(Panel):
     # --- streams
 
     def _address(self) -> QHBoxLayout:
-        self.address = QLineEdit(self._outputs.params.host)
+        self.address = QLineEdit(self._outputs.settings.host)
         self.address.setToolTip(
             self.tr(
                 "127.0.0.1 is this computer alone; UDP and VMC send there, servers listen there"
@@ -109,7 +99,7 @@ class StreamsPanel(Panel):
         )
         for text, value in ((self.tr("Our joints"), OWN), (self.tr("OpenXR joints"), OPENXR)):
             self.joints.addItem(text, value)
-        self.joints.setCurrentIndex(max(self.joints.findData(self._outputs.params.joints), 0))
+        self.joints.setCurrentIndex(max(self.joints.findData(self._outputs.settings.joints), 0))
         self.joints.activated.connect(
             lambda _i: self._outputs.set_joints(self.joints.currentData())
         )
@@ -117,7 +107,7 @@ class StreamsPanel(Panel):
 
     def _move(self) -> None:
         host = self.address.text().strip()
-        if host and host != self._outputs.params.host:
+        if host and host != self._outputs.settings.host:
             self._outputs.move(host)
 
     def _table(self) -> ConnectionTable:
@@ -132,21 +122,23 @@ class StreamsPanel(Panel):
             )
         )
         outputs = self._outputs
-        for name in STREAMS:
-            port = None if name in WITHOUT_PORT else outputs.set_port
-            table.add(name, title(name), outputs.switch, port)
-            value = None if port is None else int(getattr(outputs.params, f"{name}_port"))
-            table.show_wanted(name, outputs.is_on(name), value)
-            table.boxes[name].setToolTip(tr(REACH.get(name, "")))
-        self.isaac_file = RecordFile(outputs)
-        table.put_at_port("isaac", self.isaac_file)
+        self.files: dict[str, RecordFile] = {}
+        for name, kind in outputs.kinds.items():
+            port = outputs.set_port if kind.has("port") else None
+            table.add(name, tr(kind.title), outputs.switch, port)
+            table.show_wanted(name, outputs.is_on(name), outputs.port(name))
+            table.boxes[name].setToolTip(tr(kind.note))
+            if kind.default_file:
+                self.files[name] = RecordFile(outputs, name)
+                table.put_at_port(name, self.files[name])
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table
 
     def _reach(self) -> QLabel:
-        """Who else hears what is switched on, of those that the address does not bound."""
-        lines = [f"{title(name)}: {tr(words)}." for name, words in REACH.items()]
+        """Who else can receive a stream, of those that the address does not restrict."""
+        kinds = self._outputs.kinds.values()
+        lines = [f"{tr(kind.title)}: {tr(kind.note)}." for kind in kinds if kind.note]
         self.reach = QLabel("\n".join(lines))
         self.reach.setProperty("role", "faint")
         self.reach.setWordWrap(True)
@@ -223,7 +215,7 @@ class StreamsPanel(Panel):
     # --- what it shows
 
     def _show(self) -> None:
-        for name in STREAMS:
+        for name in self._outputs.kinds:
             row = stream_row(
                 self._outputs.is_on(name),
                 self.host.running,

@@ -76,8 +76,8 @@ class AppSettings:
     camera_exchanged: bool = False  # left and right images change places
     camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`
     calibration: str = ""  # path of the stereo calibration
-    streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
-    remote: dict[str, Any] = field(default_factory=dict)  # of `RemoteParams`
+    streams: dict[str, Any] = field(default_factory=dict)  # table of `StreamSettings`
+    remote: dict[str, Any] = field(default_factory=dict)  # table of `ConnectionSettings`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
     robot: dict[str, Any] = field(default_factory=dict)  # of `extensions.robot.settings`
     robot_port: int = 0  # of its states by UDP; 0: they are not sent

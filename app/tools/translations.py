@@ -18,6 +18,8 @@ from pathlib import Path
 from app.platform.engine_sentences import LEAST, is_engines, own
 from app.platform.translation import CONTEXT, place
 from tracker.engine.settings import ENGINES
+from tracker.streaming.registry import STREAMS, stream_kinds
+from tracker.streaming.remote.registry import DOORS, door_kinds
 
 ROOT = Path(__file__).resolve().parents[2]
 WINDOW = ("app", "extensions")
@@ -41,10 +43,10 @@ NOT_SHOWN = (
     "tracker/offline",
     "tracker/session/commands",
     "tracker/simulation",
-    "tracker/streaming/foxglove",
+    "extensions/foxglove",
     "tracker/streaming/payload_read",
     "tracker/streaming/remote/client",
-    "tracker/streaming/remote/osc",
+    "extensions/osc/requests",
     "tracker/streaming/remote/reception",
     "tracker/streaming/remote/request",
 )
@@ -146,6 +148,11 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
                 found.setdefault(text, inside)
     for title in ENGINES.values():  # the one table of the engine that menus show
         found.setdefault(title, "tracker/engine/settings.py")
+    for kind in stream_kinds().values():
+        for text in filter(None, (kind.title, kind.note)):
+            found.setdefault(text, STREAMS.group)
+    for door in door_kinds().values():
+        found.setdefault(door.title, DOORS.group)
     for text, inside in engine_sentences().items():
         found.setdefault(text, inside)
     return found

@@ -4,24 +4,11 @@ from __future__ import annotations
 
 from app.viewmodels.states import BAD, GOOD, IDLE
 from app.viewmodels.streams import StreamRow
-from app.words import mark, tr
+from app.words import tr
 from tracker.streaming.remote.doors import is_loopback as is_loopback
-from tracker.streaming.remote.params import DOORS as DOORS
-from tracker.streaming.remote.params import WITHOUT_PORT as WITHOUT_PORT
 from tracker.streaming.remote.reception import DoorCounts
 
 LATELY = 60.0  # s for which who asked by a datagram counts as there
-_TITLES = {
-    "udp": mark("UDP (JSON, words)"),
-    "osc": "OSC",
-    "websocket": "WebSocket (JSON)",
-    "lsl": mark("LSL (markers become notes)"),
-}
-
-
-def title(name: str) -> str:
-    """What a way in is called on screen."""
-    return tr(_TITLES.get(name, name))
 
 
 def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:

@@ -5,37 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.words import mark, tr
+from app.words import tr
 from tracker.hand.names import CHAINS
-from tracker.streaming.params import STREAMS as STREAMS
 from tracker.streaming.publisher import OPENXR as OPENXR
 from tracker.streaming.publisher import OWN as OWN
 from tracker.streaming.streams import StreamCounts
 
 MOTORS = tuple(CHAINS)
 """The fingers, in the order of the glove's vibration motors."""
-_TITLES = {
-    "udp": "UDP (JSON)",
-    "websocket": "WebSocket (JSON)",
-    "vmc": mark("VMC (OSC, avatars)"),
-    "lsl": "Lab Streaming Layer",
-    "foxglove": "Foxglove",
-    "isaac": mark("Isaac record (MCAP)"),
-}
-REACH = {
-    "lsl": mark(
-        "its library listens on all addresses of this computer, so others in the same network "
-        "can read it, unless a firewall keeps them out"
-    ),
-}
-"""What a switch has to say before it is turned on: who else hears it."""
-WITHOUT_PORT = ("lsl", "isaac")
-"""Clients find these by name."""
-
-
-def title(name: str) -> str:
-    """What a stream is called on screen."""
-    return tr(_TITLES.get(name, name))
 
 
 @dataclass(frozen=True)

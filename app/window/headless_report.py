@@ -29,7 +29,7 @@ from tracker.base.errors import FileError, GlovetrackError
 from tracker.base.files import write_whole
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, Event, Tracking
-from tracker.streaming.params import StreamParams
+from tracker.streaming.registry import StreamSettings
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
 SAMPLE_MS = 50
@@ -54,9 +54,9 @@ class Watched(NamedTuple):
 
 
 class Connected(NamedTuple):
-    """What other programs receive and may ask: streams, and names and an address for `DOORS`."""
+    """What other programs receive and may ask: streams, and names and address of remote control."""
 
-    streams: StreamParams
+    streams: StreamSettings
     remote: str = ""
     remote_host: str = ""
 

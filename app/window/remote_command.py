@@ -12,8 +12,8 @@ from app.platform.single_instance import NOT_A_WINDOW, ask
 from tracker.base.errors import GlovetrackError
 from tracker.base.terminal import add_json, check_json, finish, printable
 from tracker.hand.names import CHAINS
+from tracker.streaming.remote.client import UDP_PORT
 from tracker.streaming.remote.client import ask as ask_over_udp
-from tracker.streaming.remote.params import RemoteParams
 from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
 
 NOBODY = "No window is open. Open one with `glovetrack`."
@@ -53,7 +53,7 @@ def _address(text: str) -> tuple[str, int]:
     host, colon, port = text.partition(":")
     if not host or (colon and not 1 <= int(port) <= 65535):
         raise ValueError(text)
-    return host, int(port) if colon else RemoteParams.udp_port
+    return host, int(port) if colon else UDP_PORT
 
 
 def _parser() -> argparse.ArgumentParser:

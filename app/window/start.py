@@ -23,9 +23,10 @@ from tracker import __version__
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.toml_reader import read_text
 from tracker.sensors.protocol import BAUDS
-from tracker.streaming.params import STREAMS, StreamParams, with_streams
+from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.publisher import JOINT_SETS
-from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
+from tracker.streaming.registry import StreamSettings, stream_kinds, with_streams
+from tracker.streaming.remote.registry import door_kinds, with_doors
 
 if TYPE_CHECKING:
     from app.platform.crash import CrashWatch
@@ -51,9 +52,9 @@ def open_window(argv: Sequence[str]) -> int:
     args = parser.parse_args(argv)
     try:
         args.streams = with_streams(
-            StreamParams(), args.stream, args.stream_host, args.stream_joints
+            StreamSettings(), args.stream, args.stream_host, args.stream_joints
         )
-        with_doors(RemoteParams(), args.remote, args.remote_host)
+        with_doors(ConnectionSettings(), args.remote, args.remote_host)
         if args.wearer is not None:
             read_text(args.wearer)
         if args.headless_report is not None:
@@ -195,7 +196,7 @@ def _parser() -> argparse.ArgumentParser:
         "--stream",
         default="",
         metavar="NAME[:PORT],…",
-        help=f"streams to enable for this run: {', '.join(STREAMS)}",
+        help=f"streams to enable for this run: {', '.join(stream_kinds())}",
     )
     parser.add_argument(
         "--stream-host",
@@ -214,7 +215,7 @@ def _parser() -> argparse.ArgumentParser:
         "--remote",
         default="",
         metavar="NAME[:PORT],…",
-        help=f"enable remote control for this run: {', '.join(DOORS)}",
+        help=f"enable remote control for this run: {', '.join(door_kinds())}",
     )
     parser.add_argument(
         "--remote-host", default="", metavar="HOST", help="listening address for remote control"

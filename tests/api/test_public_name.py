@@ -65,7 +65,7 @@ import glovetrack
 from glovetrack.applications import HandSample, Step
 from glovetrack.cameras import CameraDriver, Pair
 from glovetrack.engine import Pipeline, Settings, load
-from glovetrack.streams import StreamParams
+from glovetrack.streams import StreamKind, StreamSettings
 
 rec = glovetrack.open("session.mcap")
 reveal_type(rec.keypoints["index_tip"])

@@ -17,7 +17,7 @@ from app.window.main_window import MainWindow
 from extensions.conformance.isaac.reader import read_records
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.base.errors import FileError
-from tracker.streaming.params import STREAMS, StreamParams
+from tracker.streaming.registry import StreamSettings, stream_kinds
 
 
 def sent(panel, name):
@@ -65,23 +65,23 @@ def panel(window, motors, qtbot):
 
 def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
     assert not any(box.isChecked() for box in panel.boxes.values())
-    assert set(panel.boxes) == set(STREAMS)
+    assert list(panel.boxes) == ["udp", "websocket", "vmc", "lsl", "foxglove", "isaac"]
     assert panel.address.text() == "127.0.0.1"
-    assert all(window.outputs.counts(name) is None for name in (*STREAMS, HAPTICS))
+    assert all(window.outputs.counts(name) is None for name in (*panel.boxes, HAPTICS))
 
 
 def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
     panel, window, tmp_path, monkeypatch, qtbot
 ):
-    assert panel.isaac_file.text() == "hands.mcap" and "isaac" not in panel.ports
+    assert panel.files["isaac"].text() == "hands.mcap" and "isaac" not in panel.ports
     chosen = tmp_path / "new" / "take"
     monkeypatch.setattr(
         "app.panels.record_file.QFileDialog.getSaveFileName",
         staticmethod(lambda *_args, **_more: (str(chosen), "")),
     )
-    panel.isaac_file.click()
-    assert panel.isaac_file.text() == "take.mcap"
-    assert str(chosen.with_suffix(".mcap")) in panel.isaac_file.toolTip()
+    panel.files["isaac"].click()
+    assert panel.files["isaac"].text() == "take.mcap"
+    assert str(chosen.with_suffix(".mcap")) in panel.files["isaac"].toolTip()
     for name in ("take.mcap", "take_2.mcap"):
         panel.boxes["isaac"].click()
         qtbot.waitUntil(lambda: "sending" in panel.cells["isaac"]["state"].text(), timeout=10_000)
@@ -214,6 +214,8 @@ def test_without_an_engine_there_is_no_place_for_the_sphere(window):
 
 
 def test_what_was_remembered_wrongly_is_the_default():
-    params = remembered(StreamParams, {"udp": True, "udp_port": "9000", "host": 3, "new": 1})
-    assert params == StreamParams(udp=True)
+    settings = StreamSettings({"udp": True, "udp_port": "9000", "host": 3, "new": 1, "vmc": 1})
+    options = settings.options(stream_kinds()["udp"])
+    assert (options.host, options.port) == ("127.0.0.1", 9750)
+    assert settings.on == ["udp"]
     assert remembered(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)

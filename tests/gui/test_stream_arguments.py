@@ -13,7 +13,7 @@ from app.__main__ import main
 from tests.gui.environments import without_screen
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.base.errors import GlovetrackError
-from tracker.streaming.params import StreamParams, with_streams
+from tracker.streaming.registry import StreamSettings, with_streams
 from tracker.streaming.remote.client import ask
 from tracker.streaming.remote.request import is_reply
 
@@ -25,7 +25,7 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
         listener.bind(("127.0.0.1", 0))
         listener.setblocking(False)
         port = listener.getsockname()[1]
-        window.outputs.use(with_streams(StreamParams(), f"udp:{port}"))
+        window.outputs.use(with_streams(StreamSettings(), f"udp:{port}"))
         assert window.store.value.streams == {}, "the next start is as it was"
         window.host.adopt(scripted_setup(ScriptedEngine()))
 

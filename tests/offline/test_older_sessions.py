@@ -64,6 +64,23 @@ def test_settings_that_are_gone_are_named_and_the_others_used(tmp_path: Path) ->
     assert compare(tmp_path / "a.mcap", tmp_path / "b.mcap")["identical"]
 
 
+def test_recorded_streams_have_no_effect(tmp_path: Path) -> None:
+    """Settings contained the live streams until version 0.1.0."""
+    streams = '[streams]\nudp = true\nhost = "10.0.0.2"\nlsl_network = false\njoints = "own"\n'
+    settings = to_toml(Settings())
+    old = recorded(tmp_path / "old.mcap", f"{settings}\n{streams}", state=True)
+    now = recorded(tmp_path / "now.mcap", settings, state=True)
+    (tmp_path / "streams.toml").write_text(streams)
+    runs = {"a": (old, ""), "b": (now, ""), "c": (old, str(tmp_path / "streams.toml"))}
+    for name, (path, file) in runs.items():
+        report = track(path, tmp_path / f"{name}.mcap", TrackOptions(settings=file))
+        assert not [text for text in report.words if "cannot use" in text], name
+    assert compare(tmp_path / "a.mcap", tmp_path / "b.mcap")["identical"]
+    (tmp_path / "wrong.toml").write_text("[chain]\nros = true\n")
+    with pytest.raises(ConfigError, match=r"wrong\.toml: chain\.ros is not a setting"):
+        track(old, tmp_path / "d.mcap", TrackOptions(settings=str(tmp_path / "wrong.toml")))
+
+
 def test_the_command_line_tracks_them_and_takes_other_settings(tmp_path: Path, capsys) -> None:
     old = recorded(tmp_path / "old.mcap", OLD)
     assert main(["track", str(old), "-o", str(tmp_path / "a.mcap")]) == 0

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
+import socket
 import subprocess
 import sys
+import threading
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -34,6 +38,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What a wheel installs, and the examples."""
     site = tmp_path_factory.mktemp("site")
     subprocess.run([sys.executable, "-c", STAGE, str(site)], cwd=ROOT, check=True)
+    declare(site)
     for project in sorted(EXAMPLES.glob("*/pyproject.toml")):
         if "lerobot" in project.parent.name:
             continue  # its own test runs it with the interface of LeRobot
@@ -43,6 +48,19 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
         command += ["--no-build-isolation", "--target", str(site), str(source)]
         subprocess.run(command, check=True, capture_output=True)
     return site
+
+
+def declare(site: Path) -> None:
+    """Metadata of the staged project, as pip writes it: its entry points."""
+    project = tomllib.loads((site / "pyproject.toml").read_text("utf-8"))["project"]
+    about = site / f"glovetrack-{project['version']}.dist-info"
+    about.mkdir()
+    head = f"Metadata-Version: 2.1\nName: glovetrack\nVersion: {project['version']}\n"
+    (about / "METADATA").write_text(head)
+    lines = []
+    for group, entries in project["entry-points"].items():
+        lines += [f"[{group}]", *(f"{name} = {value}" for name, value in entries.items())]
+    (about / "entry_points.txt").write_text("\n".join(lines) + "\n")
 
 
 def run(site: Path, code: str, **more: str) -> str:
@@ -92,6 +110,57 @@ print(left.shape, int(right.max()), {str(tmp_path)!r} in address)
     assert found == "(48, 64, 3) 7 True"
 
 
+def test_a_stream_is_found_and_received(site: Path) -> None:
+    """By a plain socket, from the simulated hand."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        server.settimeout(60)
+        lines: list[str] = []
+
+        def read() -> None:
+            connection, _ = server.accept()
+            with connection, connection.makefile(encoding="utf-8") as text:
+                lines.extend(text)
+
+        reader = threading.Thread(target=read)
+        reader.start()
+        code = f"""
+import itertools
+import glovetrack
+if __name__ == "__main__":
+    with glovetrack.LiveTracker.simulated(camera=False) as live:
+        live.publish("tcp:{server.getsockname()[1]}", joints="openxr", say=print)
+        list(itertools.islice(live, 50))
+"""
+        assert run(site, code) == ""
+        reader.join(10)
+    hands = [json.loads(line) for line in lines]
+    assert len(hands) >= 40
+    assert {hand["side"] for hand in hands} == {"right"} and len(hands[0]["joints"]) == 26
+    stamps = [hand["t"] for hand in hands]
+    assert stamps == sorted(set(stamps))
+
+
+def test_a_stream_without_its_package_costs_itself_alone(site: Path) -> None:
+    """As after `pip uninstall`, and with an extension's folder removed."""
+    code = """
+import sys
+sys.modules["websockets"] = None
+sys.modules["glovetrack.extensions.osc.extension"] = None
+from glovetrack.streams import Names, StreamError, StreamSettings, open_streams
+from glovetrack.engine import load
+hands = [Names.of(*load("vist-small"))]
+try:
+    open_streams(StreamSettings({"udp": True, "websocket": True}), hands)
+except StreamError as error:
+    print(error)
+print(list(open_streams(StreamSettings({"udp": True, "vmc": True}), hands)))
+"""
+    sentence, names = run(site, code).splitlines()
+    assert sentence.startswith("The websocket stream needs a package that is not installed")
+    assert sentence.endswith('Run: pip install "glovetrack[streams]"')
+    assert names == "['udp']"
+
+
 def test_the_public_api_works_from_the_wheel(site: Path) -> None:
     code = """
 import glovetrack
@@ -111,7 +180,9 @@ def test_only_the_public_name_is_imported() -> None:
             assert internal not in text, f"{path.name} imports {internal.split()[-1]}"
 
 
-@pytest.mark.parametrize("folder", ["glovetrack-air-drawing", "glovetrack-folder-camera"])
+@pytest.mark.parametrize(
+    "folder", [p.parent.name for p in EXAMPLES.glob("glovetrack-*/pyproject.toml")]
+)
 def test_a_plugin_is_small(folder: str) -> None:
     (path,) = (EXAMPLES / folder).glob("*.py")
     lines = [line for line in path.read_text("utf-8").splitlines() if line.strip()]

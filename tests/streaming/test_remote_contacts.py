@@ -6,10 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.streaming.test_remote_requests import osc_message
 from tracker.hand.names import CHAINS
 from tracker.messages import Event
-from tracker.streaming.remote import osc
 from tracker.streaming.remote.contacts import LASTS, MOST_CONTACTS, ContactBook, motor_of
 from tracker.streaming.remote.request import Request, RequestError, parse
 
@@ -22,11 +20,10 @@ def phases(events: list[Event]) -> list[tuple[float, object, object]]:
     return [(e.t, e.data["finger"], e.data["phase"]) for e in events]
 
 
-def test_json_words_and_osc_tell_the_same_contact() -> None:
+def test_json_and_words_tell_the_same_contact() -> None:
     said = b'{"do": "contact", "finger": "index", "strength": 0.5, "object": "cup"}'
     want = Request("contact", 1.0, finger="index", strength=0.5, object="cup")
     assert parse(said, 1.0) == want
-    assert osc.parse(osc_message("/glovetrack/contact", "index", 0.5, "cup"), 1.0) == want
     assert parse("contact thumb", 1.0) == Request("contact", 1.0, finger="thumb")
 
 

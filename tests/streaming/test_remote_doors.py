@@ -11,8 +11,6 @@ from concurrent.futures import Future
 import pytest
 
 pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
-from pythonosc.osc_message import OscMessage
-from pythonosc.osc_message_builder import OscMessageBuilder
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
@@ -23,7 +21,6 @@ from tracker.streaming.remote.doors import (
     Door,
     WebSocketDoor,
     is_loopback,
-    osc_door,
     udp_door,
 )
 from tracker.streaming.remote.request import MOST_BYTES, Reply, Request
@@ -123,22 +120,6 @@ def test_a_flood_is_held_back(udp: Door, desk: Window, client: socket.socket, wa
     assert json.loads(ask({"do": "status"}, HERE, udp.port))["ok"]
 
 
-def test_a_foreign_osc_program_is_understood_and_answered(
-    desk: Window, client: socket.socket
-) -> None:
-    door = osc_door(desk.answer, HERE, 0)
-    try:
-        builder = OscMessageBuilder("/glovetrack/note")
-        builder.add_arg("cup")
-        client.sendto(builder.build().dgram, (HERE, door.port))
-        answer = OscMessage(client.recv(9999))
-    finally:
-        door.close()
-    assert answer.address == "/glovetrack/reply"
-    assert answer.params == ["note", 1, "Done.", ""]
-    assert desk.asked[0].text == "cup"
-
-
 def test_a_web_socket_is_answered_in_turn(web: WebSocketDoor, desk: Window) -> None:
     with connect(f"ws://{HERE}:{web.port}/") as page:
         page.send('{"do": "start"}')
@@ -165,7 +146,7 @@ def test_a_client_that_sends_too_much_is_disconnected(web: WebSocketDoor, said) 
             page.recv(timeout=5)
 
 
-@pytest.mark.parametrize("kind", [udp_door, osc_door, WebSocketDoor])
+@pytest.mark.parametrize("kind", [udp_door, WebSocketDoor])
 def test_only_this_computer_is_listened_to_and_the_port_is_freed(kind, desk: Window) -> None:
     door = kind(desk.answer, HERE, 0)
     port = door.port

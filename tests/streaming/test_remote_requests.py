@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from concurrent.futures import Future
 from functools import partial
@@ -12,10 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tracker.base.errors import ConfigError
-from tracker.streaming.osc_decode import message
-from tracker.streaming.osc_encode import message as osc_message
-from tracker.streaming.remote import osc
-from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
+from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.remote.reception import (
     ACTS_HZ,
     MOST_PEERS,
@@ -23,6 +21,7 @@ from tracker.streaming.remote.reception import (
     PER_PEER_HZ,
     Reception,
 )
+from tracker.streaming.remote.registry import DOORS, door_kinds, with_doors
 from tracker.streaming.remote.request import (
     MOST_BYTES,
     MOST_TEXT,
@@ -84,11 +83,8 @@ def test_what_cannot_be_meant_is_refused_in_words(said: bytes, why: str) -> None
 
 @given(st.binary(max_size=300))
 def test_no_bytes_do_harm(data: bytes) -> None:
-    for read in (parse, osc.parse):
-        try:
-            read(data, 0.0)
-        except RequestError:
-            continue
+    with contextlib.suppress(RequestError):
+        parse(data, 0.0)
 
 
 def test_a_note_cannot_steer_a_terminal() -> None:
@@ -99,29 +95,6 @@ def test_a_note_cannot_steer_a_terminal() -> None:
 def test_an_answer_is_not_answered() -> None:
     """Two programs that answer each other would never end."""
     assert parse(Reply(False, "", "What?").as_json(), 0.0) is None
-    assert osc.parse(osc.encode(Reply(False, "", "What?")), 0.0) is None
-
-
-def test_osc_asks_for_the_same_and_is_answered() -> None:
-    note = osc.parse(osc_message("/glovetrack/note", "grün"), 1.0)
-    assert note == Request("note", 1.0, text="grün")
-    motor = osc.parse(osc_message("/glovetrack/vibrate", "thumb", 90.0, 40), 1.0)
-    assert motor == Request("vibrate", 1.0, finger="thumb", amplitude=90, duration_ms=40)
-    said = osc.encode(Reply(True, "start", "Recording a.", Path("/x/a.mcap")))
-    assert message(said) == ("/glovetrack/reply", ["start", 1, "Recording a.", "a.mcap"])
-
-
-def test_a_button_of_an_osc_surface_acts_when_pressed_alone() -> None:
-    assert osc.parse(osc_message("/glovetrack/start", 1.0), 0.0) == Request("start", 0.0)
-    assert osc.parse(osc_message("/glovetrack/start", 0.0), 0.0) is None
-
-
-@pytest.mark.parametrize(
-    "data", [osc_message("/other"), osc_message("/glovetrack/note", "a", "b"), b"note hello"]
-)
-def test_strange_osc_is_refused(data: bytes) -> None:
-    with pytest.raises(RequestError):
-        osc.parse(data, 0.0)
 
 
 class Desk:
@@ -177,10 +150,15 @@ def test_what_waits_and_who_is_known_are_bounded() -> None:
 
 
 def test_nothing_is_open_and_the_command_line_opens_it() -> None:
-    assert not any(getattr(RemoteParams(), name) for name in DOORS)
-    assert RemoteParams().host == "127.0.0.1"
-    params = with_doors(RemoteParams(), "udp, OSC:9000", "0.0.0.0")
-    assert params == RemoteParams(udp=True, osc=True, osc_port=9000, host="0.0.0.0")
-    for words in ("tcp", "udp:0", "osc:x"):
+    settings = ConnectionSettings()
+    assert not any(map(settings.is_on, door_kinds()))
+    assert list(door_kinds()) == ["udp", "osc", "websocket", "lsl"]
+    for name, kind in door_kinds().items():
+        assert settings.options(kind).host == "127.0.0.1", name
+    settings = with_doors(settings, "udp, WebSocket:9000", "0.0.0.0")
+    assert settings.is_on("udp") and settings.is_on("websocket")
+    options = settings.options(DOORS.get("websocket"))
+    assert (options.host, options.port) == ("0.0.0.0", 9000)
+    for words in ("tcp", "udp:0"):
         with pytest.raises(ConfigError):
-            with_doors(RemoteParams(), words)
+            with_doors(settings, words)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
+from tracker.base.config import Complain, from_dict
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.vist.params import VistParams
 from tracker.online.frame_timing import TimingParams
-from tracker.streaming.params import StreamParams
 
 ENGINES = {
     "chain": "chain (cameras and IMUs, our own)",
@@ -33,4 +35,11 @@ class Settings:
     hybrid: HybridParams = field(default_factory=HybridParams)
     vist: VistParams = field(default_factory=VistParams)
     timing: TimingParams = field(default_factory=TimingParams)
-    streams: StreamParams = field(default_factory=StreamParams)
+
+
+def settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:
+    """Settings from a table, see `from_dict`.
+
+    The table ``streams`` of older recordings and files has no effect on tracking and is ignored.
+    """
+    return from_dict(Settings, {k: v for k, v in data.items() if k != "streams"}, complain)

@@ -13,13 +13,13 @@ import numpy as np
 
 from extensions.movement.report.command import TrackReport, TruthCheck
 from tracker import __version__
-from tracker.base.config import from_dict, from_toml, to_toml
+from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.base.workers import usable_cores
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings
+from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings, settings_from
 from tracker.engine.two_hands import TwoHands
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.engine import Engine
@@ -272,13 +272,22 @@ def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
 def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
     """The recorded settings or those asked for, with another engine where one is asked for."""
     if options.settings and options.settings != USUAL:
-        settings = from_toml(Settings, read_text(Path(options.settings)), options.settings)
+        settings = _settings_of_file(Path(options.settings))
     else:
         settings = _recorded_settings(reader, options.settings == USUAL)
     blind = reader.info.rig is None and not any(_camera_topics(reader))
     engine = options.engine or ("inertial" if blind else "")
     changes: dict[str, Any] = {"engine": engine, "lenses": options.lenses}
     return replace(settings, **{name: value for name, value in changes.items() if value})
+
+
+def _settings_of_file(path: Path) -> Settings:
+    """Raises FileError, and ConfigError naming the first unknown key or wrong value."""
+
+    def complain(key: str, why: str) -> None:
+        raise ConfigError(f"{path}: {key} {why}.")
+
+    return settings_from(parse_toml(read_text(path), str(path)), complain)
 
 
 def _camera_topics(reader: SessionReader) -> Iterator[str]:
@@ -304,7 +313,7 @@ def _usable_settings(text: str) -> tuple[Settings, list[str]]:
         data = parse_toml(text, SETTINGS)
     except FileError as error:
         raise ConfigError(f"{error} Use the default settings: --settings default.") from error
-    found = from_dict(Settings, data, lambda path, why: unusable.append(path))
+    found = settings_from(data, lambda path, why: unusable.append(path))
     if found.engine not in ENGINES:
         unusable.append("engine")
         found = replace(found, engine=Settings().engine)

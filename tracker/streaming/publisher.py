@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from tracker.gestures.recogniser import GestureRecogniser
@@ -77,6 +77,22 @@ class Names:
 
     @staticmethod
     def of(hand: HandModel, glove: GloveModel, joints: str = OWN) -> Names:
-        """The rows of estimates made for this hand and glove; ``joints`` of `JOINT_SETS`."""
-        radii = joint_radii(hand).tolist() if joints == OPENXR else ()
-        return Names(hand.side, glove.keypoint_names(hand), hand.joint_names, tuple(radii), hand)
+        """The rows of estimates made for this hand and glove; ``joints``: ``own`` or ``openxr``.
+
+        Raises StreamError for other joints.
+        """
+        if joints not in JOINT_SETS:
+            raise StreamError(f"Joints can be {' or '.join(JOINT_SETS)}, not {joints!r}.")
+        names = Names(hand.side, glove.keypoint_names(hand), hand.joint_names, (), hand)
+        return names.with_openxr() if joints == OPENXR else names
+
+    def with_openxr(self) -> Names:
+        """For messages with OpenXR's joints. Raises ValueError for names without a hand."""
+        return replace(self, radii=tuple(joint_radii(self.model).tolist()))
+
+    @property
+    def model(self) -> HandModel:
+        """The hand. Raises ValueError for names without a hand."""
+        if self.hand is None:
+            raise ValueError("these names have no hand")
+        return self.hand

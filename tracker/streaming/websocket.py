@@ -20,14 +20,13 @@ from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
-DEFAULT_PORT = 9751
 MAX_SAID = 1024  # bytes of a client's message; clients have nothing to say
 
 
 class WebSocketPublisher:
     """Serves ws://host:port/. Port 0 takes any free one; ``port`` says which."""
 
-    def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
+    def __init__(self, names: Names, host: str = LOOPBACK, port: int = 0) -> None:
         self._names, self._gestures = names, names.recogniser()
         self._clients: tuple[ClientQueue, ...] = ()  # replaced by the server's thread, not changed
         self._missed = 0  # by clients that have left

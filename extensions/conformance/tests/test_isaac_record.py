@@ -18,8 +18,8 @@ from tracker.geometry import so3
 from tracker.hand.files import load_hand
 from tracker.hand.openxr import JOINTS, OpenXrHand, joint_radii, to_openxr
 from tracker.messages import Estimate, Tracking, Validity
-from tracker.streaming.params import StreamParams, open_publishers, with_streams
-from tracker.streaming.publisher import StreamError
+from tracker.streaming.publisher import Names, StreamError
+from tracker.streaming.registry import StreamSettings, open_streams, with_streams
 
 deviceio = pytest.importorskip("isaacteleop.deviceio")
 
@@ -227,10 +227,10 @@ def test_our_reader_reads_what_was_written(tmp_path: Path) -> None:
 
 def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, hand, glove) -> None:
     path = tmp_path / "live.mcap"
-    params = with_streams(StreamParams(), f"isaac:{path}")
-    (publisher,) = open_publishers(params, hand, glove)
+    settings, names = with_streams(StreamSettings(), f"isaac:{path}"), [Names.of(hand, glove)]
+    (publisher,) = open_streams(settings, names)["isaac"]
     with pytest.raises(StreamError, match="cannot be made"):
-        open_publishers(params, hand, glove)
+        open_streams(settings, names)
     rng = np.random.default_rng(2)
     wanted = []
     for k in range(3):
@@ -251,4 +251,4 @@ def test_a_live_record_is_replayed_and_nothing_is_overwritten(tmp_path: Path, ha
     stamps = [r.stamps for _, r in read_records(path)]
     assert all(s.available >= s.sample for s in stamps)
     with pytest.raises(StreamError, match="needs a file"):
-        open_publishers(StreamParams(isaac=True), hand, glove)
+        open_streams(StreamSettings({"isaac": True}), names)

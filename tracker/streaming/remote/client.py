@@ -7,14 +7,12 @@ import socket
 from typing import Any
 
 from tracker.streaming.connection import StreamError
-from tracker.streaming.remote.params import RemoteParams
 
 ANSWER_BYTES = 65536
+UDP_PORT = 9760
 
 
-def ask(
-    words: dict[str, Any], host: str, port: int = RemoteParams.udp_port, wait: float = 5.0
-) -> str:
+def ask(words: dict[str, Any], host: str, port: int = UDP_PORT, wait: float = 5.0) -> str:
     """Send one request and wait ``wait`` s for its answer, as JSON. Raises StreamError.
 
     It is sent once: a start whose answer was lost would be refused the second time.

@@ -1,4 +1,4 @@
-"""The sockets through which requests come: UDP with JSON or words, OSC over UDP, WebSocket.
+"""The sockets through which requests arrive: datagrams and WebSocket.
 
 Each has a thread of its own, in which a message is stamped as it arrives, however busy the window
 is. A datagram that is too much is dropped without an answer; a WebSocket client that asks too much
@@ -17,7 +17,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from tracker.streaming.connection import StreamError
-from tracker.streaming.remote import osc
 from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_BYTES, Reply, Request, parse
 
@@ -163,10 +162,6 @@ async def _reply(future: Future[Reply]) -> Reply:
 def udp_door(answer: Answer, host: str, port: int) -> Door:
     """JSON or plain words, answered as JSON."""
     return DatagramDoor("UDP", (parse, lambda r: r.as_json().encode()), answer, host, port)
-
-
-def osc_door(answer: Answer, host: str, port: int) -> Door:
-    return DatagramDoor("OSC", (osc.parse, osc.encode), answer, host, port)
 
 
 def is_loopback(host: str) -> bool:

@@ -15,8 +15,8 @@ from functools import partial
 
 import pylsl
 
+from extensions.lsl.outlet import LOCAL_ONLY
 from tracker.base.clock import monotonic
-from tracker.streaming.lsl import LOCAL_ONLY
 from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_TEXT, Request
 

@@ -12,13 +12,16 @@ from pythonosc.osc_bundle import OscBundle
 from pythonosc.osc_message import OscMessage
 from scipy.spatial.transform import Rotation
 
+from extensions.osc.encode import message
+from extensions.osc.vmc import OPENXR_JOINT, VmcPublisher
+from extensions.osc.vmc_pose import AvatarHand, unity_pose
 from tests.fixtures import RESOURCES
+from tracker.gestures.values import GESTURES
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
+from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.messages import Estimate, Tracking
-from tracker.streaming.osc import VmcPublisher
-from tracker.streaming.osc_encode import message
-from tracker.streaming.vmc_pose import AvatarHand, unity_pose
+from tracker.streaming.publisher import Names
 
 # Where an avatar's axes lie for somebody who looks along its gaze, right-handed (east, north, up):
 # it looks north, its right hand points east and its left hand west, palms down.
@@ -89,7 +92,7 @@ def received(hand: HandModel, estimate: Estimate) -> list[list[Any]]:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
         client.settimeout(2)
-        out = VmcPublisher(hand, port=client.getsockname()[1])
+        out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1])
         out.send(estimate)
         out.close()
         bundle = OscBundle(client.recv(65536))
@@ -127,3 +130,46 @@ def test_a_lost_bone_is_said_to_be_lost_and_has_no_pose(hand, make_estimate) -> 
     assert states["RightIndexIntermediate"] == ["measured"]
     assert states["glovetrack-right"] == ["lost"]
     assert not bones(messages, "/VMC/Ext/Tra/Pos")
+
+
+def test_osc_has_a_bundle_of_joints_that_python_osc_reads(
+    make_estimate, names: Names, hand
+) -> None:
+    openxr = names.with_openxr()
+    e = make_estimate(lost=("middle_mcp",))
+    wanted = to_openxr(e, openxr.keypoints, joint_radii(hand))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.bind(("127.0.0.1", 0))
+        client.settimeout(5)
+        publisher = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], openxr)
+        publisher.send(e)
+        client.recv(65536)  # VMC's own
+        told = {m.params[0]: m.params[1:] for m in OscBundle(client.recv(65536))}
+        assert all(m.address == OPENXR_JOINT for m in OscBundle(_again(publisher, e, client)))
+        publisher.close()
+    assert tuple(told) == JOINTS
+    for i, name in enumerate(JOINTS):
+        if name in ("palm", "middle_metacarpal", "middle_proximal"):
+            assert told[name] == ["lost"]
+        else:
+            pose = [*wanted.position[i], *wanted.orientation[i], wanted.radius[i]]
+            assert_allclose(told[name][:8], pose, atol=1e-6)
+
+
+def _again(publisher: VmcPublisher, e, client: socket.socket) -> bytes:
+    publisher.send(e)
+    client.recv(65536)
+    return client.recv(65536)
+
+
+def test_a_gesture_has_its_value_and_whether_it_is_shown(names: Names, hand, make_estimate) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.bind(("127.0.0.1", 0))
+        client.settimeout(2)
+        out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], names)
+        out.send(make_estimate())
+        out.close()
+        messages = [[m.address, *m.params] for m in OscBundle(client.recv(65536))]
+    gestures = bones(messages, "/Glovetrack/Gesture")
+    assert set(gestures) == set(GESTURES)
+    assert all(0.0 <= value <= 1.0 and shown in (0, 1) for value, shown in gestures.values())

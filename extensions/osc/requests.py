@@ -6,8 +6,9 @@ the order of `request.FIELDS`; those at the end may be left out.
 
 from __future__ import annotations
 
-from tracker.streaming import osc_decode, osc_encode
-from tracker.streaming.osc_decode import OscError
+from extensions.osc import decode as osc_decode
+from extensions.osc import encode as osc_encode
+from extensions.osc.decode import OscError
 from tracker.streaming.remote.request import (
     FIELDS,
     MOST_BYTES,

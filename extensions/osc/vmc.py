@@ -16,18 +16,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from extensions.osc.encode import bundle, message
+from extensions.osc.vmc_pose import AvatarHand, unity_pose
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.datagram import DatagramSocket
-from tracker.streaming.osc_encode import bundle, message
 from tracker.streaming.payload import openxr_of
-from tracker.streaming.publisher import LOOPBACK, STATE_WORDS, Names
-from tracker.streaming.vmc_pose import AvatarHand, unity_pose
+from tracker.streaming.publisher import STATE_WORDS, Names
 
-DEFAULT_PORT = 39540  # of a VMC "Marionette"
 CALIBRATED, NORMAL_MODE = 3, 0
 STATE = "/Glovetrack/Bone/State"
 GESTURE = "/Glovetrack/Gesture"
@@ -47,8 +46,8 @@ class VmcPublisher:
     def __init__(
         self,
         hand: HandModel,
-        host: str = LOOPBACK,
-        port: int = DEFAULT_PORT,
+        host: str,
+        port: int,
         names: Names | None = None,
     ) -> None:
         """``names``: of the estimates' rows, where OpenXR's joints are to go along."""

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from pythonosc.osc_bundle_builder import IMMEDIATELY, OscBundleBuilder
 from pythonosc.osc_message_builder import OscMessageBuilder
 
-from tracker.streaming.osc_decode import OscError, message
-from tracker.streaming.osc_encode import message as encode
+from extensions.osc.decode import OscError, message
+from extensions.osc.encode import message as encode
 
 
 def built(address: str, *values: object):

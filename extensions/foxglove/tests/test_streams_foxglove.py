@@ -21,10 +21,12 @@ import jsonschema
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
+from extensions.foxglove.live import FoxglovePublisher
+from extensions.foxglove.scene import estimate_schema
 from tracker.hand.names import bones
 from tracker.messages import Validity
 from tracker.streaming.client_queue import BACKLOG
-from tracker.streaming.foxglove_live import FoxglovePublisher
+from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import Names, StreamError
 
 PROTOCOL, OLD_PROTOCOL, MESSAGE_DATA = "foxglove.sdk.v1", "foxglove.websocket.v1", 1
@@ -308,3 +310,14 @@ def test_a_taken_port_is_said_in_words_and_closing_frees_it(names, make_estimate
     with pytest.raises(StreamError, match="closed"):
         first.send(make_estimate())
     FoxglovePublisher(names, port=first.port).close()
+
+
+def test_the_schema_for_foxglove_lists_every_joint(make_estimate, names: Names) -> None:
+    openxr = names.with_openxr()
+    fields = estimate_schema(openxr)["properties"]
+    said = json.loads(to_json(make_estimate(), openxr, openxr.recogniser()))
+    assert fields.keys() == said.keys()
+    for part in ("joints", "angles"):
+        assert fields[part]["properties"].keys() == said[part].keys()
+    joint = fields["joints"]["properties"]["palm"]["properties"]
+    assert joint.keys() == said["joints"]["palm"].keys()

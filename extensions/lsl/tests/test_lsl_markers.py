@@ -12,10 +12,11 @@ try:
 except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
+from extensions.lsl.markers import MarkerDoor
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
-from tracker.streaming.remote.lsl_markers import MarkerDoor
-from tracker.streaming.remote.params import RemoteParams, open_door, with_doors
+from tracker.streaming.connection import ConnectionSettings
+from tracker.streaming.remote.registry import DOORS, open_door, with_doors
 from tracker.streaming.remote.request import Reply, Request
 
 
@@ -40,8 +41,8 @@ def outlet() -> pylsl.StreamOutlet:
 
 
 def test_a_marker_is_a_note_at_its_own_instant(outlet: pylsl.StreamOutlet, wait_for) -> None:
-    taken = Taken()
-    door = open_door("lsl", with_doors(RemoteParams(), "lsl"), taken.answer)
+    taken, kind = Taken(), DOORS.get("lsl")
+    door = open_door(kind, with_doors(ConnectionSettings(), "lsl").options(kind), taken.answer)
     try:
         if not outlet.wait_for_consumers(10):
             pytest.skip("LSL finds nothing here: this machine passes no multicast")
@@ -94,4 +95,4 @@ def test_a_stream_that_ends_is_forgotten() -> None:
 
 def test_markers_have_no_port() -> None:
     with pytest.raises(ConfigError, match="no port"):
-        with_doors(RemoteParams(), "lsl:9000")
+        with_doors(ConnectionSettings(), "lsl:9000")

@@ -15,8 +15,9 @@ try:
 except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
+from extensions.lsl.outlet import LslPublisher, channels, sample
 from tracker.gestures.values import GESTURES
-from tracker.streaming.lsl import LslPublisher, channels, sample
+from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.streaming.publisher import Names
 
 
@@ -62,3 +63,16 @@ def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names
     finally:
         out.close()
     out.send(make_estimate())  # after closing: nothing happens
+
+
+def test_lsl_labels_pose_radius_and_state(make_estimate, names: Names, hand) -> None:
+    openxr = names.with_openxr()
+    e = make_estimate(lost=("middle_mcp",))
+    labels = [label for label, _ in channels(openxr)]
+    read = dict(zip(labels, sample(e, openxr), strict=True))
+    wanted = to_openxr(e, openxr.keypoints, joint_radii(hand))
+    i = JOINTS.index("ring_tip")
+    pose = [read[f"ring_tip_{c}"] for c in ("x", "y", "z", "qx", "qy", "qz", "qw", "radius")]
+    assert_allclose(pose, [*wanted.position[i], *wanted.orientation[i], wanted.radius[i]])
+    assert read["ring_tip_state"] == 2 and read["palm_state"] == 0
+    assert np.isnan([read["palm_x"], read["palm_qw"], read["palm_radius"]]).all()

@@ -21,9 +21,7 @@ from functools import partial
 from websockets.asyncio.server import ServerConnection
 from websockets.typing import Origin, Subprotocol
 
-from tracker.messages import Estimate
-from tracker.streaming.client_queue import ClientQueue
-from tracker.streaming.foxglove_protocol import (
+from extensions.foxglove.protocol import (
     SUBPROTOCOLS,
     Channel,
     ProtocolError,
@@ -33,12 +31,13 @@ from tracker.streaming.foxglove_protocol import (
     message_data,
     server_info,
 )
-from tracker.streaming.foxglove_scene import FoxgloveScene, estimate_schema, scene_schema
+from extensions.foxglove.scene import FoxgloveScene, estimate_schema, scene_schema
+from tracker.messages import Estimate
+from tracker.streaming.client_queue import ClientQueue
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
-DEFAULT_PORT = 8765  # where Foxglove looks by itself
 MAX_SAID = 2**16  # bytes of a client's message
 ESTIMATE, SCENE = 1, 2  # channels of the first hand; those of the next are 3 and 4
 FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
@@ -51,7 +50,7 @@ class FoxglovePublisher:
         self,
         names: Names,
         host: str = LOOPBACK,
-        port: int = DEFAULT_PORT,
+        port: int = 0,
         wall_offset: float | None = None,
         origins: Collection[str] = (),
         others: Sequence[Names] = (),

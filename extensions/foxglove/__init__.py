@@ -1,0 +1,1 @@
+"""A Foxglove live server: estimates as JSON for plots and as a scene for the 3D panel."""

@@ -1,0 +1,3 @@
+"""Fixtures of the tests of streams."""
+
+from tests.streaming.conftest import make_estimate, names, wait_for  # noqa: F401

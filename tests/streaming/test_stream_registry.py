@@ -1,0 +1,132 @@
+"""What is on, what a settings file and the command line say, and what is reported if a package is
+absent."""
+
+from __future__ import annotations
+
+import socket
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
+
+from tracker.base.errors import ConfigError
+from tracker.streaming.publisher import Names, StreamError
+from tracker.streaming.registry import (
+    STREAMS,
+    StreamKind,
+    StreamSettings,
+    open_stream,
+    open_streams,
+    read_settings,
+    stream_kinds,
+    with_streams,
+)
+
+ALL = ["udp", "websocket", "vmc", "lsl", "foxglove", "isaac"]
+PORTS = {"udp": 9750, "websocket": 9751, "vmc": 39540, "foxglove": 8765}
+
+
+def free_port() -> int:
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        return int(s.getsockname()[1])
+
+
+def test_nothing_is_on_and_nothing_leaves_the_machine(names: Names) -> None:
+    settings = StreamSettings()
+    assert open_streams(settings, [names]) == {} and settings.on == []
+    for kind in stream_kinds().values():
+        if kind.has("host"):
+            assert settings.options(kind).host == "127.0.0.1"
+
+
+def test_all_streams_are_listed_and_have_their_ports() -> None:
+    kinds = stream_kinds()
+    assert list(kinds) == ALL and [kind.name for kind in kinds.values()] == ALL
+    found = {name: kind.options().port for name, kind in kinds.items() if kind.has("port")}
+    assert found == PORTS
+
+
+def test_every_option_has_a_help_text() -> None:
+    for kind in stream_kinds().values():
+        assert all(kind.fields.values()), kind.name
+
+
+def test_what_is_on_is_opened(names: Names, make_estimate) -> None:
+    table = {"udp": True, "websocket": True, "vmc": True, "websocket_port": free_port()}
+    out = open_streams(StreamSettings(table), [names])
+    assert [p.name.split()[0] for (p,) in out.values()] == ["UDP", "WebSocket", "VMC"]
+    for (publisher,) in out.values():
+        publisher.send(make_estimate())
+        publisher.close()
+
+
+@pytest.mark.parametrize(
+    ("name", "module"),
+    [("lsl", "extensions.lsl.outlet"), ("foxglove", "extensions.foxglove.live")],
+)
+def test_an_absent_package_is_named_and_the_rest_closed(
+    names: Names, monkeypatch, name: str, module: str
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)  # import fails
+    port = free_port()
+    settings = StreamSettings({"websocket": True, name: True, "websocket_port": port})
+    with pytest.raises(StreamError, match=rf"{name} stream needs a package.*glovetrack\[streams\]"):
+        open_streams(settings, [names])
+    with socket.socket() as s:
+        assert s.connect_ex(("127.0.0.1", port)) != 0, "the WebSocket server is still there"
+
+
+def test_a_stream_that_makes_too_few_publishers_is_refused(names: Names) -> None:
+    @dataclass(frozen=True)
+    class Options:
+        pass
+
+    kind = StreamKind(name="none", title="None", options=Options, make=lambda options, hands: [])
+    with pytest.raises(StreamError, match="made 0 publishers for 1 hands"):
+        open_stream(kind, Options(), [names])
+
+
+def test_words_of_the_command_line() -> None:
+    settings = with_streams(StreamSettings(), "udp, WebSocket:9000,lsl", "10.0.0.2")
+    assert settings.on == ["udp", "websocket", "lsl"] and settings.host == "10.0.0.2"
+    options = settings.options(STREAMS.get("websocket"))
+    assert (options.host, options.port) == ("10.0.0.2", 9000)
+    assert with_streams(settings, "") == settings
+    assert all(with_streams(StreamSettings(), name).is_on(name) for name in ALL)
+    isaac = with_streams(StreamSettings(), "isaac:Take 1.mcap")
+    assert isaac.options(STREAMS.get("isaac")).file == "Take 1.mcap"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("udp,ros", "no stream 'ros'; available: .*websocket"),
+        ("udp:0", "'0' is not a port for the udp stream"),
+        ("vmc:", "'' is not a port"),
+        ("lsl:5", "lsl stream has no port"),
+    ],
+)
+def test_a_wrong_word_is_named(words: str, said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        with_streams(StreamSettings(), words)
+
+
+def test_a_section_of_the_settings_file(tmp_path: Path) -> None:
+    path = tmp_path / "settings.toml"
+    path.write_text('engine = "chain"\n[streams]\nfoxglove = true\nfoxglove_port = 9100\n')
+    settings = read_settings(path)
+    assert settings.on == ["foxglove"]
+    assert settings.options(STREAMS.get("foxglove")).port == 9100
+    path.write_text("[streams]\nros = true\n")
+    with pytest.raises(ConfigError, match=r"streams\.ros is not a setting"):
+        read_settings(path)
+
+
+def test_settings_of_a_stream_that_is_not_installed_are_preserved() -> None:
+    settings = StreamSettings({"ros": True, "ros_port": 7, "udp": False})
+    assert settings.on == [] and open_streams(settings, []) == {}
+    assert settings.changed(udp=True).table == {"ros": True, "ros_port": 7, "udp": True}
