@@ -1,6 +1,8 @@
 """Open Sound Control: fingers to avatars by VMC, and remote control.
 
-Messages are encoded and decoded here and not by python-osc (public domain): that library ignores
-an argument of an unknown type and goes on, lets UnicodeDecodeError through, and reads an address
-that does not begin with a slash. Refusing these takes as many lines as decoding does.
+Messages are encoded and decoded in this package. python-osc 1.10 (public domain) would replace 100
+lines, but takes 1.7 ms for a bundle of 45 bones (here 0.11 ms; 100 bundles a second for each hand).
+When decoding, it drops an argument of an unknown type and keeps the others, raises
+UnicodeDecodeError for a text that is not UTF-8, and accepts an address without a slash; requests
+that start a recording must be refused in these cases. The tests use it as the other side.
 """
