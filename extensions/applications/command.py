@@ -122,7 +122,7 @@ def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome]
     if args.page is None:
         return lambda title, outcome: None
     try:
-        from extensions.applications.session_page import PacedPage
+        from extensions.applications.page import PacedPage
     except ImportError as error:
         raise ConfigError(
             '--page requires more packages: pip install "glovetrack[streams]".'

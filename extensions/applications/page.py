@@ -14,6 +14,7 @@ from __future__ import annotations
 import asyncio
 import json
 import mimetypes
+import threading
 from http import HTTPStatus
 from typing import Any
 
@@ -24,7 +25,9 @@ from websockets.http11 import Request, Response
 
 from extensions.applications.drawing import Drawing, Line, Mesh, Points, Primitive, Text
 from extensions.applications.hand import HandSample
+from extensions.applications.runner import Outcome
 from resources import folder
+from tracker.base.clock import monotonic
 from tracker.hand.openxr import R_BX
 from tracker.messages import Array, Validity
 from tracker.streaming.publisher import LOOPBACK, STATE_WORDS
@@ -157,3 +160,24 @@ def _turned(p_G: Array) -> list[float]:
 
 def _numbers(values: Array) -> list[float]:
     return [round(v, DECIMALS) for v in np.asarray(values, float).ravel().tolist()]
+
+
+class PacedPage:
+    """Shows each sample when it is due; ``paced`` False: at once, since it comes live."""
+
+    def __init__(self, port: int, paced: bool) -> None:
+        self._server, self._paced = PageServer(port), paced
+        self._began: float | None = None
+        self.url = self._server.url
+
+    def look(self, title: str, outcome: Outcome) -> None:
+        """Waits for the sample's time, then shows it."""
+        now = monotonic()
+        if self._began is None:
+            self._began = now - outcome.t
+        if self._paced and self._began + outcome.t > now:
+            threading.Event().wait(self._began + outcome.t - now)
+        self._server.show(title, outcome.hand, outcome.drawing)
+
+    def close(self) -> None:
+        self._server.close()

@@ -1,27 +1,166 @@
-"""One trial: a scripted wearer takes a cube that lies somewhere and puts it down elsewhere."""
+"""A scripted wearer takes a cube with three fingers, carries it and puts it down elsewhere.
+
+The hand is the hand file's own, at postures whose fingertips, as a robot maps them, are around the
+cube; it sways, and is off by some mm of where it means to be.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import least_squares
 
+from extensions.robot.carrier import HOME
 from extensions.robot.command import RESET, RobotCommand
-from extensions.robot.picking import LIFT, Picking
+from extensions.robot.hand import RobotHand
 from extensions.robot.scene import CUBE
 from extensions.robot.teleop import Teleop
+from extensions.robot.worn import WornHand, worn_points
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
+from tracker.geometry import so3
 from tracker.glove.library import text
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
-from tracker.messages import Array, RobotState
-from tracker.simulation.smooth import rng_for
+from tracker.messages import Array, RobotState, Validity
+from tracker.simulation.motion import Poses
+from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 
+CENTRE = np.array([0.02, 0.011, -0.06])
+"""m in the robot's P: the cube's middle while it is held (of a right hand)."""
+OPEN, CLOSED = CUBE + 0.025, CUBE - 0.012  # m from there to the tips
+LIFT = 0.12  # m
+SWAY, SWAY_ANGLE = 0.001, 0.01  # m and rad
+OFF = 0.003  # m, sd of where the wearer takes the cube
+START = np.array([0.05, 0.0, 0.30])
+"""m in G, where the wearer's palm is when the robot's is at home."""
 PACKET = 0.01  # s
 NEAR = 0.03  # m from the goal: put down where it should be
 Count = Callable[[RobotState, Array, float], None]
+
+
+class Way(NamedTuple):
+    """One move: ``seconds`` to the palm's p (3,) m in W, with fingers closed by ``grip`` 0 to 1."""
+
+    seconds: float
+    p_W: Array
+    grip: float
+
+
+class Picking:
+    """The wearer's hand in time, for a cube at x, y m and ``yaw`` rad in W that is to go to
+    ``goal`` (2,) m."""
+
+    follows_synergies = True
+
+    def __init__(
+        self, hand: HandModel, robot: RobotHand, cube: Array, goal: Array, seed: int
+    ) -> None:
+        """``cube`` (3,): x, y, yaw."""
+        self.hand = hand
+        rng = rng_for(seed, "picking")
+        off = rng.normal(0.0, OFF, 2)
+        turn = so3.rz(float(cube[2]))
+        grasp = np.array([*(cube[:2] + off), CUBE]) - turn @ _centre(hand)
+        put = np.array([*goal, CUBE + 0.002]) - turn @ _centre(hand)
+        up = np.array([0.0, 0.0, LIFT])
+        self._ways = (
+            Way(1.2, grasp + up, 0.0),
+            Way(0.9, grasp, 0.0),
+            Way(0.5, grasp, 1.0),
+            Way(0.3, grasp, 1.0),
+            Way(0.8, grasp + up, 1.0),
+            Way(1.2, put + up, 1.0),
+            Way(0.9, put, 1.0),
+            Way(0.6, put, 0.0),
+            Way(0.8, put + up, 0.0),
+            Way(0.4, put + up, 0.0),
+        )
+        self._ends = list(accumulate(way.seconds for way in self._ways))
+        self.duration = self._ends[-1]
+        self._yaw = float(cube[2])
+        self._open = grasp_posture(hand, robot, OPEN)
+        self._closed = grasp_posture(hand, robot, CLOSED)
+        self._sway = SmoothNoise(rng_for(seed, "sway"), (6,), 0.5)
+
+    def poses(self, t: Array) -> Poses:
+        """The hand at t (n,) s."""
+        p, grip, turned = np.tile(HOME, (len(t), 1)), np.zeros(len(t)), np.zeros(len(t))
+        last, grip_before, start = HOME, 0.0, 0.0
+        for way, end in zip(self._ways, self._ends, strict=True):
+            share = minimum_jerk((t - start) / (end - start))
+            p += share[:, None] * (way.p_W - last)
+            grip += share * (way.grip - grip_before)
+            last, grip_before, start = way.p_W, way.grip, end
+        turned = self._yaw * minimum_jerk(t / self._ends[0])
+        sway = self._sway(t)
+        R = so3.exp(np.outer(turned, [0.0, 0.0, 1.0]) + SWAY_ANGLE * sway[:, :3])
+        angles = self._open + grip[:, None] * (self._closed - self._open)
+        middle = self.hand.segments[self.hand.index["middle_proximal"]].origin
+        p_G = START + (p - HOME) + SWAY * sway[:, 3:]
+        return Poses(angles, R, p_G - R @ middle)
+
+    def worn(self, t: Array) -> list[WornHand]:
+        """What a robot is fed with at t (n,) s."""
+        poses = self.poses(t)
+        return [
+            worn_at(self.hand, Poses(*(part[k] for part in poses)), float(t[k]))
+            for k in range(len(t))
+        ]
+
+
+def worn_at(hand: HandModel, pose: Poses, t: float) -> WornHand:
+    """One instant of a motion as it truly is: ``pose`` without its axis of instants."""
+    R, p = hand.forward(pose.angles, pose.R_GB, pose.p_GB)
+    state = np.full(len(hand.keypoint_names), int(Validity.MEASURED), np.int64)
+    q = so3.quat_from_matrix(pose.R_GB)
+    return worn_points(t, True, hand.keypoints(R, p), state, q)
+
+
+def grasp_posture(hand: HandModel, robot: RobotHand, half: float) -> Array:
+    """(J,) rad of a wearer whose thumb is ``half`` m behind the cube's middle, index and middle
+    finger as far before it, as the robot has it."""
+    free = [i for i, n in enumerate(hand.joint_names) if n.startswith(("thumb", "index", "middle"))]
+    limits = hand.angle_limits[free]
+    wanted = _wanted(hand, robot, half)
+
+    def whole(x: Array) -> Array:
+        angles = np.zeros(len(hand.joint_names))
+        angles[free] = x
+        for name, row in hand.angle_index.items():
+            if name.startswith(("ring", "little")) and name.endswith("flexion"):
+                angles[row] = angles[hand.angle_index[name.replace(name.split("_")[0], "middle")]]
+        return angles
+
+    def residual(x: Array) -> Array:
+        worn = worn_at(hand, Poses(whole(x), np.eye(3), np.zeros(3)), 0.0)
+        miss = (worn.tip - worn.knuckle)[:3] / worn.length[:3, None] - wanted
+        return np.concatenate([20.0 * miss.ravel(), 0.05 * (x - start)])
+
+    start = np.clip(np.full(len(free), 0.4), *limits.T)
+    start[[hand.joint_names[i].endswith("abduction") for i in free]] = 0.0
+    start = np.clip(start, limits[:, 0] + 1e-6, limits[:, 1] - 1e-6)
+    return whole(np.asarray(least_squares(residual, start, bounds=limits.T).x))
+
+
+def _centre(hand: HandModel) -> Array:
+    return CENTRE if hand.side == "right" else CENTRE * [1, -1, 1]
+
+
+def _wanted(hand: HandModel, robot: RobotHand, half: float) -> Array:
+    """(3, 3) from the knuckles of thumb, index and middle finger to their tips, in lengths of the
+    finger."""
+    apart = 0.012 if hand.side == "right" else -0.012
+    offsets = {"thumb": (-half, 0.0, 0.0), "index": (half, apart, 0), "middle": (half, -apart, 0)}
+    rows = []
+    for finger in robot.anatomy.fingers:
+        if finger.name in offsets:
+            at = _centre(hand) + np.array(offsets[finger.name])
+            rows.append((at - finger.knuckle) / finger.length)
+    return np.array(rows)
 
 
 class PickTrial(NamedTuple):

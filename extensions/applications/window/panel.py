@@ -28,10 +28,8 @@ from app.widgets.measures import NEAR
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.scene import Label, contrast
 from app.widgets.view3d.view_3d import View3D
-from extensions.applications.window.bodies import ApplicationBodies
-from extensions.applications.window.controls import ApplicationControls
-from extensions.applications.window.drawing import DrawingForms, bounds
-from extensions.applications.window.settings_form import SettingsForm
+from extensions.applications.window.controls import ApplicationControls, SettingsForm
+from extensions.applications.window.drawing import ApplicationBodies, DrawingForms, bounds
 from extensions.applications.window.view_model import ApplicationsModel
 from tracker.messages import Shed
 

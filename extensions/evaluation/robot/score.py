@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.robot.hand import RobotHand
-from extensions.robot.pick_and_place import worn_hand_of
-from extensions.robot.picking import worn_at
+from extensions.robot.pick_and_place import worn_at, worn_hand_of
 from extensions.robot.retarget import Retargeter
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import target_map

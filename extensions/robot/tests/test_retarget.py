@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from extensions.robot.retarget import Retargeter, bounded_step
-from extensions.robot.targets import TOUCH, TargetMap
-from extensions.robot.teleop import target_map
+from extensions.robot.teleop import TOUCH, TargetMap, target_map
 from extensions.robot.tests.hands import shadow, worn, worn_model
 from tracker.simulation.gestures import pinch
 
