@@ -62,6 +62,7 @@ firmware:
 
 screenshots: $(READY_FOR_TESTS)
 	$(OFFSCREEN) $(BIN)/python -m app.tools.screenshots --out docs/screenshots
+	$(BIN)/python -m extensions.sheets.pictures --out docs/screenshots
 
 translations: $(READY)
 	$(OFFSCREEN) $(BIN)/python -m app.tools.translations

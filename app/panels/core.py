@@ -64,7 +64,7 @@ MOTION = PanelKind(
 LIBRARY = PanelKind(
     "library",
     mark("Library"),
-    lambda s: LibraryPanel(s.host, s.store, s.tasks),
+    lambda s: LibraryPanel(s.host, s.store, s.tasks, s.recording_actions),
     {"look": Spot("below", 0, 0), "all": Spot("left", 1, 3)},
     number=5,
 )

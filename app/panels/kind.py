@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from app.jobs.outputs import Outputs
     from app.jobs.record_key import RecordKey
     from app.jobs.remote import RemoteControl
+    from app.panels.command_kind import RecordingAction
     from app.panels.panel import Panel
     from app.platform.tasks import TaskOwner
     from app.storage.settings import SettingsStore
@@ -28,6 +29,7 @@ class PanelServices:
     ``host`` opens and runs engines and has signals for what happens. ``store``: the user's
     settings. ``tasks`` runs jobs in the background. ``plan`` and ``record_key``: the next
     recording. ``outputs`` and ``remote``: streams that are sent and remote control.
+    ``recording_actions``: commands of other packages on recordings, by name.
     """
 
     host: EngineHost
@@ -37,6 +39,7 @@ class PanelServices:
     record_key: RecordKey
     outputs: Outputs
     remote: RemoteControl
+    recording_actions: Mapping[str, RecordingAction]
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,6 @@ from app.tools.screenshots_set_up import take_set_up
 from app.window.headless_report import START_TIMEOUT, wait_until
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
-from extensions.sheets.pictures import take_sheets
 from tracker.messages import Tracking
 
 SETTLE = 6.0  # s of tracking before the first image
@@ -53,7 +52,6 @@ def main(argv: Sequence[str] | None = None) -> int:
         store = SettingsStore(Path(folder) / "window.json")
         store.update(sessions_folder=folder, job="all")
         window = MainWindow(store)
-        take_sheets(out)
         try:
             return _take_all(window, out, Path(folder))
         finally:

@@ -20,6 +20,7 @@ from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
 from app.panels.colours.panel import ColoursPanel
+from app.panels.command_kind import CommandContext
 from app.panels.hand.panel import HandPanel
 from app.panels.kind import PanelServices
 from app.panels.library.panel import LibraryPanel
@@ -36,7 +37,13 @@ from app.window import theme
 from app.window.bug_reports import BugReports, ReportSources
 from app.window.colours_told import ColoursTold
 from app.window.commands import Commands
-from app.window.contributions import make_panels, panel_kinds, panel_of
+from app.window.contributions import (
+    added_commands,
+    make_panels,
+    panel_kinds,
+    panel_of,
+    recording_actions,
+)
 from app.window.countdown import Announced, Countdown
 from app.window.dialogs import Dialogs
 from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
@@ -112,6 +119,9 @@ class MainWindow(QMainWindow):
     # --- making
 
     def _make_panels(self) -> None:
+        self.context = CommandContext(
+            self.host, self.store, self.tasks, self, self.set_up.show_once
+        )
         services = PanelServices(
             self.host,
             self.store,
@@ -120,6 +130,7 @@ class MainWindow(QMainWindow):
             self.record_key,
             self.outputs,
             self.remote,
+            recording_actions(self.context),
         )
         self.kinds = panel_kinds()
         self.not_made: list[str] = []
@@ -178,6 +189,7 @@ class MainWindow(QMainWindow):
             hand=self.hand,
             colours=self.colours,
             calibration=self.calibration,
+            added=added_commands(self.context),
         )
         add_commands(self._targets, self.commands)
         numbers = {name: kind.number for name, kind in self.kinds.items()}

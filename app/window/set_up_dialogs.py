@@ -180,23 +180,6 @@ class SetUpDialogs(QObject):
         dialog.saved.connect(self.pose_reset_changed)
         self.show_dialog("pose_reset", dialog)
 
-    def open_conformance(self) -> None:
-        """Scripted gestures, recorded and judged."""
-        setup = self._host.setup
-        if self._raise("conformance") or not self.can_conform or setup is None:
-            return
-        from extensions.conformance.window.guide.dialog import ConformanceDialog
-
-        scene = theme.colours(self._store.value.theme).scene
-        dialog = ConformanceDialog(self._host, setup, self._store, self._tasks, scene, self._window)
-        self.show_dialog("conformance", dialog)
-
-    @property
-    def can_conform(self) -> bool:
-        """Whether there is a hand that is tracked and can be recorded."""
-        setup = self._host.setup
-        return self._host.running and setup is not None and setup.make_recorder is not None
-
     # --- all
 
     def _restart_devices(self) -> None:
@@ -213,6 +196,11 @@ class SetUpDialogs(QObject):
         dialog.raise_()
         dialog.activateWindow()
         return True
+
+    def show_once(self, name: str, make: Callable[[], QDialog]) -> None:
+        """Make and show a dialog, or bring the open one of that name to the front."""
+        if not self._raise(name):
+            self.show_dialog(name, make())
 
     def show_dialog(self, name: str, dialog: QDialog) -> None:
         """Show a dialog until it, or the window, is closed."""

@@ -24,6 +24,7 @@ from app.viewmodels.recording import RecordingPlan
 from app.widgets.icons import beside, dress
 from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
+from app.window.contributions import AddedCommand
 from app.window.dialogs import Dialogs
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
@@ -73,6 +74,7 @@ class Targets:
     hand: HandPanel
     colours: ColoursPanel
     calibration: CalibrationPanel
+    added: Mapping[str, AddedCommand]
 
 
 def add_commands(on: Targets, commands: Commands) -> None:
@@ -80,6 +82,17 @@ def add_commands(on: Targets, commands: Commands) -> None:
     for group in (_file, _set_up, _tracking, _replay, _camera, _view):
         for command in group(on):
             commands.add(command)
+            for name, added in on.added.items():
+                if added.after == command.key:
+                    commands.add(_added(name, added, command.menu))
+    for name, added in on.added.items():
+        if name not in commands.actions:
+            commands.add(_added(name, added, on.window.tr("E&xtensions")))
+
+
+def _added(name: str, added: AddedCommand, menu: str) -> Command:
+    """A command that a package has declared."""
+    return Command(name, menu, added.title, added.run, added.shortcut)
 
 
 def _file(on: Targets) -> list[Command]:
@@ -120,7 +133,6 @@ def _set_up(on: Targets) -> list[Command]:
         Command("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
         Command("save_wearer", menu, w.tr("Save the &wearer…"), on.calibration.wearer.ask_name),
-        Command("conformance", menu, w.tr("C&onformance…"), on.set_up.open_conformance),
         Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
     ]
 
@@ -309,11 +321,12 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("pose_reset", on.pose_reset.available),
         ("guided", host.running and guided),
         ("save_wearer", on.calibration.profiles.link.available),
-        ("conformance", on.set_up.can_conform),
         ("note", host.records),  # a replay's file is not written to again
         ("live", on.sources.can_go_live),
     ):
         commands.enable(key, able)
+    for key, added in on.added.items():
+        commands.enable(key, added.enabled())
     name = w.tr("Stop &recording") if recording else w.tr("&Record")
     action = commands.actions["record"]
     action.setText(name)

@@ -1,7 +1,9 @@
-"""Images of the sheets that a glove's builder prints, for the guide."""
+"""``python -m extensions.sheets.pictures``: images of the printed sheets, for the guide."""
 
 from __future__ import annotations
 
+import argparse
+from collections.abc import Sequence
 from pathlib import Path
 
 from extensions.sheets.markers import marker_pages
@@ -11,9 +13,25 @@ from tracker.glove import library
 DPI = 72
 
 
+def main(argv: Sequence[str] | None = None) -> None:
+    """Write the images."""
+    parser = argparse.ArgumentParser(prog="pictures")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=Path("docs/screenshots"),
+        help="folder for the images (default: docs/screenshots)",
+    )
+    take_sheets(parser.parse_args(argv).out)
+
+
 def take_sheets(out: Path) -> None:
     """Patches, the hand and the wiring, as PNG."""
     hand, glove = library.load()
     patches, above = marker_pages(hand, glove)[:2]
     for name, page in (("markers", patches), ("hand", above), ("wiring", wiring_page(glove))):
         page.figure.savefig(out / f"sheet-{name}.png", dpi=DPI, facecolor="white")
+
+
+if __name__ == "__main__":
+    main()

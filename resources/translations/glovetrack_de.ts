@@ -269,11 +269,6 @@
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
-      <source>Calibration</source>
-      <translation>Kalibrierung</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/panel.py" />
       <source>How late images are stamped, from the motion of the hand and its gyroscope</source>
       <translation>Wie verspätet Bilder gestempelt sind, aus der Bewegung der Hand und ihrem Gyroskop</translation>
     </message>
@@ -464,11 +459,6 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Cameras</source>
-      <translation>Kameras</translation>
-    </message>
-    <message>
-      <location filename="app/panels/cameras.py" />
       <source>Left</source>
       <translation>Links</translation>
     </message>
@@ -619,11 +609,6 @@
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
-      <source>Set-up</source>
-      <translation>Einrichtung</translation>
-    </message>
-    <message>
-      <location filename="app/panels/checklist.py" />
       <source>Reading the light</source>
       <translation>Licht wird gemessen</translation>
     </message>
@@ -676,11 +661,6 @@
       <location filename="app/panels/colours/light.py" />
       <source>What of the light costs markers, and what to change</source>
       <translation>Was am Licht Marker kostet und was zu ändern ist</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/panel.py" />
-      <source>Colours</source>
-      <translation>Farben</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
@@ -923,7 +903,67 @@
       <translation>Port von {}</translation>
     </message>
     <message>
-      <location filename="app/panels/devices/panel.py" />
+      <location filename="app/panels/core.py" />
+      <source>Cameras</source>
+      <translation>Kameras</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Hand</source>
+      <translation>Hand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Sensors</source>
+      <translation>Sensoren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Motion</source>
+      <translation>Bewegung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Library</source>
+      <translation>Bibliothek</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Log</source>
+      <translation>Protokoll</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Set-up</source>
+      <translation>Einrichtung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Calibration</source>
+      <translation>Kalibrierung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Colours</source>
+      <translation>Farben</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Recording</source>
+      <translation>Aufnahme</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Streams &amp;&amp; haptics</source>
+      <translation>Streams &amp;&amp; Haptik</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
+      <source>Graphs</source>
+      <translation>Diagramme</translation>
+    </message>
+    <message>
+      <location filename="app/panels/core.py" />
       <source>Device settings</source>
       <translation>Geräteeinstellungen</translation>
     </message>
@@ -1066,11 +1106,6 @@
       <location filename="app/panels/graphs/layouts.py" />
       <source>Layout</source>
       <translation>Layout</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/panel.py" />
-      <source>Graphs</source>
-      <translation>Diagramme</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/panel.py" />
@@ -1241,11 +1276,6 @@
       <location filename="app/panels/hand/legend.py" />
       <source>lost</source>
       <translation>verloren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/panel.py" />
-      <source>Hand</source>
-      <translation>Hand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
@@ -1639,11 +1669,6 @@
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
-      <source>Library</source>
-      <translation>Bibliothek</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/panel.py" />
       <source>Sessions</source>
       <translation>Sitzungen</translation>
     </message>
@@ -1714,11 +1739,6 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>Report of {}</source>
-      <translation>Bericht über {}</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_files.py" />
       <source>Cropping {}</source>
       <translation>{} wird zugeschnitten</translation>
     </message>
@@ -1731,11 +1751,6 @@
       <location filename="app/panels/library/session_files.py" />
       <source>Tags removed: {}.</source>
       <translation>Schlagwörter entfernt: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_files.py" />
-      <source>Report of {} recordings</source>
-      <translation>Bericht über {} Aufnahmen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
@@ -1791,11 +1806,6 @@
       <location filename="app/panels/library/session_page.py" />
       <source>Two takes side by side</source>
       <translation>Zwei Aufnahmen nebeneinander</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_page.py" />
-      <source>Report</source>
-      <translation>Bericht</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
@@ -2094,11 +2104,6 @@
     </message>
     <message>
       <location filename="app/panels/log.py" />
-      <source>Log</source>
-      <translation>Protokoll</translation>
-    </message>
-    <message>
-      <location filename="app/panels/log.py" />
       <source>Filter</source>
       <translation>Filter</translation>
     </message>
@@ -2151,11 +2156,6 @@
       <location filename="app/panels/motion/controls.py" />
       <source>Save as CSV…</source>
       <translation>Als CSV speichern…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Motion</source>
-      <translation>Bewegung</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
@@ -2261,11 +2261,6 @@
       <location filename="app/panels/record_file.py" />
       <source>Hand records (*.mcap)</source>
       <translation>Handaufzeichnungen (*.mcap)</translation>
-    </message>
-    <message>
-      <location filename="app/panels/recording.py" />
-      <source>Recording</source>
-      <translation>Aufnahme</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -2419,11 +2414,6 @@
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
-      <source>Sensors</source>
-      <translation>Sensoren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/sensors.py" />
       <source>Angular rate / °/s</source>
       <translation>Drehrate / °/s</translation>
     </message>
@@ -2516,11 +2506,6 @@
       <location filename="app/panels/start_page.py" />
       <source>{} more stand in the library.</source>
       <translation>Weitere in der Bibliothek: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/streams.py" />
-      <source>Streams &amp;&amp; haptics</source>
-      <translation>Streams &amp;&amp; Haptik</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -5545,6 +5530,21 @@ change {}: {}</source>
       <translation>Farben zeigen</translation>
     </message>
     <message>
+      <location filename="app/window/contributions.py" />
+      <source>The panel {} cannot be shown: {}. Install it with pip install '{}'.</source>
+      <translation>Das Feld {} kann nicht gezeigt werden: {}. Installieren mit pip install '{}'.</translation>
+    </message>
+    <message>
+      <location filename="app/window/contributions.py" />
+      <source>The panel {} cannot be shown: {}.</source>
+      <translation>Das Feld {} kann nicht gezeigt werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/window/contributions.py" />
+      <source>{} failed: {}.</source>
+      <translation>{} ist fehlgeschlagen: {}.</translation>
+    </message>
+    <message>
       <location filename="app/window/countdown.py" />
       <source>Esc: not now</source>
       <translation>Esc: nicht jetzt</translation>
@@ -5996,11 +5996,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>C&amp;onformance…</source>
-      <translation>K&amp;onformität…</translation>
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
       <source>&amp;Lock the exposure as it is</source>
       <translation>&amp;Belichtung sperren, wie sie ist</translation>
     </message>
@@ -6188,6 +6183,11 @@ change {}: {}</source>
       <location filename="app/window/window_commands.py" />
       <source>Engine: {}</source>
       <translation>Verfahren: {}</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>E&amp;xtensions</source>
+      <translation>Er&amp;weiterungen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -7200,7 +7200,7 @@ change {}: {}</source>
       <translation>Keine Anwendung</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/panel.py" />
+      <location filename="extensions/applications/window/extension.py" />
       <source>Applications</source>
       <translation>Anwendungen</translation>
     </message>
@@ -7228,6 +7228,11 @@ change {}: {}</source>
       <location filename="extensions/applications/window/view_model.py" />
       <source>The page needs a package that is not installed: pip install "{}"</source>
       <translation>Die Seite braucht ein Paket, das nicht installiert ist: pip install "{}"</translation>
+    </message>
+    <message>
+      <location filename="extensions/conformance/window/extension.py" />
+      <source>C&amp;onformance…</source>
+      <translation>K&amp;onformität…</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/dialog.py" />
@@ -7548,6 +7553,21 @@ change {}: {}</source>
       <location filename="extensions/conformance/window/view_model.py" />
       <source>Hand open, at the end</source>
       <translation>Offene Hand, am Ende</translation>
+    </message>
+    <message>
+      <location filename="extensions/movement/window/extension.py" />
+      <source>Report</source>
+      <translation>Bericht</translation>
+    </message>
+    <message>
+      <location filename="extensions/movement/window/extension.py" />
+      <source>Report of {}</source>
+      <translation>Bericht über {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/movement/window/extension.py" />
+      <source>Report of {} recordings</source>
+      <translation>Bericht über {} Aufnahmen</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
@@ -8551,6 +8571,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove has not said its ranges, so its values are not used yet: hold the hand still for a second, then gravity tells them.</source>
+      <translation>Der Handschuh hat seine Messbereiche nicht genannt, seine Werte werden daher noch nicht benutzt: die Hand eine Sekunde still halten, dann sagt sie die Schwerkraft.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>At rest the glove's acceleration fits a range of {} g, which is used now; for turning {} deg/s is assumed and may be wrong.</source>
+      <translation>In Ruhe passt die Beschleunigung des Handschuhs zu einem Messbereich von {} g, der jetzt benutzt wird; für Drehungen werden {} Grad/s angenommen, was falsch sein kann.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
       <source>The glove was unplugged ({}); it is taken up when it returns.</source>
       <translation>Der Handschuh wurde abgezogen ({}); er wird wieder aufgenommen, wenn er zurück ist.</translation>
     </message>
@@ -8566,8 +8596,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove has not said its ranges, so its values are not used yet: hold the hand still for a second, then gravity tells them.</source>
-      <translation>Der Handschuh hat seine Messbereiche nicht genannt, seine Werte werden daher noch nicht benutzt: die Hand eine Sekunde still halten, dann sagt sie die Schwerkraft.</translation>
+      <source>The glove sends {} packets a second, not the {} it was asked for; their times are right all the same.</source>
+      <translation>Der Handschuh sendet {} Pakete je Sekunde, nicht die verlangten {}; ihre Zeiten stimmen trotzdem.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
@@ -8588,16 +8618,6 @@ change {}: {}</source>
       <location filename="tracker/sensors/glove_link.py" />
       <source>The glove's clock jumped by {} s; its packets are timed anew.</source>
       <translation>Die Uhr des Handschuhs ist um {} s gesprungen; seine Pakete werden neu datiert.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove sends {} packets a second, not the {} it was asked for; their times are right all the same.</source>
-      <translation>Der Handschuh sendet {} Pakete je Sekunde, nicht die verlangten {}; ihre Zeiten stimmen trotzdem.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>At rest the glove's acceleration fits a range of {} g, which is used now; for turning {} deg/s is assumed and may be wrong.</source>
-      <translation>In Ruhe passt die Beschleunigung des Handschuhs zu einem Messbereich von {} g, der jetzt benutzt wird; für Drehungen werden {} Grad/s angenommen, was falsch sein kann.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
@@ -9168,11 +9188,6 @@ change {}: {}</source>
       <location filename="extensions/applications/arm/stream.py" />
       <source>A robot is at host:port, not {}.</source>
       <translation>Ein Roboter ist unter host:port, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="extensions/applications/registry.py" />
-      <source>There is no application {}; there are {}.</source>
-      <translation>Es gibt keine Anwendung {}; es gibt {}.</translation>
     </message>
     <message>
       <location filename="extensions/applications/swarm/vehicles.py" />

@@ -80,12 +80,14 @@ SPOKEN_TO_PROGRAMS = {
     "window/remote_command.py",
     "window/start.py",
     "window/theme.py",  # style sheets
+    "extensions/robot/window/command_latency.py",  # a measurement, run in a terminal
 }
 NOT_SHOWN = {
     "simulated camera",  # what colours are kept by
     "none is open",  # for who reads a bug report
     "● 19 of about 9 ",  # the widest count, which a column is made for
     "Hz",  # a unit
+    "window command",  # for the log file
     "Optiboot", "old Nano", "postures asked for",  # keys
     "UDP (JSON)", "WebSocket (JSON)", "Lab Streaming Layer", "Foxglove",  # names
     "*.png *.jpg *.jpeg *.bmp *.tif", "*.yml *.yaml *.xml *.json",

@@ -161,6 +161,26 @@ print(list(open_streams(StreamSettings({"udp": True, "vmc": True}), hands)))
     assert names == "['udp']"
 
 
+def test_a_panel_and_a_command_are_in_the_window(site: Path, tmp_path: Path) -> None:
+    code = """
+from pathlib import Path
+from PySide6.QtWidgets import QApplication
+app = QApplication(["glovetrack"])
+from glovetrack.app.storage.settings import SettingsStore
+from glovetrack.app.window.main_window import MainWindow
+window = MainWindow(SettingsStore(Path("window.json")))
+panel = window.panels["pinch"]
+panel.refresh(None)
+print(window.docks["pinch"].windowTitle(), panel.figure.text())
+print(window.commands.actions["add-mark"].isEnabled())
+print("pinch" in window.layouts.jobs["all"].columns[1][1])
+window.close()
+"""
+    home = {"HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path), "QT_QPA_PLATFORM": "offscreen"}
+    found = run(site, code, **home).splitlines()
+    assert found[-3:] == ["Pinch No hand yet", "False", "True"]
+
+
 def test_the_public_api_works_from_the_wheel(site: Path) -> None:
     code = """
 import glovetrack

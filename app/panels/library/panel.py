@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from app.engines.engine import EngineSetup, Player
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.library_scan import LibraryScan
+from app.panels.command_kind import RecordingAction
 from app.panels.library.comparing import Comparing
 from app.panels.library.export_list import ExportList
 from app.panels.library.exporting import Exporting
@@ -43,17 +44,18 @@ class LibraryPanel(Panel):
         host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
+        actions: Mapping[str, RecordingAction],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(host, parent)
-        self._store, self._tasks = store, tasks
+        self._store, self._tasks, self._actions = store, tasks, actions
         self._player: Player | None = None
         self.exporting = Exporting(tasks, store, self)
         self.exports = self.exporting.queue
         self.files = SessionFiles(host, tasks, self)
         self._looked = False
         self.transport = TransportBar()
-        self.page = SessionPage()
+        self.page = SessionPage({name: action.title for name, action in actions.items()})
         self.table, self.buttons = self.page.table, self.page.buttons
         self.table.set_widths(store.value.library_columns)
         self._scan = LibraryScan(tasks, self)
@@ -104,7 +106,6 @@ class LibraryPanel(Panel):
         selected: dict[str, Callable[[], object]] = {
             "replay": self._replay_selected,
             "recover": lambda: self.files.recover(paths[0]),
-            "report": lambda: self.files.report(paths),
             "rename": lambda: self.files.ask_name(paths[0]),
             "tags": lambda: self.files.ask_tags(paths),
             "bin": lambda: self.files.bin(paths),
@@ -113,6 +114,8 @@ class LibraryPanel(Panel):
             open_folder(paths[0].parent if paths else sessions_folder(self._store.value))
         elif asked in whole_list:
             whole_list[asked]()
+        elif paths and asked in self._actions:
+            self._actions[asked].run(paths)
         elif paths:
             selected[asked]()
 

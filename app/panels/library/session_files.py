@@ -21,7 +21,6 @@ from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
 from app.widgets.question import question
 from app.words import tr
-from extensions.movement.window.report_job import report_job
 from tracker.base.errors import FileError, GlovetrackError
 
 T = TypeVar("T")
@@ -115,13 +114,6 @@ class SessionFiles(QObject):
         """Make a whole file of one that was cut off; the original stays."""
         title = self.tr("Recovering {}").format(path.stem)
         self._tasks.run(title, recover_job(path), ended=self.changed.emit)
-
-    def report(self, paths: Sequence[Path]) -> None:
-        """One page about all of them, beside the first, and shown in the browser."""
-        title = self.tr("Report of {}").format(paths[0].stem)
-        if len(paths) > 1:
-            title = self.tr("Report of {} recordings").format(len(paths))
-        self._tasks.run(title, report_job(paths), open_folder)
 
     def crop(self, path: Path, part: tuple[float, float]) -> None:
         """Make a session of the part (s of the replay), in the background."""

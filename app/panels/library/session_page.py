@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import QPoint, Qt, Signal
@@ -26,15 +27,19 @@ BUTTONS = 3  # times the room of the search
 
 
 class SessionPage(QWidget):
-    """Says what is ``asked``: a key of `buttons` or of `actions`."""
+    """Says what is ``asked``: a key of `buttons` or of `actions`.
+
+    ``more``: titles of further actions on recordings, by key.
+    """
 
     asked = Signal(str)
     head: QWidget
     """Buttons and search. Not laid out here: it stands beside the tabs, where it takes no line of
     its own."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, more: Mapping[str, str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._further = more
         self.table = SessionTable()
         self.table.cellDoubleClicked.connect(lambda _row, _column: self.asked.emit("replay"))
         self.table.itemSelectionChanged.connect(self.enable)
@@ -80,7 +85,7 @@ class SessionPage(QWidget):
         self.actions_of: dict[str, QAction] = {}
         for key, text, shortcut in (
             ("beside", self.tr("Two takes side by side"), ""),
-            ("report", self.tr("Report"), ""),
+            *((key, title, "") for key, title in self._further.items()),
             ("rename", self.tr("Rename…"), "F2"),
             ("tags", self.tr("Tags…"), "Ctrl+T"),
             ("folder", self.tr("Open folder"), ""),
@@ -117,7 +122,7 @@ class SessionPage(QWidget):
         self.buttons["recover"].setVisible(one and rows[0].recoverable)
         for key, on in (
             ("beside", len(rows) == 2),
-            ("report", bool(rows)),
+            *((key, bool(rows)) for key in self._further),
             ("rename", one),
             ("tags", bool(rows)),
             ("bin", bool(rows)),

@@ -1,0 +1,63 @@
+"""How a package adds a command: a `WindowCommand` of the group ``glovetrack.window_commands``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QDialog, QWidget
+
+    from app.engines.engine_host import EngineHost
+    from app.platform.tasks import TaskOwner
+    from app.storage.settings import SettingsStore
+
+
+@dataclass(frozen=True, eq=False)
+class CommandContext:
+    """What the window gives to a command that runs.
+
+    ``show_dialog(name, make)`` shows a dialog, or brings the one of that name to the front.
+    ``recordings``: those that are selected, for a command on recordings.
+    """
+
+    host: EngineHost
+    store: SettingsStore
+    tasks: TaskOwner
+    window: QWidget
+    show_dialog: Callable[[str, Callable[[], QDialog]], None]
+    recordings: Sequence[Path] = ()
+
+
+def always(_context: CommandContext) -> bool:
+    return True
+
+
+@dataclass(frozen=True, eq=False)
+class WindowCommand:
+    """A command in a menu of the window, or of the recordings in the library.
+
+    ``name`` is the name of its entry point. ``title``: in English, translated where the catalogue
+    has it; ``&`` before the letter that chooses it in the menu. ``on_recordings``: it is listed in
+    the library, for one recording or more; else in a menu of the window, after the command
+    ``after``, or in the menu *Extensions* if that is empty or not known. ``enabled`` is asked when
+    an engine is opened, started, stopped or closed. ``shortcut`` is a Qt key sequence.
+    """
+
+    name: str
+    title: str
+    run: Callable[[CommandContext], None]
+    on_recordings: bool = False
+    after: str = ""
+    enabled: Callable[[CommandContext], bool] = always
+    shortcut: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class RecordingAction:
+    """A command on recordings, as the library lists it: title and what runs it."""
+
+    title: str
+    run: Callable[[Sequence[Path]], None]
