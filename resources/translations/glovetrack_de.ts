@@ -2249,18 +2249,18 @@
     </message>
     <message>
       <location filename="app/panels/record_file.py" />
+      <source>File of {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/record_file.py" />
+      <source>Hand records (*{})</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/record_file.py" />
       <source>{}; where that is there already a number is added</source>
       <translation>{}; gibt es sie schon, kommt eine Zahl dazu</translation>
-    </message>
-    <message>
-      <location filename="app/panels/record_file.py" />
-      <source>File of the Isaac record</source>
-      <translation>Datei der Isaac-Aufzeichnung</translation>
-    </message>
-    <message>
-      <location filename="app/panels/record_file.py" />
-      <source>Hand records (*.mcap)</source>
-      <translation>Handaufzeichnungen (*.mcap)</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -4531,16 +4531,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
-      <source>UDP (JSON, words)</source>
-      <translation>UDP (JSON, Wörter)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>LSL (markers become notes)</source>
-      <translation>LSL (Marker werden Notizen)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/remote.py" />
       <source>somebody is there</source>
       <translation>jemand ist da</translation>
     </message>
@@ -5233,21 +5223,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/stereo.py" />
       <source>{} by {} px</source>
       <translation>{} × {} px</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/streams.py" />
-      <source>VMC (OSC, avatars)</source>
-      <translation>VMC (OSC, Avatare)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/streams.py" />
-      <source>Isaac record (MCAP)</source>
-      <translation>Isaac-Handdaten (MCAP)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/streams.py" />
-      <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall keeps them out</source>
-      <translation>seine Bibliothek lauscht an allen Adressen dieses Computers; andere im selben Netz können mitlesen, wenn keine Firewall sie abhält</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
@@ -7745,6 +7720,56 @@ change {}: {}</source>
       <translation>inertial (nur IMUs, ohne Ort)</translation>
     </message>
     <message>
+      <location filename="glovetrack.streams" />
+      <source>UDP (JSON)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>WebSocket (JSON)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>VMC (OSC, avatars)</source>
+      <translation>VMC (OSC, Avatare)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>Lab Streaming Layer</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall keeps them out</source>
+      <translation>seine Bibliothek lauscht an allen Adressen dieses Computers; andere im selben Netz können mitlesen, wenn keine Firewall sie abhält</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>Foxglove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>Isaac record (MCAP)</source>
+      <translation>Isaac-Handdaten (MCAP)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>UDP (JSON, words)</source>
+      <translation>UDP (JSON, Wörter)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>OSC</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>LSL (markers become notes)</source>
+      <translation>LSL (Marker werden Notizen)</translation>
+    </message>
+    <message>
       <location filename="tracker/base/damage.py" />
       <source>Damaged messages in {} were left out: {}.</source>
       <translation>Beschädigte Nachrichten in {} wurden ausgelassen: {}.</translation>
@@ -9080,34 +9105,39 @@ change {}: {}</source>
       <translation>Die Aufnahme {} ist schon zu Ende.</translation>
     </message>
     <message>
+      <location filename="tracker/streaming/connection.py" />
+      <source>The {} {} has no port: clients find it by its name.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="tracker/streaming/connection.py" />
+      <source>{} is not a port for the {} {}: ports are 1 to 65535.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="tracker/streaming/datagram.py" />
       <source>{}: ports are 1 to 65535.</source>
       <translation>{}: Anschlüsse sind 1 bis 65535.</translation>
     </message>
     <message>
-      <location filename="tracker/streaming/params.py" />
-      <source>The LSL stream has no port: clients find it by its name.</source>
-      <translation>Der LSL-Strom hat keinen Anschluss: Empfänger finden ihn an seinem Namen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/params.py" />
-      <source>{} is no port for the {} stream: ports are 1 to 65535.</source>
-      <translation>{} ist kein Anschluss für den Strom {}: Anschlüsse sind 1 bis 65535.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/params.py" />
+      <location filename="tracker/streaming/publisher.py" />
       <source>Joints can be {}, not {}.</source>
       <translation>Gelenke können {} sein, nicht {}.</translation>
     </message>
     <message>
-      <location filename="tracker/streaming/params.py" />
-      <source>The Isaac record needs a file: isaac:take.mcap.</source>
-      <translation>Die Isaac-Aufzeichnung braucht eine Datei: isaac:take.mcap.</translation>
+      <location filename="tracker/streaming/registry.py" />
+      <source>{}: streams must be a table.</source>
+      <translation type="unfinished" />
     </message>
     <message>
-      <location filename="tracker/streaming/params.py" />
-      <source>There is no stream {}; there are {}.</source>
-      <translation>Es gibt keinen Strom {}; es gibt {}.</translation>
+      <location filename="tracker/streaming/registry.py" />
+      <source>{}: streams.{} {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="tracker/streaming/registry.py" />
+      <source>The {} stream made {} publishers for {} hands.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="tracker/streaming/remote/doors.py" />
@@ -9118,21 +9148,6 @@ change {}: {}</source>
       <location filename="tracker/streaming/remote/doors.py" />
       <source>No remote control by {} at {}:{}: {}.</source>
       <translation>Keine Fernsteuerung über {} an {}:{}: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/remote/params.py" />
-      <source>Remote control goes by {}, not by {}.</source>
-      <translation>Fernsteuerung geht über {}, nicht über {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/remote/params.py" />
-      <source>{} has no port of its own.</source>
-      <translation>{} hat keinen eigenen Anschluss.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/remote/params.py" />
-      <source>{} is no port for {}: ports are 1 to 65535.</source>
-      <translation>{} ist kein Anschluss für {}: Anschlüsse sind 1 bis 65535.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/server_thread.py" />

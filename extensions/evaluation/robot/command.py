@@ -51,7 +51,7 @@ def add_evaluate_robot(
 
 def _evaluate(args: argparse.Namespace) -> int:
     try:
-        import extensions.robot  # noqa: F401
+        from extensions import robot
     except ImportError as error:
         raise ConfigError("This protocol requires the extension extensions/robot.") from error
     from extensions.evaluation.robot.score import tip_score
