@@ -51,7 +51,7 @@ def add_evaluate_robot(
 
 def _evaluate(args: argparse.Namespace) -> int:
     try:
-        from extensions import robot
+        from extensions import robot as _extension  # noqa: F401
     except ImportError as error:
         raise ConfigError("This protocol requires the extension extensions/robot.") from error
     from extensions.evaluation.robot.score import tip_score
