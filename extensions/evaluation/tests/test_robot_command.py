@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import argparse
 import json
+import sys
 
 import pytest
 
+from extensions.evaluation.commands import add_commands
 from extensions.robot.pick_and_place import pick_and_place
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import Teleop
 from extensions.robot.tests.hands import shadow
+from tracker.base.errors import ConfigError
 from tracker.cli import main
 
 
@@ -36,3 +40,14 @@ def test_the_command_tells_how_near_tips_come(capsys: pytest.CaptureFixture[str]
     assert tips["reachable_percent"] > 70
     assert tips["within_5_mm_percent"] > 98
     assert tips["error_mm_median"] < 0.5
+
+
+def test_without_the_robot_extension_this_protocol_alone_is_missing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "extensions.robot", None)  # as if the folder were removed
+    parser = argparse.ArgumentParser()
+    add_commands(parser.add_subparsers())
+    args = parser.parse_args(["evaluate", "robot"])
+    with pytest.raises(ConfigError, match="requires the extension extensions/robot"):
+        args.func(args)
