@@ -26,9 +26,9 @@ from tracker.base.clock import ClockAnchor, monotonic
 from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError
 from tracker.base.numeric_threads import one_blas_thread
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import OneHand, TwoHands
 from tracker.glove import library
 from tracker.live.runner import LiveTracker as Runner
 from tracker.messages import Array, Tracking, Validity
@@ -279,7 +279,7 @@ class LiveTracker:
     ) -> Runner:
         rig = self._devices.rig
         make = {i.side: partial(Pipeline, i.hand, i.glove, rig, settings) for i in infos}
-        hands = TwoHands(make) if len(make) == 2 else OneHand(make[infos[0].side]())
+        hands = Hands(make)
         pipeline = hands.pipelines[infos[0].side]
         size = float(np.mean(infos[0].glove.marker_size))
 

@@ -20,9 +20,9 @@ from app.words import tr
 from tracker.base.clock import ClockAnchor
 from tracker.base.config import to_toml
 from tracker.base.errors import DeviceError
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import OneHand, TwoHands
 from tracker.glove import library
 from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
@@ -179,13 +179,13 @@ def _seen_from(
     )
 
 
-def _hands(wearers: Mapping[str, Simulation], has_camera: bool) -> OneHand | TwoHands:
+def _hands(wearers: Mapping[str, Simulation], has_camera: bool) -> Hands:
     settings = Settings() if has_camera else Settings(engine="inertial")
     make = {
         side: partial(Pipeline, s.hand, s.glove, s.rig if has_camera else None, settings)
         for side, s in wearers.items()
     }
-    return TwoHands(make) if len(make) == 2 else OneHand(next(iter(make.values()))())
+    return Hands(make)
 
 
 def _info(

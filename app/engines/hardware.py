@@ -22,9 +22,9 @@ from tracker.base.clock import ClockAnchor
 from tracker.base.config import to_toml
 from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.calibration.stereo.files import ImportForm, load_rig
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import OneHand, TwoHands
 from tracker.firmware.versions import advice
 from tracker.glove import library
 from tracker.live.runner import LiveTracker
@@ -81,7 +81,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     worn = found.worn(settings)
     engine = Settings() if found.whole else INERTIAL
     make = {w.side: partial(Pipeline, w.hand, w.glove, found.rig, engine) for w in worn}
-    hands = TwoHands(make) if len(make) == 2 else OneHand(make[worn[0].side]())
+    hands = Hands(make)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
     profile = parse_profile(colours_text)
     pipeline = hands.pipelines[worn[0].side]

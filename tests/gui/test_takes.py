@@ -31,8 +31,8 @@ from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 from tracker.base.clock import ClockAnchor, seconds
 from tracker.base.errors import FileError
+from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.two_hands import OneHand, Sided
 from tracker.glove import library
 from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
@@ -125,7 +125,7 @@ def take(tmp_path_factory) -> Path:
     hand, glove, profile = models()
     rig, clock = simulation().rig, Clock()
     tracker = LiveTracker(
-        OneHand(Pipeline(hand, glove, rig)),
+        Hands({"right": lambda: Pipeline(hand, glove, rig)}),
         profile,
         lambda p: Detector(p, fx=rig.fx),
         {"right": Nothing()},

@@ -6,8 +6,8 @@ from functools import partial
 
 import pytest
 
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.two_hands import TwoHands
 from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.live.exchange_watch import ExchangeWatch
@@ -22,7 +22,7 @@ def test_exchanged_gloves_are_said_once(exchanged: bool) -> None:
     dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
     sim = TwoHandsSimulation(dressed, 1, 4.5, 15.0)
     make = {side: partial(Pipeline, *dressed[side], sim.rig) for side in SIDES}
-    hands, words = TwoHands(make), []
+    hands, words = Hands(make), []
     watch = ExchangeWatch(hands, patience=0.3)
     taken_for = dict(zip(SIDES, reversed(SIDES) if exchanged else SIDES, strict=True))
     for side, message in sim.messages():

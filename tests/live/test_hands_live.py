@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.engine.test_two_hands import simulated, two
+from tests.engine.test_hands import simulated, two
 from tracker.base.clock import ClockAnchor
 from tracker.base.config import to_toml
-from tracker.engine.two_hands import Sided
+from tracker.engine.hands import Sided
 from tracker.glove.library import text
 from tracker.live.inbox import DetectedFrame, GuidedCommand
 from tracker.live.journal import Journal

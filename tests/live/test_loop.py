@@ -10,8 +10,8 @@ import pytest
 
 from tests.live.test_runner import Tape, sim
 from tracker.base.errors import ConfigError
+from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import NO_PACKETS, PACKETS_AGAIN, SILENCE, Pipeline
-from tracker.engine.two_hands import OneHand, Sided
 from tracker.live.inbox import DetectedFrame, EngineCommand, Inbox
 from tracker.live.journal import Journal
 from tracker.live.loop import ArrivalOrder, LiveLoop
@@ -77,7 +77,7 @@ def item(message: ImuSample | BlobFrame) -> Sided | DetectedFrame:
 
 def loop_on(sim: Simulation, order: ArrivalOrder | None = None) -> tuple[LiveLoop, Clock]:
     clock = Clock()
-    hands = OneHand(Pipeline(sim.hand, sim.glove, sim.rig))
+    hands = Hands({"right": lambda: Pipeline(sim.hand, sim.glove, sim.rig)})
     return LiveLoop(hands, Journal(clock), Telemetry(), clock, order), clock
 
 

@@ -8,8 +8,8 @@ from tests.fixtures import RESOURCES
 from tests.live.test_runner import Camera, Glove, Stream, profile, sim
 from tracker.base.clock import ClockAnchor
 from tracker.base.config import to_toml
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.two_hands import OneHand
 from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
 from tracker.offline.track import track
@@ -52,7 +52,7 @@ def test_the_same_bits_of_a_recording_begun_in_the_middle(
 ) -> None:
     stream, recorded, again = Stream(sim), tmp_path / "a.mcap", tmp_path / "b.mcap"
     tracker = LiveTracker(
-        OneHand(Pipeline(sim.hand, sim.glove, sim.rig)),
+        Hands({"right": lambda: Pipeline(sim.hand, sim.glove, sim.rig)}),
         profile,
         lambda p: Detector(p, fx=sim.rig.fx),
         {"right": Glove(stream)},

@@ -7,9 +7,9 @@ import pytest
 
 from tests.live.test_runner import live, profile, sim
 from tracker.base.errors import ConfigError
+from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import OneHand, Sided
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.live.reference import ReferenceEngine
 from tracker.messages import BlobFrame, ImuSample
@@ -30,7 +30,9 @@ def test_a_reference_is_the_engine_alone(sim):
     messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
     settings = Settings(engine="switching")
     alone = Pipeline(sim.hand, sim.glove, sim.rig, settings)
-    reference = ReferenceEngine(OneHand(Pipeline(sim.hand, sim.glove, sim.rig, settings)))
+    reference = ReferenceEngine(
+        Hands({"right": lambda: Pipeline(sim.hand, sim.glove, sim.rig, settings)})
+    )
     last = None
     for message in messages:
         if isinstance(message, ImuSample):

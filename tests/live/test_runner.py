@@ -11,8 +11,8 @@ import pytest
 
 from tests.fixtures import RESOURCES
 from tracker.base.errors import FileError
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.two_hands import OneHand
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.runner import PATIENCE, LiveTracker
@@ -130,7 +130,7 @@ def live(
 ) -> tuple[LiveTracker, Stream]:
     stream = Stream(sim)
     tracker = LiveTracker(
-        OneHand(Pipeline(sim.hand, sim.glove, sim.rig)),
+        Hands({"right": lambda: Pipeline(sim.hand, sim.glove, sim.rig)}),
         profile,
         lambda p: Detector(p, fx=sim.rig.fx),
         {"right": glove(stream)},

@@ -15,8 +15,8 @@ import pytest
 from tests.fixtures import RESOURCES
 from tests.fusion.test_late_data import judged, longest, rows
 from tests.live.test_runner import Tape
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.two_hands import OneHand
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.load import BEGINS, ENDS
@@ -138,7 +138,7 @@ class Run:
         self.levels: list[tuple[float, int]] = []
         profile = load_profile(RESOURCES / "colours" / "fabric-default.toml")
         self.tracker = LiveTracker(
-            OneHand(Pipeline(sim.hand, sim.glove, sim.rig)),
+            Hands({"right": lambda: Pipeline(sim.hand, sim.glove, sim.rig)}),
             profile,
             lambda p: Detector(p, fx=sim.rig.fx),
             {"right": self.devices},

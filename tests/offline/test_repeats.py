@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.engine.hands import Sided
 from tracker.messages import Estimate, Event, ImuSample
 from tracker.offline.options import TrackOptions
 from tracker.offline.repeats import Repeats
@@ -105,5 +106,6 @@ def test_packets_that_differ_are_all_used(session: Path) -> None:
     other = replace(first, accel=first.accel + 1e-9)
     later = replace(first, seq=first.seq + 1)
     repeats = Repeats()
-    assert list(repeats.without([first, other, first, later], "right")) == [first, other, later]
+    packets = [Sided(packet, "right") for packet in (first, other, first, later)]
+    assert list(repeats.without(packets)) == [packets[0], packets[1], packets[3]]
     assert repeats.counts == {"right": 1}

@@ -14,8 +14,8 @@ import pytest
 
 from tests.fixtures import RESOURCES
 from tests.live.test_runner import Camera, Glove, Stream, Tape, run_to_the_end
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.two_hands import OneHand
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -135,7 +135,7 @@ def tracked(
     camera = PluggedIn(stream, scene, RIG)
     profile = load_profile(RESOURCES / "colours" / "fabric-default.toml")
     tracker = LiveTracker(
-        OneHand(Pipeline(hand, glove, RIG)),
+        Hands({"right": lambda: Pipeline(hand, glove, RIG)}),
         profile,
         lambda p: Detector(p, fx=RIG.fx),
         {"right": Glove(stream)},

@@ -19,9 +19,9 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.base.records import RECORDS
+from tracker.engine.hands import TwoHandsKept
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import TwoHandsKept
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import BundleParams
 from tracker.glove import library

@@ -19,9 +19,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.cloth_masks import cloth_of, looked_at
+from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import ENGINES, Settings
-from tracker.engine.two_hands import OneHand, Sided, TwoHands
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import began, ended
@@ -137,27 +137,20 @@ class Run:
         scene, chosen = course.scene(), Settings(engine=course.engine)
         chosen = replace(chosen, chain=replace(chosen.chain, bundle=EARLY))
         make = {s: partial(Pipeline, *worn, scene.rig, chosen) for s, worn in scene.worn.items()}
-        self.hands: OneHand | TwoHands = (
-            TwoHands(make) if len(make) > 1 else OneHand(next(iter(make.values()))())
-        )
-
-    def set_state(self, state: Any) -> None:
-        of_one = next(iter(self.hands.pipelines.values()))
-        (self.hands if isinstance(self.hands, TwoHands) else of_one).set_state(state)
+        self.hands = Hands(make)
 
     def feed(self, message: Message | Sided) -> Estimate | None:
         if isinstance(message, Sided):
             return self.hands.feed_imu(message.side, message.sample)
         if isinstance(message, ImuSample):
-            return self.hands.feed_imu("", message)
+            return self.hands.feed_imu(next(iter(self.hands.pipelines)), message)
         if isinstance(message, BlobFrame):
             self.hands.feed_frame(message)
         elif isinstance(message, Event):
             self.hands.feed_event(message)
         else:
             assert isinstance(message, CameraImuSample)
-            for pipeline in self.hands.pipelines.values():
-                pipeline.feed_camera_imu(message)
+            self.hands.feed_camera_imu(message)
         return None
 
     def command(self, what: str, side: int) -> None:
@@ -217,7 +210,7 @@ def check(course: Course) -> None:
         if k == cut:
             engine, state = unpack(pack(course.engine, run.hands.get_state()))
             require_match(state, again.hands.get_state(), engine)
-            again.set_state(state)
+            again.hands.set_state(state)
         if k >= cut:
             after += 1
         if isinstance(step, tuple) and not isinstance(step, Sided):

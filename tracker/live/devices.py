@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tracker.base.channels import Latest
-from tracker.engine.two_hands import Sided
+from tracker.engine.hands import Sided
 from tracker.live.inbox import Inbox
 from tracker.live.journal import Journal
 from tracker.live.telemetry import Telemetry

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from tracker.engine.hands import Hands
 from tracker.engine.side_watch import ENOUGH, PATIENCE, SURE, TRIAL, sees
-from tracker.engine.two_hands import TwoHands
 from tracker.glove.mirror import OTHER
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, ImuSample, Tracking
@@ -19,10 +19,10 @@ class ExchangeWatch:
     Fed with what ``hands`` are fed with; costs nothing while they find a hand.
     """
 
-    def __init__(self, hands: TwoHands, patience: float = PATIENCE) -> None:
+    def __init__(self, hands: Hands, patience: float = PATIENCE) -> None:
         """``patience``: s of search before the gloves are taken for one another."""
         self._hands, self._patience = hands, patience
-        self._trial: TwoHands | None = None
+        self._trial: Hands | None = None
         self._tracking = dict.fromkeys(SIDES, Tracking.SEARCHING)
         self._tried_as = dict.fromkeys(SIDES, Tracking.SEARCHING)
         self._since = self._sure_since = math.inf
@@ -39,8 +39,8 @@ class ExchangeWatch:
         elif self._sees_many and not self._over:
             self._since = min(self._since, sample.t)
             if sample.t - self._since >= self._patience:
-                engine = self._hands.pipelines[side].settings.engine
-                self._trial, self._since = self._hands.with_engine(engine), sample.t
+                self._trial = self._hands.with_engine(self._hands.engine)
+                self._since = sample.t
                 self._sure_since = math.inf
 
     def frame(self, blobs: BlobFrame) -> None:
@@ -54,7 +54,7 @@ class ExchangeWatch:
         words, self._words = self._words, []
         return words
 
-    def _try(self, trial: TwoHands, side: str, sample: ImuSample) -> None:
+    def _try(self, trial: Hands, side: str, sample: ImuSample) -> None:
         self._tried_as[side] = trial.feed_imu(side, sample).tracking
         trial.take_results(side)
         found = all(state == Tracking.TRACKING for state in self._tried_as.values())

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from tracker.base.channels import Closed
-from tracker.engine.two_hands import Sided
+from tracker.engine.hands import Sided
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, StereoFrame
 

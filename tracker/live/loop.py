@@ -13,8 +13,8 @@ from functools import partial
 
 from tracker.base.clock import nanoseconds, next_instant, seconds
 from tracker.base.errors import GlovetrackError
+from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import SILENCE
-from tracker.engine.two_hands import Hands, Sided, TwoHands
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
 from tracker.gestures.recogniser import gesture_event
@@ -301,7 +301,7 @@ class LiveLoop:
 
         Raises ConfigError for an unknown name.
         """
-        if all(p.settings.engine == name for p in self.hands.pipelines.values()):
+        if self.hands.engine == name:
             return
         hands = self.hands.with_engine(name)
         with self._pipeline_lock:
@@ -351,8 +351,8 @@ class LiveLoop:
         """Record what no message tells: tracked again, the session goes on as it did live."""
         with self._pipeline_lock:
             if self.journal.recording:
-                engine = next(iter(self.hands.pipelines.values())).settings.engine
-                self.journal.record(EngineState(self._order.mark(), engine, self.hands.get_state()))
+                state = self.hands.get_state()
+                self.journal.record(EngineState(self._order.mark(), self.hands.engine, state))
 
 
 def _best(states: Iterable[Tracking]) -> Tracking:
@@ -367,4 +367,4 @@ def _camera_figures(loop: LiveLoop, side: str) -> dict[str, float]:
 
 def _exchange_watch(hands: Hands) -> ExchangeWatch | None:
     """Two gloves may have each other's files."""
-    return ExchangeWatch(hands) if isinstance(hands, TwoHands) else None
+    return None if hands.alone else ExchangeWatch(hands)

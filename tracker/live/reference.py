@@ -6,7 +6,7 @@ import threading
 
 from tracker.base.channels import Closed, Fifo
 from tracker.base.errors import GlovetrackError
-from tracker.engine.two_hands import Hands, Sided
+from tracker.engine.hands import Hands, Sided
 from tracker.messages import BlobFrame, Estimate
 
 WAIT = 0.05  # s that the thread waits before it looks whether it should end
@@ -26,7 +26,7 @@ class ReferenceEngine:
     @property
     def engine(self) -> str:
         """The engine's name."""
-        return next(iter(self._hands.pipelines.values())).settings.engine
+        return self._hands.engine
 
     def estimate(self, side: str) -> Estimate | None:
         """The latest that the second engine has of a hand."""

@@ -13,9 +13,9 @@ from collections.abc import Callable, Mapping
 
 from tracker.base.clock import monotonic
 from tracker.calibration.colours_follow import ColourFollower
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import Hands
 from tracker.fusion.engine import Engine
 from tracker.live.colours import FollowedColours
 from tracker.live.devices import CameraReader, GloveReader

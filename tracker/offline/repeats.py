@@ -8,7 +8,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from tracker.engine.two_hands import Sided
+from tracker.engine.hands import Sided
 from tracker.messages import ImuSample
 
 REMEMBERED = 1024  # packets of a glove, 10 s at 100 Hz
@@ -22,14 +22,11 @@ class Repeats:
         self.counts: Counter[str] = Counter()
         self._seen: dict[str, OrderedDict[tuple[float, int], ImuSample]] = {}
 
-    def without(self, messages: Iterable[T], side: str) -> Iterator[T]:
-        """``messages`` without repeated packets; those that do not name a side are of ``side``."""
+    def without(self, messages: Iterable[T]) -> Iterator[T]:
+        """``messages`` without repeated packets."""
         for message in messages:
-            whose, sample = side, message
-            if isinstance(message, Sided):
-                whose, sample = message.side, message.sample  # type: ignore[assignment]
-            if isinstance(sample, ImuSample) and self._is_repeated(whose, sample):
-                self.counts[whose] += 1
+            if isinstance(message, Sided) and self._is_repeated(message.side, message.sample):
+                self.counts[message.side] += 1
             else:
                 yield message
 

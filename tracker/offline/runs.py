@@ -1,18 +1,18 @@
-"""A session's messages through a pipeline into a new session: as live, or smoothed as a whole."""
+"""A session's messages through its hands' pipelines into a new session, as live."""
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
 from extensions.movement.report.command import Counter, StatusClock, TrackReport, TruthCheck
+from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import ANOTHER, Pipeline
 from tracker.engine.side_watch import SideWatch
-from tracker.engine.two_hands import Sided
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.engine import Engine
@@ -29,8 +29,6 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.offline.own_colours import OwnColours
-from tracker.offline.smooth import Smoother
-from tracker.online.camera_tilt import CameraTilt
 from tracker.online.colour_watch import ColourWatch
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
@@ -185,166 +183,158 @@ class WordsAlone(NoOutput):
         self._words.say(event)
 
 
-class LiveRun:
-    """The estimates of a live run, bit for bit.
+class AloneWatch:
+    """What images reveal of a hand that is tracked alone: colours that do not fit, or a glove of
+    the other hand; a second hand's blobs would suggest both."""
 
-    ``changes`` are, in order of time, what no message tells: what the engine knew at an instant,
-    from which it goes on, and calibrations of the camera.
+    def __init__(self, pipeline: Pipeline) -> None:
+        self._sides = SideWatch(pipeline)
+        self._colours = ColourWatch(len(pipeline.glove.markers))
+
+    def restart(self, pipeline: Pipeline) -> None:
+        """The hand goes on from a recorded state, in another pipeline."""
+        self._sides = SideWatch(pipeline)
+
+    def packet(self, sample: ImuSample, tracking: Tracking) -> list[Event]:
+        """Take a packet and the state of tracking after it; what to report."""
+        self._sides.packet(sample, tracking)
+        return [Event(sample.t, "device", text) for text in self._sides.take_words()]
+
+    def frame(self, frame: BlobFrame) -> None:
+        """Take an image that was fed."""
+        self._sides.frame(frame)
+
+    def look(self, frame: BlobFrame, tracking: Tracking, results: list[FrameResult]) -> list[Event]:
+        """What to report of the colours after an image and the ``results`` that followed."""
+        self._colours.look(frame, tracking)
+        texts = [ANOTHER for r in results if r.another] + self._colours.take_words()
+        return [Event(frame.t, "tracking", text) for text in texts]
+
+
+class LiveRun:
+    """The estimates of a live run of all hands, bit for bit.
+
+    ``make`` builds them with the engine of that name and that camera; ``outputs`` are by side, and
+    ``main`` is the one that takes what is of no side. ``changes`` are, in order of time, what no
+    message contains: what the engines knew at an instant, from which they go on, and calibrations
+    of the camera.
     """
 
     def __init__(
         self,
-        make_pipeline: Callable[[str, StereoRig | None], Pipeline],
+        make: Callable[[str, StereoRig | None], Hands],
         engine: str,
         rig: StereoRig | None,
-        output: Output,
+        outputs: Mapping[str, Output],
+        main: str,
         changes: Sequence[tuple[float, EngineState | StereoRig]] = (),
         colours: OwnColours | None = None,
     ) -> None:
-        """``make_pipeline`` builds one with the engine of that name and that camera, if any;
-        ``colours`` are those that the images are searched with, where they are."""
-        self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine, rig)
-        self._output, self._changes = output, deque(changes)
-        self._sides = SideWatch(self._pipeline)
-        self._next_calibration = -np.inf
+        """``colours``, where images are searched, follow the main hand."""
+        self._make, self._hands, self._rig = make, make(engine, rig), rig
+        self._outputs, self._main, self._changes = outputs, main, deque(changes)
+        self._next_calibration = dict.fromkeys(outputs, -np.inf)
         self._camera_tells = False  # of its rotation, by an IMU of its own
-        self._colours, self._tracking = colours, Tracking.SEARCHING
-        self._watch = ColourWatch(len(self._pipeline.glove.markers))
+        self._colours, self._tracking = colours, dict.fromkeys(outputs, Tracking.SEARCHING)
+        self._watch = AloneWatch(self._hands.pipelines[main]) if self._hands.alone else None
 
     @property
     def engines(self) -> dict[str, Engine]:
-        return {self._pipeline.glove.side: self._pipeline.engine}
+        return {side: pipeline.engine for side, pipeline in self._hands.pipelines.items()}
 
     def feed(self, message: Fed | Sided) -> None:
-        message = message.sample if isinstance(message, Sided) else message
         while self._changes and self._changes[0][0] <= arrival(message):
             self._change(*self._changes.popleft())
-        self._camera_tells |= isinstance(message, CameraImuSample)
-        self._output.message(self._posed(message))
-        if isinstance(message, PackedFrame):
+        if isinstance(message, Sided):
+            self._feed_imu(message.side, message.sample)
             return
+        self._camera_tells |= isinstance(message, CameraImuSample)
+        self._outputs[self._main].message(self._posed(message))
         if isinstance(message, BlobFrame):
             self._feed_frame(message)
         elif isinstance(message, CameraImuSample):
-            self._pipeline.feed_camera_imu(message)
+            self._hands.feed_camera_imu(message)
         elif isinstance(message, Event):
-            self._pipeline.feed_event(message)
-        else:
-            self._feed_imu(message)
-        self._look(message, self._pipeline.take_results())
+            self._hands.feed_event(message)
+        elif not isinstance(message, PackedFrame):
+            raise TypeError("a packet of a session has a side")
 
-    def _look(self, message: Fed, results: list[FrameResult]) -> None:
-        """What the images say of the colours."""
-        if self._colours is not None:
+    def _used(self, side: str) -> list[FrameResult]:
+        """What the engine of that side has made of images."""
+        results = self._hands.take_results(side)
+        if self._colours is not None and side == self._main:
             self._colours.used(results)
-        if not isinstance(message, BlobFrame):
-            return
-        self._watch.look(message, self._tracking)
-        texts = [ANOTHER for r in results if r.another] + self._watch.take_words()
-        events = [Event(message.t, "tracking", text) for text in texts]
+        return results
+
+    def _look(self, frame: BlobFrame) -> None:
+        """What an image says of the colours: no hand is seen where none is tracked."""
+        results, output = [self._used(side) for side in self._outputs], self._outputs[self._main]
+        if self._watch is not None:
+            for event in self._watch.look(frame, self._tracking[self._main], results[0]):
+                output.say(event)
         if self._colours is not None:
-            self._colours.looked(message, self._tracking)
-            events += self._colours.take_words()
-        for event in events:
-            self._output.say(event)
+            unknown = (Tracking.SEARCHING, Tracking.LOST)
+            tracked = [t for t in self._tracking.values() if t not in unknown]
+            self._colours.looked(frame, tracked[0] if tracked else Tracking.LOST)
+            for event in self._colours.take_words():
+                output.say(event)
 
     def _posed(self, message: Fed) -> Fed:
-        """A frame with the pose that the pipeline gives it."""
+        """A frame with the pose that the main hand's pipeline gives it."""
         if self._camera_tells and isinstance(message, BlobFrame) and message.pose is None:
-            exposed = message.t - self._pipeline.timing.applied
-            return replace(message, pose=self._pipeline.camera_pose(exposed))
+            pipeline = self._hands.pipelines[self._main]
+            pose = pipeline.camera_pose(message.t - pipeline.timing.applied)
+            return replace(message, pose=pose)
         return message
 
     def _change(self, t: float, what: EngineState | StereoRig) -> None:
-        before = self._pipeline
+        output = self._outputs[self._main]
         if isinstance(what, StereoRig):
-            self._pipeline = self._make_pipeline(before.settings.engine, what)
-            self._pipeline.set_state(before.get_state())
-            self._output.rig(what, t)
+            before, self._rig = self._hands, what
+            self._hands = self._make(before.engine, what)
+            self._hands.set_state(before.get_state())
+            output.rig(what, t)
             return
-        self._pipeline = self._make_pipeline(what.engine, before.calibrated_rig)
-        self._sides = SideWatch(self._pipeline)
-        require_match(what.state, self._pipeline.get_state(), what.engine)
-        self._pipeline.set_state(what.state)
-        self._output.state(what)
+        self._hands = self._make(what.engine, self._rig)
+        if self._watch is not None:
+            self._watch.restart(self._hands.pipelines[self._main])
+        require_match(what.state, self._hands.get_state(), what.engine)
+        self._hands.set_state(what.state)
+        output.state(what)
 
     def _feed_frame(self, frame: BlobFrame) -> None:
-        self._pipeline.feed_frame(frame)
-        self._sides.frame(frame)
-        estimate = self._pipeline.without_packets(frame)
-        if estimate is not None:
-            self._tracking = estimate.tracking
-            self._output.source(frame.t, self._pipeline)
-            self._output.between(estimate)
+        self._hands.feed_frame(frame)
+        if self._watch is not None:
+            self._watch.frame(frame)
+        for side, output in self._outputs.items():
+            estimate = self._hands.pipelines[side].without_packets(frame)
+            if estimate is not None:
+                self._tracking[side] = estimate.tracking
+                output.source(frame.t, self._hands.pipelines[side])
+                output.between(estimate)
+        self._look(frame)
 
-    def _feed_imu(self, sample: ImuSample) -> None:
-        estimate = self._pipeline.feed_imu(sample)
-        self._output.source(sample.t, self._pipeline)
-        self._sides.packet(sample, estimate.tracking)
-        for text in self._sides.take_words():
-            self._output.say(Event(sample.t, "device", text))
-        self._tracking = estimate.tracking
-        self._output.estimate(sample, estimate)
-        if sample.t >= self._next_calibration:
-            self._next_calibration = sample.t + CALIBRATION_PERIOD
+    def _feed_imu(self, side: str, sample: ImuSample) -> None:
+        output = self._outputs[side]
+        output.message(sample)
+        estimate = self._hands.feed_imu(side, sample)
+        output.source(sample.t, self._hands.pipelines[side])
+        if self._watch is not None:
+            for event in self._watch.packet(sample, estimate.tracking):
+                output.say(event)
+        self._tracking[side] = estimate.tracking
+        output.estimate(sample, estimate)
+        if sample.t >= self._next_calibration[side]:
+            self._next_calibration[side] = sample.t + CALIBRATION_PERIOD
             if estimate.tracking != Tracking.SEARCHING:
-                self._output.calibration(self._pipeline.calibration())
+                output.calibration(self._hands.pipelines[side].calibration())
+        self._used(side)
 
     def finish(self, progress: Callable[[float], None]) -> None:
-        if self._output.report.estimates:
-            self._output.calibration(self._pipeline.calibration())
+        for side, output in self._outputs.items():
+            if output.report.estimates:
+                output.calibration(self._hands.pipelines[side].calibration())
 
     def state(self, t: float) -> EngineState:
-        """What the engine knows after all that was fed, to go on from at ``t`` s."""
-        return EngineState(t, self._pipeline.settings.engine, self._pipeline.get_state())
-
-
-class SmoothRun:
-    """Estimates that know the whole session; all are written at the end.
-
-    Where images are searched a live run is the ``guide``: it is fed as well, and what it makes of
-    them decides the colours that later ones are searched with.
-    """
-
-    def __init__(
-        self,
-        smoother: Smoother,
-        output: Output,
-        camera: CameraTilt,
-        guide: LiveRun | None = None,
-    ) -> None:
-        self._smoother, self._output, self._camera = smoother, output, camera
-        self._guide = guide
-
-    @property
-    def engines(self) -> dict[str, Engine]:
-        return {self._smoother.side: self._smoother.engine}
-
-    def feed(self, message: Fed | Sided) -> None:
-        message = message.sample if isinstance(message, Sided) else message
-        if self._guide is not None:
-            self._guide.feed(message)
-        if isinstance(message, PackedFrame):
-            self._output.message(message)
-            return
-        if isinstance(message, CameraImuSample):
-            self._output.message(message)
-            self._camera.feed(message)
-            return
-        if isinstance(message, Event):
-            self._output.message(message)
-            self._smoother.feed(message)
-            return
-        if isinstance(message, BlobFrame) and message.pose is None:
-            message = replace(message, pose=self._camera.pose(message.t))
-        self._smoother.feed(message)
-
-    def finish(self, progress: Callable[[float], None]) -> None:
-        calibration = self._smoother.calibration()
-        for message, estimate in self._smoother.results(progress):
-            if not isinstance(message, Event):  # written as they came
-                self._output.message(message)
-            if isinstance(message, ImuSample) and estimate is not None:
-                self._output.estimate(message, estimate)
-        if self._output.report.estimates:
-            self._output.calibration(calibration)
+        """What the engines know after all that was fed, to go on from at ``t`` s."""
+        return EngineState(t, self._hands.engine, self._hands.get_state())

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import heapq
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -18,15 +19,10 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.base.workers import usable_cores
-from tracker.engine.pipeline import Pipeline
+from tracker.engine.hands import Sided
 from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings, settings_from
-from tracker.engine.two_hands import TwoHands
 from tracker.fusion.chain.guided.events import guided_of
-from tracker.fusion.engine import Engine
-from tracker.fusion.worn import measure, put_on
 from tracker.glove import library
-from tracker.glove.model import GloveModel
-from tracker.hand.model import HandModel
 from tracker.messages import (
     EYES,
     BlobFrame,
@@ -39,23 +35,11 @@ from tracker.messages import (
 )
 from tracker.offline import by_side
 from tracker.offline.detection import detected
+from tracker.offline.maker import Maker
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.repeats import Repeats
-from tracker.offline.runs import (
-    Fed,
-    LiveRun,
-    NoOutput,
-    Output,
-    SessionRun,
-    Sided,
-    SmoothRun,
-    WordsAlone,
-    arrival,
-)
-from tracker.offline.smooth import Smoother
-from tracker.offline.smooth_two import GivingPipeline, SmoothTwoRun
-from tracker.offline.two_hands import TwoHandsRun, with_other
+from tracker.offline.runs import Fed, LiveRun, NoOutput, Output, SessionRun, arrival
 from tracker.online.camera_tilt import CameraTilt
 from tracker.session.arithmetic import arithmetic
 from tracker.session.description import COLOURS, SETTINGS, SessionInfo
@@ -68,7 +52,6 @@ from tracker.vision.rig import StereoRig
 
 MOST_NAMED = 8
 """Settings that a sentence names."""
-MakePipeline = Callable[[HandModel, GloveModel, StereoRig | None, Settings], Pipeline]
 
 
 def track(
@@ -102,7 +85,7 @@ def track(
         colours = _own_colours(reader, info, options)
         repeats = Repeats()
         messages = repeats.without(
-            _messages(reader, info, options, threads or usable_cores(), colours), info.side
+            _messages(reader, info, options, threads or usable_cores(), colours)
         )
         described = _output_info(info, settings, source, options)
         note = " ".join(filter(None, (_edits_note(reader), _version_note(reader, options))))
@@ -130,7 +113,7 @@ def track(
                 report = outputs[side].report
                 report.error_mm, report.error_deg = check.against(_truth(reader, side))
         reports = {side: output.report for side, output in outputs.items()}
-        report = TrackReport.of_both(reports) if info.other else reports[info.side]
+        report = TrackReport.of_hands(reports)
         report.note = note
         report.left_out = reader.source.left_out.by_topic()
     report.wall_s = time.perf_counter() - started
@@ -158,10 +141,10 @@ def state_at(
     outputs: dict[str, Output] = {hand.side: NoOutput() for hand in info.hands}
     colours = _own_colours(reader, info, options)
     run = _run(reader, info, settings, outputs, options, colours)
-    assert isinstance(run, LiveRun | TwoHandsRun)
+    assert isinstance(run, LiveRun)
     begin, fed = reader.anchor.monotonic(reader.span_ns[0]), False
     messages = _messages(reader, info, options, usable_cores(), colours)
-    for message in Repeats().without(messages, info.side):
+    for message in Repeats().without(messages):
         if arrival(message) >= t:
             break
         run.feed(message)
@@ -181,51 +164,17 @@ def _run(
     changes: list[tuple[float, EngineState | StereoRig]] = []
     if info.rig is not None:
         changes += reader.rig_changes()
-    output, profiles = outputs[info.side], by_side.wearers(options.wearer, info)
-
-    def make(
-        engine: str, rig: StereoRig | None, worn: SessionInfo = info, build: MakePipeline = Pipeline
-    ) -> Pipeline:
-        pipeline = build(worn.hand, worn.glove, rig, replace(settings, engine=engine))
-        _put_on(pipeline.engine, profiles.get(worn.side), options)
-        return pipeline
-
+    maker = Maker(info, settings, options)
     if options.smooth:
         if settings.lenses != "both" or (info.rig is not None and info.rig.one_camera):
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
         if changes:
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
-        smoothers = {w.side: Smoother(replace(w, rig=info.rig), settings) for w in info.hands}
-        for side, smoother in smoothers.items():
-            _put_on(smoother.engine, profiles.get(side), options)
-        camera = CameraTilt(reader.rig().pose)
-        if info.other:
-
-            def share_out(engine: str, rig: StereoRig | None) -> TwoHands:
-                giving = {s: partial(GivingPipeline, smoother) for s, smoother in smoothers.items()}
-                return TwoHands(
-                    {w.side: partial(make, engine, rig, w, giving[w.side]) for w in info.hands}
-                )
-
-            said: dict[str, Output] = {side: WordsAlone(o) for side, o in outputs.items()}
-            both = TwoHandsRun(share_out, info.rig, settings.engine, said, info.side, (), colours)
-            return SmoothTwoRun(both, smoothers, outputs, info.side, camera)
-        guide = None
-        if colours is not None:
-            words = WordsAlone(output)
-            guide = LiveRun(make, settings.engine, info.rig, words, colours=colours)
-        return SmoothRun(smoothers[info.side], output, camera, guide)
-
-    def make_both(engine: str, rig: StereoRig | None) -> TwoHands:
-        return TwoHands({w.side: partial(make, engine, rig, w) for w in info.hands})
-
+        return maker.smooth_run(outputs, CameraTilt(reader.rig().pose), colours)
     if _goes_on(reader, options):
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
-    if info.other:
-        engine, main = settings.engine, info.side
-        return TwoHandsRun(make_both, info.rig, engine, outputs, main, changes, colours)
-    return LiveRun(make, settings.engine, info.rig, output, changes, colours)
+    return maker.live_run(outputs, changes, colours)
 
 
 def _goes_on(reader: SessionReader, options: TrackOptions) -> bool:
@@ -245,17 +194,6 @@ def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
         return
     with SessionReader(reader.path, side=side) as other:
         yield from other.truth()
-
-
-def _put_on(engine: Engine, profile: Path | None, options: TrackOptions) -> None:
-    """Begin with a wearer's profile, or what a ruler says, if there is either. Raises as
-    `tracker.fusion.worn.put_on`."""
-    if options.wearer and options.hand_length:
-        raise ConfigError("A profile knows how long the hand is: leave out --hand-length.")
-    if profile is not None:
-        put_on(engine, profile)
-    if options.hand_length:
-        measure(engine, options.hand_length)
 
 
 def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:
@@ -381,11 +319,33 @@ def _messages(
     threads: int,
     colours: OwnColours | None,
 ) -> Iterator[Fed | Sided]:
-    """Packets, events and blobs in the order of the live run, of both hands if there are both."""
+    """Packets of all hands, events and blobs in the order of the live run."""
     messages = _of_reader(reader, info, options, threads, colours)
     if not options.guided:
         messages = (m for m in messages if not isinstance(m, Event) or guided_of(m) is None)
-    return with_other(reader, messages) if info.other else messages
+    return with_sides(reader, messages)
+
+
+def with_sides(reader: SessionReader, messages: Iterator[Fed]) -> Iterator[Fed | Sided]:
+    """``messages`` of the hand that ``reader`` reads with the packets of the session's other hands,
+    each packet with its side; in the order of the live run."""
+    side = reader.info.side
+    with ExitStack() as stack:
+        streams = [_sided(messages, side)]
+        for hand in reader.info.hands:
+            if hand.side != side:
+                other = stack.enter_context(SessionReader(reader.path, side=hand.side))
+                packets = (m for m in other.messages((ImuSample,)) if isinstance(m, ImuSample))
+                streams.append(_sided(packets, hand.side))
+        yield from heapq.merge(*streams, key=_order)
+
+
+def _sided(messages: Iterable[Fed], side: str) -> Iterator[Fed | Sided]:
+    return (Sided(m, side) if isinstance(m, ImuSample) else m for m in messages)
+
+
+def _order(message: Fed | Sided) -> tuple[float, bool]:
+    return arrival(message), not isinstance(message, Sided)
 
 
 def _of_reader(

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 
-MODULES = ("..engine.pipeline", "..engine.two_hands")
+MODULES = ("..engine.pipeline", "..engine.hands")
 """They import every module with a ``@record``; a test compares that with the source. The names are
 relative because an installed program has these modules in another package."""
 

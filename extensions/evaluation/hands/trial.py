@@ -9,9 +9,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import TwoHands
 from tracker.glove import library
 from tracker.hand.names import MARKED_KEYPOINTS, SIDES
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
@@ -116,7 +116,7 @@ def _make(hand: Simulation, engine: str) -> Pipeline:
 
 
 def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]:
-    hands = TwoHands({side: partial(_make, hand, engine) for side, hand in sim.hands.items()})
+    hands = Hands({side: partial(_make, hand, engine) for side, hand in sim.hands.items()})
     out: dict[str, list[Estimate]] = {side: [] for side in SIDES}
     for side, message in sim.messages():
         if isinstance(message, BlobFrame):

@@ -49,9 +49,12 @@ class TrackReport:
         return out
 
     @staticmethod
-    def of_both(hands: dict[str, TrackReport]) -> TrackReport:
-        """Of a session of both hands: what is counted in sum, and of times and errors the worse."""
+    def of_hands(hands: dict[str, TrackReport]) -> TrackReport:
+        """A session's report of its hands' by side: of one hand its own; of both the counts are
+        sums, times and errors the worse of the two."""
         reports = list(hands.values())
+        if len(reports) == 1:
+            return reports[0]
         losses = {
             name: sum(r.losses.get(name, 0) for r in reports) for r in reports for name in r.losses
         }

@@ -1,7 +1,7 @@
-"""Two gloves before one camera: a pipeline each, and blobs shared out between them.
+"""The gloves in view of one camera, one or two: a pipeline each, and blobs shared between them.
 
-A hand alone goes through its pipeline as if there were no other: images pass untouched and
-estimates are the same to the last bit. `Hands` is either: what feeds one feeds the other.
+One hand alone passes through its pipeline unchanged: nothing is shared, and its estimates are those
+of the pipeline to the last bit.
 """
 
 from __future__ import annotations
@@ -46,38 +46,6 @@ class Sided(NamedTuple):
         return self.sample.t_arrival
 
 
-class OneHand:
-    """One pipeline, asked as `TwoHands` is."""
-
-    def __init__(self, pipeline: Pipeline) -> None:
-        self.pipelines = {pipeline.glove.side: pipeline}
-        self._pipeline = pipeline
-
-    def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
-        """Take a packet; the hand at the packet's instant."""
-        return self._pipeline.feed_imu(sample)
-
-    def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen in an image."""
-        self._pipeline.feed_frame(frame)
-
-    def feed_event(self, event: Event) -> None:
-        """Take what was said."""
-        self._pipeline.feed_event(event)
-
-    def take_results(self, side: str) -> list[FrameResult]:
-        """What was made of images since the last call, oldest first."""
-        return self._pipeline.take_results()
-
-    def with_engine(self, name: str) -> OneHand:
-        """Another engine, at its start. Raises ConfigError for an unknown name."""
-        return OneHand(self._pipeline.with_engine(name))
-
-    def get_state(self) -> PipelineKept:
-        """Everything that changes and that estimates depend on."""
-        return self._pipeline.get_state()
-
-
 @record("two_hands")
 @dataclass(eq=False)
 class TwoHandsKept:
@@ -92,42 +60,61 @@ class TwoHandsKept:
     last_anew: float = -np.inf
 
 
-class TwoHands:
+class Hands:
     """A pipeline for each side, fed with its own glove's packets and with one camera's images.
 
-    ``make`` builds the pipeline of a side anew; it is asked again when a hand turns out to have
-    been found where the other one is. Raises ConfigError where a glove is of the other side.
+    ``make`` builds the pipeline of each side, left or right or both; that of the weaker hand starts
+    again when two hands were found in the same position. ``alone``: there is one hand only. Raises
+    ConfigError where a glove is of the other side.
     """
 
     def __init__(self, make: Mapping[str, Callable[[], Pipeline]]) -> None:
-        self.pipelines = {side: make[side]() for side in SIDES}
+        self.pipelines = {side: make[side]() for side in SIDES if side in make}
         for side, pipeline in self.pipelines.items():
             if pipeline.glove.side != side:
                 raise ConfigError(
                     f"The glove {pipeline.glove.name} is made for the {pipeline.glove.side} hand "
                     f"and cannot track the {side} one."
                 )
+        self._main = next(iter(self.pipelines.values()))
+        self.alone = len(self.pipelines) == 1
         self._fresh = {side: p.get_state() for side, p in self.pipelines.items()}
-        self._last: dict[str, FrameResult | None] = dict.fromkeys(SIDES)
-        self._results: dict[str, list[FrameResult]] = {side: [] for side in SIDES}
+        self._last: dict[str, FrameResult | None] = dict.fromkeys(self.pipelines)
+        self._results: dict[str, list[FrameResult]] = {side: [] for side in self.pipelines}
         self._last_again = self._last_anew = -np.inf
+
+    @property
+    def engine(self) -> str:
+        """The name of the engine that tracks all hands."""
+        return self._main.settings.engine
 
     def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
         """Take a packet of one glove; that hand at the packet's instant."""
         estimate = self.pipelines[side].feed_imu(sample)
-        self._collect()
+        if not self.alone:
+            self._collect()
         return estimate
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen in an image of both hands."""
-        pipelines = list(self.pipelines.values())
-        expected = [p.ahead.in_view(frame) for p in pipelines]
-        pose = frame.pose or pipelines[0].camera_pose(frame.t)
-        search = self._search(frame.t)
-        parts = share(frame, expected, pipelines[0].rig, pose)
-        for pipeline, own, other in zip(pipelines, parts, reversed(expected), strict=True):
-            pipeline.feed_frame(own if other is None else replace(own, search=search))
+        """Take what was seen in an image of all hands."""
+        if self.alone:
+            self._main.feed_frame(frame)
+            return
+        for pipeline, own in zip(self.pipelines.values(), self._shares(frame), strict=True):
+            pipeline.feed_frame(own)
         self._collect()
+
+    def _shares(self, frame: BlobFrame) -> list[BlobFrame]:
+        """The frame as each of two hands may use it."""
+        expected = [p.ahead.in_view(frame) for p in self.pipelines.values()]
+        pose = frame.pose or self._main.camera_pose(frame.t)
+        search = self._search(frame.t)
+        return [
+            own if other is None else replace(own, search=search)
+            for own, other in zip(
+                share(frame, expected, self._main.rig, pose), reversed(expected), strict=True
+            )
+        ]
 
     def _search(self, t: float) -> Search:
         """How far a hand may be looked for in the image of ``t`` beside one that is tracked."""
@@ -145,25 +132,27 @@ class TwoHands:
             pipeline.feed_camera_imu(sample)
 
     def feed_event(self, event: Event) -> None:
-        """Take what was said, of one hand if it says which."""
+        """Take a guided pose or a pose reset, of one hand if the event names one."""
         for side, pipeline in self.pipelines.items():
-            if event.data.get("hand", side) == side:
+            if is_for(event, side):
                 pipeline.feed_event(event)
 
     def take_results(self, side: str) -> list[FrameResult]:
         """What a hand's pipeline made of images since the last call, oldest first."""
+        if self.alone:
+            return self._main.take_results()
         results, self._results[side] = self._results[side], []
         return results
 
-    def with_engine(self, name: str) -> TwoHands:
-        """Other engines, at their start. Raises ConfigError for an unknown name."""
-        return TwoHands({s: partial(p.with_engine, name) for s, p in self.pipelines.items()})
+    def with_engine(self, name: str) -> Hands:
+        """Another engine, at its start. Raises ConfigError for an unknown name."""
+        return Hands({s: partial(p.with_engine, name) for s, p in self.pipelines.items()})
 
     def _collect(self) -> None:
         for side, pipeline in self.pipelines.items():
             found = pipeline.take_results()
-            self._results[side] += found
             if found:
+                self._results[side] += found
                 self._last[side] = found[-1]
                 self._part()
 
@@ -182,21 +171,28 @@ class TwoHands:
         self.pipelines[weaker].set_state(self._fresh[weaker])
         self._last[weaker] = None
 
-    def get_state(self) -> TwoHandsKept:
-        """Everything that changes and that estimates depend on."""
+    def get_state(self) -> PipelineKept | TwoHandsKept:
+        """Everything that changes and that estimates depend on; of one hand its pipeline's."""
+        if self.alone:
+            return self._main.get_state()
         left, right = (self.pipelines[side].get_state() for side in SIDES)
         last = [self._last[side] for side in SIDES]
         return TwoHandsKept(left, right, last, self._last_again, self._last_anew)
 
     def set_state(self, state: Any) -> None:
         """Go on from `get_state`."""
+        if self.alone:
+            self._main.set_state(state)
+            return
         self.pipelines["left"].set_state(state.left)
         self.pipelines["right"].set_state(state.right)
         self._last = dict(zip(SIDES, state.last, strict=True))
         self._last_again, self._last_anew = state.last_again, state.last_anew
 
 
-Hands = OneHand | TwoHands
+def is_for(event: Event, side: str) -> bool:
+    """Whether the hand of this side is the event's, or the event names none."""
+    return bool(event.data.get("hand", side) == side)
 
 
 def in_common(a: FrameResult, b: FrameResult) -> int:

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from tracker.base.errors import ConfigError
+from tracker.engine.hands import ANEW_EVERY, Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import ANEW_EVERY, TwoHands
 from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking
@@ -28,9 +28,9 @@ def simulated(seed: int, duration: float, fps: float = 30.0) -> TwoHandsSimulati
     return TwoHandsSimulation(dressed, seed, duration, fps)
 
 
-def two(sim: TwoHandsSimulation, engine: str = "chain") -> TwoHands:
+def two(sim: TwoHandsSimulation, engine: str = "chain") -> Hands:
     settings = Settings(engine=engine)
-    return TwoHands(
+    return Hands(
         {s: lambda h=h: Pipeline(h.hand, h.glove, sim.rig, settings) for s, h in sim.hands.items()}
     )
 
@@ -58,7 +58,7 @@ class Track:
         return np.array(apart)
 
 
-def tracked(hands: TwoHands, messages: Iterable[SidedMessage]) -> dict[str, Track]:
+def tracked(hands: Hands, messages: Iterable[SidedMessage]) -> dict[str, Track]:
     out = {side: Track() for side in SIDES}
     for side, message in messages:
         if isinstance(message, BlobFrame):
@@ -169,7 +169,7 @@ def test_a_glove_of_the_other_side_is_refused() -> None:
     sim = simulated(1, 2.0)
     make = dict.fromkeys(SIDES, sim.hands["right"])
     with pytest.raises(ConfigError, match="made for the right hand and cannot track the left"):
-        TwoHands({s: lambda h=h: Pipeline(h.hand, h.glove, sim.rig) for s, h in make.items()})
+        Hands({s: lambda h=h: Pipeline(h.hand, h.glove, sim.rig) for s, h in make.items()})
 
 
 def test_results_tell_the_rows_of_the_blobs_as_they_were_fed() -> None:

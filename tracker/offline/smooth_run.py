@@ -1,4 +1,4 @@
-"""Both hands of a session smoothed as a whole, each by itself; blobs are shared out as live."""
+"""Smoothing a session as a whole: each hand separately, with the live assignment of blobs."""
 
 from __future__ import annotations
 
@@ -7,23 +7,22 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
+from tracker.engine.hands import Sided, is_for
 from tracker.engine.pipeline import Pipeline, PipelineKept
 from tracker.engine.settings import Settings
-from tracker.engine.two_hands import Sided
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraImuSample, Estimate, Event, ImuSample
-from tracker.offline.runs import Fed, Output, arrival
+from tracker.offline.runs import Fed, LiveRun, Output, arrival
 from tracker.offline.smooth import Message, Shelf, Smoother
-from tracker.offline.two_hands import TwoHandsRun
 from tracker.online.camera_tilt import CameraTilt
 from tracker.session.images import PackedFrame
 from tracker.vision.rig import StereoRig
 
 
 class GivingPipeline(Pipeline):
-    """A pipeline of two, which hands its share of each image on, and says when it starts anew."""
+    """A pipeline of two, which passes its share of each image on, and reports when it restarts."""
 
     def __init__(
         self,
@@ -59,26 +58,27 @@ class _Smoothed(NamedTuple):
         return arrival(self.message), not isinstance(self.message, ImuSample)
 
 
-class SmoothTwoRun:
-    """Estimates of both hands that know the whole session; all are written at the end.
+class SmoothRun:
+    """Estimates that know the whole session; all are written at the end.
 
-    A live run is the ``guide``: it shares out the blobs of each image, and its pipelines
-    (`GivingPipeline`) give the ``smoothers``, by side, theirs. Where images are searched it decides
-    the colours of later ones, too.
+    A live run may be the ``guide``: where images are searched, it decides the colours of later
+    ones. Of two hands it is always there, and its pipelines (`GivingPipeline`) pass their shares of
+    each image on to the ``smoothers``; a hand alone is fed directly.
     """
 
     def __init__(
         self,
-        guide: TwoHandsRun,
         smoothers: Mapping[str, Smoother],
         outputs: Mapping[str, Output],
         main: str,
         camera: CameraTilt,
+        guide: LiveRun | None = None,
     ) -> None:
-        """``main`` is the side whose output takes what is of no side."""
-        self._guide, self._smoothers, self._outputs = guide, smoothers, outputs
-        self._main, self._camera, self._frames = outputs[main], camera, Shelf()
-        self._main_side, self._shares = main, dict.fromkeys(smoothers, 0.0)
+        """All by side; ``main`` is the side whose output takes what is of no side."""
+        self._smoothers, self._outputs, self._guide = smoothers, outputs, guide
+        self._main, self._main_side, self._camera = outputs[main], main, camera
+        self._alone = smoothers[main] if len(smoothers) == 1 else None
+        self._frames, self._shares = Shelf(), dict.fromkeys(smoothers, 0.0)
 
     @property
     def engines(self) -> dict[str, Engine]:
@@ -88,19 +88,28 @@ class SmoothTwoRun:
         if isinstance(message, Sided):
             self._smoothers[message.side].feed(message.sample)
         elif isinstance(message, BlobFrame):
-            self._frames.put(message)
-            if message.pose is None:
-                message = replace(message, pose=self._camera.pose(message.t))
+            self._feed_frame(message)
+            return
         else:
             self._main.message(message)
         if isinstance(message, CameraImuSample):
             self._camera.feed(message)
         elif isinstance(message, Event):
             for side, smoother in self._smoothers.items():
-                if message.data.get("hand", side) == side:
+                if is_for(message, side):
                     smoother.feed(message)
-        if not isinstance(message, PackedFrame):
+        if self._guide is not None and not isinstance(message, PackedFrame):
             self._guide.feed(message)
+
+    def _feed_frame(self, frame: BlobFrame) -> None:
+        pose = frame.pose or self._camera.pose(frame.t)
+        posed = frame if pose is frame.pose else replace(frame, pose=pose)
+        if self._alone is not None:
+            self._alone.feed(posed)
+        else:
+            self._frames.put(frame)
+        if self._guide is not None:
+            self._guide.feed(frame if self._alone is not None else posed)
 
     def finish(self, progress: Callable[[float], None]) -> None:
         calibrations = {side: s.calibration() for side, s in self._smoothers.items()}
@@ -119,7 +128,9 @@ class SmoothTwoRun:
                 output.calibration(calibrations[side])
 
     def _whole(self, number: int, share: BlobFrame) -> BlobFrame:
-        """The image that both hands' shares are of, with the pose that they were fed with."""
+        """The image that the hands' shares are of, with the pose that they were fed with."""
+        if self._alone is not None:
+            return share
         frame: BlobFrame = self._frames.get(number)
         return replace(frame, pose=share.pose)
 
