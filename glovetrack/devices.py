@@ -101,7 +101,7 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
         raise ConfigError(f"Hands can be right, left or both, not {hands!r}.")
     texts = {side: WornTexts(*library.texts(GLOVES[side])) for side in sides}
     main, *others = texts.values()
-    spec = DemoSpec(*main, seed, DURATION, fps, other=others[0] if others else None)
+    spec = DemoSpec(*main, seed, DURATION, fps, others=tuple(others))
     images = SimulatedCamera(spec) if camera else NoSimulatedCamera()
     gloves = GloveProcess(spec)
 

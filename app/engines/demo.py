@@ -30,7 +30,7 @@ from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.recording.process import RecorderProcesses
 from tracker.simulation.camera_device import DemoCamera
-from tracker.simulation.demo import DemoSpec, WornTexts, asked_for, build_scene, hands_of
+from tracker.simulation.demo import DemoSpec, asked_for, build_scene, hands_of
 from tracker.simulation.glove_process import GloveProcess
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.shows import shown_application
@@ -193,7 +193,6 @@ def _info(
 ) -> SessionInfo:
     """What a recording of the demo is about."""
     anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
-    worn = (WornTexts(spec.hand_text, spec.glove_text), *((spec.other,) if spec.other else ()))
     infos = [
         describe(
             texts.hand,
@@ -205,6 +204,6 @@ def _info(
             engine=settings.engine,
             simulated=True,
         )
-        for texts in worn
+        for texts in spec.worn
     ]
     return of_hands(infos)

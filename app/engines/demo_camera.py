@@ -68,7 +68,6 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     hands = choice.hands
     worn = {side: _texts(side) for side in ("right", "left") if hands in (side, "both")}
     (main, *others) = worn.values()
-    other = others[0] if others else None
     desk = choice.has_desk(os.cpu_count() or 1)
     return DemoSpec(
         *main,
@@ -77,7 +76,7 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
         choice.fps,
         choice.motion,
         light=LIGHT if desk else "",
-        other=other,
+        others=tuple(others),
         one_camera=choice.lenses != "both",
         table=0.0 if choice.uses_application else TABLE,
     )

@@ -192,8 +192,8 @@ class EngineSetup:
     """An engine and what it works with. ``close`` frees what `LiveEngine.stop` does not.
 
     An engine is started once; to start again the window builds another one. It is seen from one
-    hand: ``tracked``, ``hand``, ``glove`` and what belongs to them. Where it tracks another one,
-    that is ``other``: the same engine seen from there.
+    hand: ``tracked``, ``hand``, ``glove`` and what belongs to them. Where it tracks others,
+    ``others`` are the same engine seen from them.
     """
 
     name: str
@@ -231,7 +231,7 @@ class EngineSetup:
     firmware_advice: str = ""  # what to say of the glove's firmware, if anything
     missing: str = ""  # sentences that say what of the rig is not there, and why
     unfit_images: Callable[[], UnfitImages | None] | None = None  # that come and have no use
-    other: EngineSetup | None = None
+    others: tuple[EngineSetup, ...] = ()
 
     @property
     def side(self) -> str:
@@ -240,19 +240,21 @@ class EngineSetup:
 
     def seen_from(self, side: str) -> EngineSetup:
         """The same engine seen from the hand of this side, where there is one."""
-        if self.other is None or side == self.side:
+        found = next((hand for hand in self.hands if hand.side == side), self)
+        if found is self:
             return self
-        return replace(self.other, other=replace(self, other=None))
+        rest = (replace(hand, others=()) for hand in self.hands if hand is not found)
+        return replace(found, others=tuple(rest))
 
     @property
     def hands(self) -> tuple[EngineSetup, ...]:
-        """This one and the other, if there is one."""
-        return (self,) if self.other is None else (self, self.other)
+        """The engine as it is seen from each hand, this one first."""
+        return self, *self.others
 
     def with_profile(self, profile: ColourProfile) -> EngineSetup:
         """The same with other colours, of all hands."""
-        other = None if self.other is None else self.other.with_profile(profile)
-        return replace(self, profile=profile, other=other)
+        others = tuple(other.with_profile(profile) for other in self.others)
+        return replace(self, profile=profile, others=others)
 
     @property
     def whole(self) -> bool:
@@ -270,5 +272,4 @@ def one_camera(setup: EngineSetup, frame: StereoFrame | None) -> bool:
 def seen_from_main(setups: Sequence[EngineSetup]) -> EngineSetup:
     """One engine's setups, of one hand or of both, seen from the main one."""
     main = next((setup for setup in setups if setup.side == MAIN), setups[0])
-    others = [setup for setup in setups if setup is not main]
-    return replace(main, other=others[0] if others else None)
+    return replace(main, others=tuple(setup for setup in setups if setup is not main))

@@ -71,10 +71,10 @@ class Looks:
     def look(self, setup: EngineSetup, running: bool) -> Snapshot:
         """The latest of the hand that is shown, and of the other one in the same image."""
         view = self.of(setup.side).look(setup, running)
-        if setup.other is None:
+        if not setup.others:
             return view
         at = view.frame.t if view.frame is not None else None
-        other = self.of(setup.other.side).look(setup.other, running, at)
+        others = [self.of(other.side).look(other, running, at) for other in setup.others]
         if view.frame is not None:
-            other = replace(other, frame=view.frame, blobs=view.blobs)
-        return replace(view, other=other)
+            others = [replace(other, frame=view.frame, blobs=view.blobs) for other in others]
+        return replace(view, others=tuple(others))

@@ -49,14 +49,12 @@ class Snapshot:
     imu: Sequence[ImuSample] = field(default_factory=tuple)
     estimates: Sequence[Estimate] = field(default_factory=tuple)
     images: Sequence[SearchedImage] = field(default_factory=tuple)
-    other: Snapshot | None = None  # of the other hand, with its own setup
+    others: tuple[Snapshot, ...] = ()  # of the other hands, each with its own setup
 
     @property
     def hands(self) -> tuple[Snapshot, ...]:
-        """This one, or those of both hands, the left one first."""
-        if self.other is None:
-            return (self,)
-        return tuple(sorted((self, self.other), key=lambda view: view.setup.side))
+        """Those of all hands, the left one first."""
+        return tuple(sorted((self, *self.others), key=lambda view: view.setup.side))
 
     @property
     def shed(self) -> Shed:

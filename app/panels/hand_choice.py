@@ -39,5 +39,5 @@ class HandChoice(QWidget):
         host.show_hand(side)
 
     def _show(self, setup: EngineSetup) -> None:
-        self.setVisible(setup.other is not None)
+        self.setVisible(bool(setup.others))
         self.actions_of[setup.side].setChecked(True)

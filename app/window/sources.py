@@ -163,7 +163,7 @@ class Sources(QObject):
             self.plugged.begin()
         else:
             self.plugged.rest()
-        if setup.other is not None and setup.glove_id is not None:
+        if setup.others and setup.glove_id is not None:
             self._store.update(both_hands=True)  # one that is unplugged is expected from now on
         if setup.whole:
             setup.engine.set_engine(self._store.value.engine)

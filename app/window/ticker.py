@@ -117,7 +117,7 @@ class Ticker(QObject):
         placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
         replayed = view is not None and view.setup.player is not None
         self._bar.show_status(view.status if view else None, self._host.running, placed, replayed)
-        hands = (view, view.other) if view is not None and view.other is not None else ()
+        hands = (view, *view.others) if view is not None else ()
         statuses = {v.setup.side: v.status for v in hands}
         self._bar.show_hands(statuses, self._host.running, placed, replayed)
         values = view.status.values if view is not None and view.status is not None else {}

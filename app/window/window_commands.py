@@ -309,7 +309,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     tracks = host.setup is not None and host.setup.player is None
     guided = host.setup is not None and host.setup.guide is not None
     recording = host.recording.request is not None
-    both = host.setup is not None and host.setup.other is not None
+    both = host.setup is not None and bool(host.setup.others)
     for key, able in (
         ("hand_left", both),
         ("hand_right", both),

@@ -483,7 +483,7 @@ def both(window, clock, qtbot, monkeypatch):
     ]
     glove = dataclasses.replace(setups[1].glove, side="left")
     other = dataclasses.replace(setups[1], glove=glove, engine=right)
-    window.host.adopt(dataclasses.replace(setups[0], other=other))
+    window.host.adopt(dataclasses.replace(setups[0], others=(other,)))
     window.run_command("guided")
     dialog = window.set_up.dialogs["guided"]
     dialog._timer.stop()

@@ -79,7 +79,7 @@ def test_a_session_of_both_is_seen_whole(replay, qtbot):
     view = replay.host.snapshot()
     only = Layers(False, False, False, False, False, skeleton=True)
     colours = hue_colours(view.setup.profile)
-    alone = [len(overlay(replace(h, other=None), only, colours, False)) for h in view.hands]
+    alone = [len(overlay(replace(h, others=()), only, colours, False)) for h in view.hands]
     assert len(overlay(view, only, colours, False)) == sum(alone) and min(alone) > 15
     qtbot.waitUntil(lambda: replay.bar.other_hand.isVisible(), timeout=10_000)
     assert replay.bar.tracking.text().startswith("Right: ")
@@ -89,7 +89,7 @@ def test_a_session_of_both_is_seen_whole(replay, qtbot):
 def test_panels_of_one_hand_show_the_one_that_is_asked_for(replay, qtbot):
     assert replay.host.setup.side == "right"
     replay.run_command("hand_left")
-    assert replay.host.setup.side == "left" and replay.host.setup.other.side == "right"
+    assert replay.host.setup.side == "left" and replay.host.setup.others[0].side == "right"
     assert replay.motion.model is not None
     assert replay.hand._hands[0].setup.side == "left"
     view = replay.host.snapshot()

@@ -36,7 +36,7 @@ def both(window, engine, resets):
     hand, glove = library.load("vist-small-left", "reference-left")
     right = replace(scripted_setup(engine), reset_pose=lambda: resets.append("right"))
     left = replace(right, hand=hand, glove=glove, reset_pose=lambda: resets.append("left"))
-    window.host.adopt(replace(right, other=left))
+    window.host.adopt(replace(right, others=(left,)))
     window.counted = []
     window.pose_reset.counted.connect(window.counted.append)
     return window

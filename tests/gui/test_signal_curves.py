@@ -135,7 +135,7 @@ def test_status_gestures_and_images_are_curves_of_their_own(setup):
 
 def test_keys_are_unlike_and_both_hands_have_their_own(setup):
     left = dataclasses.replace(setup, glove=dataclasses.replace(setup.glove, side="left"))
-    both = dataclasses.replace(setup, other=left)
+    both = dataclasses.replace(setup, others=(left,))
     found = signals(both, {"battery_v"})
     keys = [s.key for s in found]
     assert len(set(keys)) == len(keys) == 2 * len(signals(setup, {"battery_v"}))

@@ -110,7 +110,7 @@ def test_both_hands_of_the_demo_start_with_their_own_wearers(window, qtbot, open
     save(window, qtbot, open_hand("right"), "Anna", 1.04)
     save(window, qtbot, open_hand("right", simulated=True), "Simulated", 0.97)
     right, left = Worn("right"), Worn("left")
-    both = dataclasses.replace(right.setup(True), other=left.setup(True))
+    both = dataclasses.replace(right.setup(True), others=(left.setup(True),))
     window.host.adopt(both)
     assert (right.scale, left.scale) == (pytest.approx(0.97), pytest.approx(1.0))
     assert not window.banner.isVisible()

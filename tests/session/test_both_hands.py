@@ -13,6 +13,7 @@ from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.run import read_take
 from extensions.movement.report.measure import tell_hands
 from tracker.cli import main
+from tracker.glove.mirror import OTHER
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
 from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions
@@ -46,7 +47,7 @@ def test_each_hand_is_read_with_its_own_glove(recorded: Path) -> None:
         with SessionReader(recorded, side=side) as reader:
             assert reader.sides == ("left", "right")
             assert reader.info.side == reader.info.hand.side == side
-            assert reader.info.other is not None and reader.info.other.side != side
+            assert [other.side for other in reader.info.others] == [OTHER[side]]
             assert {"hand_left.toml", "glove_right.toml"} <= reader.attachments.keys()
 
 

@@ -46,7 +46,7 @@ def test_its_links_stand_where_the_sessions_frames_do(
 def test_of_both_hands_each_has_its_own(tmp_path: Path, session_info) -> None:
     hand = (RESOURCES / "hands" / "reference-left.toml").read_text()
     glove = (RESOURCES / "gloves" / "vist-small-left.toml").read_text()
-    both = replace(session_info, other=describe(hand, glove, ANCHOR))
+    both = replace(session_info, others=(describe(hand, glove, ANCHOR),))
     with SessionRecorder(tmp_path / "b.mcap", both, RecorderParams(sync=False)):
         pass
     found = {

@@ -75,8 +75,8 @@ def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SimulatedR
     """Two gloves; what the camera draws is tested elsewhere."""
     monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
     worn = (WornTexts(*library.texts(GLOVES[side])) for side in ("right", "left"))
-    main, other = worn
-    devices = SimulatedRig(DemoSpec(*main, duration=5.0, other=other), tmp_path)
+    main, *others = worn
+    devices = SimulatedRig(DemoSpec(*main, duration=5.0, others=tuple(others)), tmp_path)
     yield devices
     devices.close()
     assert not list(tmp_path.iterdir())

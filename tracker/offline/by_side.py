@@ -71,7 +71,7 @@ def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
     Raises FileError for one that is of no hand of the session, ConfigError for two of one hand.
     """
     paths = [Path(each) for each in several(asked)]
-    if info.other is None and len(paths) == 1:
+    if not info.others and len(paths) == 1:
         return {info.side: paths[0]}  # what is wrong with it is said where it is put on
     out: dict[str, Path] = {}
     for path in paths:

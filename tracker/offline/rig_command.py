@@ -106,7 +106,7 @@ def _spec(args: argparse.Namespace) -> DemoSpec:
         args.seed,
         args.duration or LASTS,
         args.fps,
-        other=others[0] if others else None,
+        others=tuple(others),
         one_camera=args.lenses == "one",
         right_late=args.right_late_ms / 1000 if args.lenses == "apart" else 0.0,
     )

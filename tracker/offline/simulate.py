@@ -194,7 +194,7 @@ def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInf
     sim = TwoHandsSimulation(dressed, seed, options.duration, options.fps, params, rig)
     hues = tuple(dict.fromkeys(h for info in infos.values() for h in info.glove.hues))
     left, right = (replace(infos[side], rig=sim.rig, hues=hues) for side in SIDES)
-    return sim, replace(right, other=left)
+    return sim, replace(right, others=(left,))
 
 
 def _simulate_both(

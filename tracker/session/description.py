@@ -33,8 +33,8 @@ class SessionInfo:
 
     ``arithmetic`` is that of the computer that made the estimates, empty where unknown.
     ``hues`` are the names that blobs' hues index; the glove's unless told. ``extra`` goes into the
-    metadata record as it is (a tracked file's ``source``, for one). ``other`` is the other hand of
-    a session of both; of it hand and glove count.
+    metadata record as it is (a tracked file's ``source``, for one). ``others`` are the session's
+    other hands, of which hand and glove count.
     """
 
     hand: HandModel
@@ -54,13 +54,12 @@ class SessionInfo:
     hues: tuple[str, ...] = ()
     arithmetic: str = field(default_factory=arithmetic)
     extra: dict[str, str] = field(default_factory=dict)
-    other: SessionInfo | None = None
+    others: tuple[SessionInfo, ...] = ()
 
     @property
     def hands(self) -> tuple[SessionInfo, ...]:
-        """This one, or those of both hands, the left one first."""
-        both = (self,) if self.other is None else (self, self.other)
-        return tuple(sorted(both, key=lambda info: info.side))
+        """Those of all hands, the left one first."""
+        return tuple(sorted((self, *self.others), key=lambda info: info.side))
 
     @property
     def side(self) -> str:
@@ -80,7 +79,7 @@ class SessionInfo:
         texts: dict[str, str | None] = {COLOURS: self.colours_text, SETTINGS: self.settings_text}
         for info in self.hands:
             for name, text in ((HAND, info.hand_text), (GLOVE, info.glove_text)):
-                texts[name if self.other is None else of_side(name, info.side)] = text
+                texts[of_side(name, info.side) if self.others else name] = text
         return {name: text for name, text in texts.items() if text is not None}
 
     def metadata(self) -> dict[str, str]:
@@ -102,8 +101,7 @@ class SessionInfo:
 def of_hands(infos: Sequence[SessionInfo]) -> SessionInfo:
     """One session's of one hand or of both: what goes for the whole is the main one's."""
     main = next((info for info in infos if info.side == MAIN), infos[0])
-    others = [info for info in infos if info is not main]
-    return replace(main, other=others[0] if others else None)
+    return replace(main, others=tuple(info for info in infos if info is not main))
 
 
 def describe(hand_text: str, glove_text: str, anchor: ClockAnchor, **more: object) -> SessionInfo:

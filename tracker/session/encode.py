@@ -59,7 +59,7 @@ class ImageCoding:
 
 def status_name(info: SessionInfo, side: str) -> str:
     """Under which a Status stands; that of the second hand of a session of both has its side."""
-    return "tracker" if info.other is None or side == MAIN else f"tracker_{side}"
+    return f"tracker_{side}" if info.others and side != MAIN else "tracker"
 
 
 class Encoder:

@@ -196,8 +196,8 @@ class SessionReader:
         if not self.sides:
             return self._info_of("")
         side = self._asked or description.MAIN
-        (other,) = (s for s in self.sides if s != side)
-        return replace(self._info_of(side), other=self._info_of(other))
+        others = tuple(self._info_of(s) for s in self.sides if s != side)
+        return replace(self._info_of(side), others=others)
 
     def _info_of(self, side: str) -> SessionInfo:
         """Of a session of both hands that of one; empty: of the only one."""

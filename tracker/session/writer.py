@@ -114,7 +114,7 @@ class SessionRecorder:
         """The hand as a robot's model, for programs that draw the joints of the session."""
         robot_description = load_describer()
         for hand in self.info.hands:
-            topic = topics.description(hand.side, self.info.other is None)
+            topic = topics.description(hand.side, not self.info.others)
             data = motion.pack_string(robot_description(hand))
             yield Out(topic, motion.STRING, now, now, data)
 

@@ -43,7 +43,7 @@ class DemoSpec:
     """Texts of the hand's and the glove's file; ``motion`` a recording, ``show:`` and the name of
     an application that is used again and again, or empty.
 
-    With an ``other`` glove, of the other side, two hands meet before a plain wall.
+    With a glove of the other side in ``others``, two hands meet before a plain wall.
     """
 
     hand_text: str
@@ -54,10 +54,15 @@ class DemoSpec:
     motion: str = ""
     exposures: int = 1  # per image: no motion blur, half the time to draw
     light: str = ""  # over a desk with things on it; before a plain wall if empty
-    other: WornTexts | None = None
+    others: tuple[WornTexts, ...] = ()
     one_camera: bool = False  # of two: the left one alone
     right_late: float = 0.0  # s that the right camera exposes after the left one
     table: float = 0.0  # m from the origin up to the table that the camera stands on
+
+    @property
+    def worn(self) -> tuple[WornTexts, ...]:
+        """The texts of all hands, the main one's first."""
+        return WornTexts(self.hand_text, self.glove_text), *self.others
 
     @property
     def rig(self) -> StereoRig:
@@ -89,10 +94,10 @@ def build(spec: DemoSpec) -> Simulation:
 
 def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
     """Everything that the camera sees."""
-    if spec.other is None:
+    if not spec.others:
         return build(spec)
     dressed = {}
-    for texts in (WornTexts(spec.hand_text, spec.glove_text), spec.other):
+    for texts in spec.worn:
         hand = parse_hand(texts.hand)
         dressed[hand.side] = Dressed(hand, parse_glove(texts.glove, hand))
     room = room_of("plain", "", seed=spec.seed)

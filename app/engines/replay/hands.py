@@ -44,7 +44,7 @@ class HandsInFile:
     def __init__(self, path: Path) -> None:
         self.main = SessionReader(path)
         info = self.main.info
-        self._others = [SessionReader(path, side=info.other.side)] if info.other else []
+        self._others = [SessionReader(path, side=other.side) for other in info.others]
         readers = self._readers = (self.main, *self._others)
         self._damage_told = 0  # messages
         has_images = any("/image" in name for name in self.main.topic_names)

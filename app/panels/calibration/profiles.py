@@ -60,7 +60,7 @@ class WearerProfiles(QObject):
     def open(self, setup: EngineSetup) -> None:
         """Put on what was worn last, before the engine starts; on the hand that is shown last."""
         self._row.frozen.setChecked(False)
-        hands = [setup] if setup.other is None else [setup.other, setup]
+        hands = [*setup.others, setup]
         self._hands.open(hands)
         first, self._first = self._first, None
         for hand in hands:

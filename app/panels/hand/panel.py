@@ -122,7 +122,7 @@ class HandPanel(Panel):
 
     def _open(self, setup: EngineSetup) -> None:
         self._clear()
-        of_two = setup.other is not None
+        of_two = bool(setup.others)
         self._hands = [HandInScene(s, k == 0, of_two) for k, s in enumerate(setup.hands)]
         self._gestures = ShownGestures(setup)
         tips = self._hands[0].model.tip_names

@@ -102,7 +102,7 @@ class MotionPanel(Panel):
         self.controls.enable(True)
         if setup.player is not None:
             self._say(self.tr("Reading the whole take…"))
-            side = setup.side if setup.other is not None else ""
+            side = setup.side if setup.others else ""
             self._reading.run(read_motion(setup.player.path, side), self._use_take)
 
     def _use_take(self, take: object) -> None:

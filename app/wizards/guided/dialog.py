@@ -57,7 +57,7 @@ class GuidedDialog(LeadingDialog):
 
     def _title(self) -> str:
         """With the side of the hand where there are two."""
-        if self._setup.other is None:
+        if not self._setup.others:
             return self.tr("Guided calibration")
         if self._setup.side == "left":
             return self.tr("Guided calibration, left hand")

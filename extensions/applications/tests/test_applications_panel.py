@@ -231,7 +231,7 @@ def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
     hand, glove = library.load("vist-small-left")
     left = ApplicationStage(hand, glove)
     there = replace(scripted_setup(engine), hand=hand, glove=glove, listeners=on(left))
-    window.host.adopt(replace(window.host.setup, other=there))
+    window.host.adopt(replace(window.host.setup, others=(there,)))
     panel.choose("compass", {"size": 0.2, "place": [1.0, 2.0, 3.0]})
     show(panel, right, engine)
     window.host.show_hand("left")

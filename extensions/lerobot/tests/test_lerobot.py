@@ -285,7 +285,7 @@ def test_both_hands_stand_beside_each_other(tmp_path: Path, moving, session_info
     hand = (RESOURCES / "hands" / "reference-left.toml").read_text()
     glove = (RESOURCES / "gloves" / "vist-small-left.toml").read_text()
     left = describe(hand, glove, ANCHOR)
-    both = replace(session_info, other=left)
+    both = replace(session_info, others=(left,))
     path = tmp_path / "both.mcap"
     with SessionRecorder(path, both, RecorderParams(images="none", sync=False)) as recorder:
         for k, estimate in enumerate(moving(40)):

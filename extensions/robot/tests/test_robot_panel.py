@@ -98,7 +98,7 @@ def test_another_hand_that_is_chosen_has_a_robot_of_its_side(window, monkeypatch
     hand, glove = library.load("vist-small-left")
     setup = dataclasses.replace(scripted_setup(ScriptedEngine()), followed=right)
     other = dataclasses.replace(setup, hand=hand, glove=glove, followed=left)
-    window.host.adopt(dataclasses.replace(setup, other=other))
+    window.host.adopt(dataclasses.replace(setup, others=(other,)))
     window.panels["robot"].link.switch(True)
     assert made[0].side == "right" and right.follower == made[0].feed
     window.host.show_hand("left")
