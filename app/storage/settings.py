@@ -22,7 +22,7 @@ from app.words import tr
 from tracker.base.config import UNKNOWN, from_dict
 from tracker.base.files import free_path, write_kept
 
-VERSION = 3
+VERSION = 4
 _log = logging.getLogger(__name__)
 
 
@@ -51,10 +51,8 @@ class AppSettings:
     countdown: int = 0  # s before a recording begins
     countdown_sound: bool = False
     guided_sound: bool = True  # a beep when a guided pose has been held
-    wearer: str = ""  # whose calibration the right hand starts with
-    left_wearer: str = ""  # the same for the left hand
-    demo_wearer: str = ""  # the same in the demo, which never uses a real wearer's calibration
-    demo_left_wearer: str = ""
+    wearers: dict[str, Any] = field(default_factory=dict)  # by side: whose calibration is used
+    demo_wearers: dict[str, Any] = field(default_factory=dict)  # never a real wearer's
     pose_reset_key: str = "R"
     pose_reset_countdown: int = 3  # s
     pose_reset_sound: bool = True
@@ -97,7 +95,16 @@ def _from_2(data: dict[str, Any]) -> dict[str, Any]:
     return {**data, "layout": {}}
 
 
-MIGRATIONS: dict[int, Migration] = {1: _from_1, 2: _from_2}
+def _from_3(data: dict[str, Any]) -> dict[str, Any]:
+    """Version 4 has the names of wearers by side."""
+    out = dict(data)
+    for prefix in ("", "demo_"):
+        right, left = out.pop(f"{prefix}wearer", ""), out.pop(f"{prefix}left_wearer", "")
+        out[f"{prefix}wearers"] = {"left": left, "right": right}
+    return out
+
+
+MIGRATIONS: dict[int, Migration] = {1: _from_1, 2: _from_2, 3: _from_3}
 """From each version to the next."""
 
 
@@ -171,9 +178,9 @@ def _settings_from(data: dict[str, Any]) -> AppSettings:
     return from_dict(AppSettings, data, complain)
 
 
-def wearer_field(side: str, of_demo: bool = False) -> str:
-    """The setting that names the wearer of a hand, "left" or "right"."""
-    return ("demo_" if of_demo else "") + ("left_" if side == "left" else "") + "wearer"
+def wearer_of(settings: AppSettings, side: str, of_demo: bool = False) -> str:
+    """The name of who wears the glove of a hand, "left" or "right"; empty for nobody."""
+    return str((settings.demo_wearers if of_demo else settings.wearers).get(side, ""))
 
 
 def sessions_folder(settings: AppSettings) -> Path:

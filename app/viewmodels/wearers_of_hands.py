@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from app.engines.engine import EngineSetup
 from app.storage.bound_gloves import bound, with_bound
-from app.storage.settings import SettingsStore, wearer_field
+from app.storage.settings import SettingsStore, wearer_of
 from app.storage.wearers import WearerStore
 from app.viewmodels.worn_calibration import WornCalibration
 from tracker.fusion.chain.layout import ChainLayout
@@ -45,9 +45,9 @@ class WearersOfHands:
         own = bound(settings, setup.glove_id)  # of a glove that is known again
         if own is not None:
             return own.wearer
-        name = str(getattr(settings, _field(setup)))
+        name = wearer_of(settings, setup.side, setup.simulated)
         # Earlier versions stored the name for a left glove alone as they did for a right one.
-        earlier = settings.wearer if not setup.simulated else ""
+        earlier = wearer_of(settings, "right") if not setup.simulated else ""
         return name or (earlier if earlier in self.worn.names() else "")
 
     def remember(self, name: str, setup: EngineSetup | None) -> None:
@@ -59,12 +59,10 @@ class WearersOfHands:
         if setup.glove_id is not None and own is not None:
             gloves = with_bound(settings, setup.glove_id, replace(own, wearer=name))
             self._store.update(gloves=gloves)
-        changes = {_field(setup): name}
-        if not setup.simulated and settings.wearer in self.worn.names():
-            changes = {"wearer": "", **changes}  # where an earlier version stored it
-        self._store.update(**changes)
-
-
-def _field(setup: EngineSetup) -> str:
-    """The setting that names the wearer of this hand."""
-    return wearer_field(setup.side, setup.simulated)
+        if setup.simulated:
+            self._store.update(demo_wearers={**settings.demo_wearers, setup.side: name})
+            return
+        names = dict(settings.wearers)
+        if names.get("right") in self.worn.names():
+            names["right"] = ""  # where earlier versions stored that of either hand
+        self._store.update(wearers={**names, setup.side: name})

@@ -159,7 +159,7 @@ def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
     again.calibration.wearer.choice.setCurrentIndex(0)
     again.calibration.wearer.choice.activated.emit(0)
     assert fresh.inner.calibration().scale == pytest.approx(np.ones((7, 3)))
-    assert store.value.wearer == ""
+    assert store.value.wearers.get("right", "") == ""
     again.close()
 
 
@@ -217,7 +217,7 @@ def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     action(panel.wearer.save_button.menu(), "Remove this profile").trigger()
     assert WearerStore(store.path.parent / "wearers").names() == []
-    assert store.value.wearer == ""
+    assert store.value.wearers.get("right", "") == ""
 
 
 def test_a_removed_wearer_comes_back_with_undo(panel, store, qtbot):
@@ -230,7 +230,7 @@ def test_a_removed_wearer_comes_back_with_undo(panel, store, qtbot):
     assert banner.text() == "The profile Anna was removed." and not path.exists()
     banner.buttons[0].click()
     assert path.read_bytes() == data
-    assert panel.wearer.name == store.value.wearer == "Anna"
+    assert panel.wearer.name == store.value.wearers["right"] == "Anna"
     remove.trigger()
     path.write_bytes(b"another")
     banner.buttons[0].click()

@@ -11,7 +11,9 @@ from app.storage.settings import (
     SettingsStore,
     migrated,
     sessions_folder,
+    wearer_of,
 )
+from tracker.hand.names import SIDES
 
 
 def test_values_come_back(tmp_path):
@@ -72,6 +74,15 @@ def test_settings_survive_an_upgrade_and_the_old_file_is_kept(tmp_path):
 def test_every_earlier_version_has_its_way_to_today():
     assert sorted(MIGRATIONS) == list(range(1, VERSION))
     assert migrated({"version": 1}, 1)["version"] == VERSION
+
+
+def test_the_wearers_of_version_3_are_known_by_side(tmp_path):
+    path = tmp_path / "w.json"
+    old = {"version": 3, "wearer": "Anna", "left_wearer": "Bea", "demo_left_wearer": "Simulated"}
+    path.write_text(json.dumps(old))
+    value = SettingsStore(path).value
+    assert [wearer_of(value, side) for side in SIDES] == ["Bea", "Anna"]
+    assert [wearer_of(value, side, of_demo=True) for side in SIDES] == ["Simulated", ""]
 
 
 def test_recordings_go_where_the_user_said(tmp_path):

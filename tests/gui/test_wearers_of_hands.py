@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from app.engines.engine import EngineSetup
+from app.storage.settings import wearer_of
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, simulation
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
@@ -90,7 +91,10 @@ def test_the_demo_has_wearers_of_its_own(window, qtbot, open_hand, store):
         assert demo.scale == pytest.approx(0.97)
     window.calibration.profiles.wear("")  # somebody new, in the demo alone
     open_hand("right")
-    assert row.name == "Anna" and (store.value.wearer, store.value.demo_wearer) == ("Anna", "")
+    assert row.name == "Anna" and (
+        wearer_of(store.value, "right"),
+        wearer_of(store.value, "right", True),
+    ) == ("Anna", "")
 
 
 def test_left_and_right_gloves_used_in_turn_keep_their_wearers(window, qtbot, open_hand):
@@ -120,8 +124,8 @@ def test_both_hands_of_the_demo_start_with_their_own_wearers(window, qtbot, open
 
 def test_a_left_wearer_of_an_earlier_version_comes_back(window, qtbot, open_hand, store):
     save(window, qtbot, open_hand("left"), "Bea", 0.98)
-    store.update(wearer="Bea", left_wearer="")  # one setting served the glove of either side
+    store.update(wearers={"right": "Bea"})  # one setting served the glove of either side
     assert open_hand("left").scale == pytest.approx(0.98)
     window.calibration.profiles.wear("")
     assert open_hand("left").scale == pytest.approx(1.0)
-    assert (store.value.wearer, store.value.left_wearer) == ("", "")
+    assert (wearer_of(store.value, "right"), wearer_of(store.value, "left")) == ("", "")

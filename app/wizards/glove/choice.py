@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.storage.bound_gloves import BoundGlove, bound
-from app.storage.settings import AppSettings, wearer_field
+from app.storage.settings import AppSettings, wearer_of
 from app.widgets.question import answer
 from app.words import told, tr
 from tracker.base.errors import GlovetrackError
@@ -108,7 +108,7 @@ class ChoicePage(QWidget):
 
     def _show_wearer(self) -> None:
         """Who wore a glove of the chosen side last."""
-        name = getattr(self._settings, wearer_field(str(self.side.currentData())))
+        name = wearer_of(self._settings, str(self.side.currentData()))
         self.wearers.setCurrentIndex(max(0, self.wearers.findData(name)))
 
     def _match_hand(self) -> None:

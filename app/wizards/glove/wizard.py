@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.bound_gloves import bound, with_bound
-from app.storage.settings import SettingsStore, wearer_field
+from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerStore
 from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
 from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
@@ -177,7 +177,7 @@ class GloveSetup(QDialog):
             baud=self.choice.baud(),
             glove=chosen.glove,
             hand=chosen.hand,
-            **{wearer_field(chosen.side): chosen.wearer},
+            wearers={**self._store.value.wearers, chosen.side: chosen.wearer},
         )
         self.use.setEnabled(False)
         self._leave(self._used)
