@@ -16,7 +16,7 @@ import pytest
 import tracker.cli
 from app.__main__ import WINDOW
 from app.window import remote_command, start
-from tracker.session.export.options import FORMATS
+from tracker.session.export.formats import FORMATS
 
 OPTIONS = {
     "track": "-o --engine --hand --glove --colours --smooth --with-sensors --no-guided --wearer",
@@ -83,7 +83,7 @@ def test_options_take_the_words_of_the_contract(command: str, option: str) -> No
 
 def test_there_are_the_window_s_commands_and_all_formats() -> None:
     assert "demo" in WINDOW
-    assert set(FORMS.split()) <= set(FORMATS)
+    assert set(FORMS.split()) <= set(FORMATS.names())
 
 
 # ---- what they write

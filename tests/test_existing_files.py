@@ -23,7 +23,7 @@ from tests.gui.environments import without_screen
 from tracker.base.errors import FileError
 from tracker.offline import colours as offline_colours
 from tracker.offline.colours_fit import ColourCheck, SessionFit
-from tracker.session.export.options import FOLDERS, FORMATS
+from tracker.session.export.formats import FORMATS
 from tracker.streaming.remote.request import Reply
 
 ROOT = Path(__file__).parents[1]
@@ -234,7 +234,7 @@ def _survives(command: str, sessions: Sessions, folder: Path, name: Path) -> Non
     assert (folder / name).read_bytes() == OWN
 
 
-@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("form", FORMATS.names())
 def test_an_export_replaces_nothing_without_force(
     form: str, sessions: Sessions, tmp_path: Path
 ) -> None:
@@ -255,8 +255,8 @@ def test_an_export_replaces_nothing_without_force(
     for name in names:
         if (made / name).is_file():
             (made / name).write_bytes(OWN)
-    run(*words, made / f"o.{form}", "--force", allowed=(1,) if form in FOLDERS else (0,))
-    if form in FOLDERS:  # nothing is ever added to a folder
+    run(*words, made / f"o.{form}", "--force", allowed=(1,) if FORMATS.get(form).folder else (0,))
+    if FORMATS.get(form).folder:  # nothing is ever added to a folder
         assert files_in(made) == before | {Path(n): OWN for n in names if (made / n).is_file()}
     else:
         assert OWN not in files_in(made).values()

@@ -18,6 +18,7 @@ from pathlib import Path
 from app.platform.engine_sentences import LEAST, is_engines, own
 from app.platform.translation import CONTEXT, place
 from tracker.engine.settings import ENGINES
+from tracker.session.export.formats import FORMATS, formats
 from tracker.streaming.registry import STREAMS, stream_kinds
 from tracker.streaming.remote.registry import DOORS, door_kinds
 
@@ -153,6 +154,8 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
             found.setdefault(text, STREAMS.group)
     for door in door_kinds().values():
         found.setdefault(door.title, DOORS.group)
+    for form in formats():
+        found.setdefault(form.title, FORMATS.group)
     for text, inside in engine_sentences().items():
         found.setdefault(text, inside)
     return found

@@ -3,43 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from app.words import mark
+from tracker.session.export.formats import FORMATS, formats
 from tracker.session.export.options import (
     AXES_NAMES,
-    DATASETS,
-    FORMATS,
     PERSONAL,
     RATES,
     UNITS,
     DatasetOptions,
     ExportOptions,
 )
-
-WORDS = {
-    "csv": mark("Table for spreadsheets and everything else (CSV)"),
-    "parquet": mark("Table for Python and R (Parquet)"),
-    "h5": mark("Arrays for MATLAB and Python (HDF5)"),
-    "c3d": mark("Motion capture (C3D)"),
-    "trc": mark("OpenSim markers (TRC)"),
-    "mot": mark("OpenSim joint angles (MOT)"),
-    "sto": mark("OpenSim orientations of the IMUs (STO)"),
-    "osim": mark("OpenSim model of the hand as tracked (OSIM)"),
-    "bvh": mark("Animation skeleton (BVH)"),
-    "glb": mark("Animated hand in 3D (glTF)"),
-    "urdf": mark("Robot model of the hand (URDF)"),
-    "mp4": mark("Film with the hand drawn in (MP4)"),
-    "png": mark("Folder of images with the hand drawn in (PNG)"),
-    "mcap": mark("Session, whole or the chosen part (MCAP)"),
-    "bids": mark("Data set for laboratories (Motion-BIDS, a folder)"),
-    "imu.csv": mark("Raw samples of the IMUs (CSV)"),
-    "imu.parquet": mark("Raw samples of the IMUs (Parquet)"),
-    "isaac": mark("Hand record of NVIDIA's Isaac tools (MCAP)"),
-    "lerobot": mark("Data set for robot learning (LeRobot, a folder)"),
-}
-"""What each format is for, by its name on the command line."""
 
 
 @dataclass(frozen=True)
@@ -57,14 +32,12 @@ class ExportChoice:
 
     @property
     def is_dataset(self) -> bool:
-        """Whether one of the formats holds many sessions."""
-        return any(form in DATASETS for form in self.formats)
+        """Whether one of the formats contains many sessions."""
+        return any(FORMATS.get(form).dataset is not None for form in self.formats)
 
     def options_of(self, form: str) -> ExportOptions:
-        """Axes and units are of no concern to formats that have their own."""
-        if form in DATASETS:
-            return replace(self.options, axes=None, units=None)
-        return self.options
+        """The options for one of the formats; see `ExportFormat.without_unused`."""
+        return FORMATS.get(form).without_unused(self.options)
 
     @property
     def options(self) -> ExportOptions:
@@ -86,7 +59,8 @@ def choice_from(data: object) -> ExportChoice:
     found = data if isinstance(data, Mapping) else {}
     usual = ExportChoice()
     names = found.get("formats")
-    known = [n for n in FORMATS if isinstance(names, list) and n in names]
+    listed = names if isinstance(names, list) else []
+    known = [kind.name for kind in formats() if kind.name in listed]
     rate = found.get("rate")
     low, high = RATES
     return ExportChoice(

@@ -12,7 +12,6 @@ import numpy as np
 from extensions.conformance.isaac.record import HandRecord, Stamps, joints_of
 from extensions.conformance.isaac.writer import IsaacWriter
 from tracker.base.clock import NS
-from tracker.base.errors import ConfigError
 from tracker.hand.openxr import OpenXrHand, joint_radii, openxr_joints
 from tracker.messages import Array, ImuSample, IntArray
 from tracker.session.export.load import load_series
@@ -31,14 +30,7 @@ class Arrivals(NamedTuple):
 
 
 def export_isaac(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """Both hands in one file, where the session has them; returned is what is said of the main one.
-
-    Raises ConfigError for axes, units and joints: the format has its own.
-    """
-    asked = {"axes": options.axes, "units": options.units, "joints": options.joints}
-    wrong = [name for name, value in asked.items() if value]
-    if wrong:
-        raise ConfigError(f"The Isaac record has its own {' and '.join(wrong)}: leave them out.")
+    """Both hands in one file; returns the estimates of the main one."""
     hands: dict[str, tuple[EstimateSeries, Arrivals]] = {}
     for one in readers_of_hands(reader):
         with one:

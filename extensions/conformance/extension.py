@@ -1,4 +1,4 @@
-"""Descriptor of the stream that writes a record for NVIDIA's Isaac tools."""
+"""What the conformance check adds to the program: the stream and the export of Isaac records."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracker.session.export.formats import ExportFormat, Writer
 from tracker.streaming.connection import StreamError, option
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
@@ -34,4 +35,20 @@ STREAM = StreamKind(
     make=_make,
     default_file="hands.mcap",
     order=50,
+)
+
+
+def _isaac() -> Writer:
+    from extensions.conformance.export import export_isaac
+
+    return export_isaac
+
+
+FORMAT = ExportFormat(
+    "isaac",
+    "Hand record of NVIDIA's Isaac tools (MCAP)",
+    _isaac,
+    options=("rate", "start", "stop", "anonymous"),
+    both_hands=True,
+    order=180,
 )

@@ -14,7 +14,7 @@ from extensions.lerobot.layout import Layout
 from extensions.lerobot.meta import LARGEST_DATA_MB, write_meta
 from extensions.lerobot.plan import plan
 from tracker import __version__
-from tracker.base.errors import ConfigError, GlovetrackError
+from tracker.base.errors import GlovetrackError
 from tracker.base.files import check_target, sha256, whole_files
 from tracker.base.workers import (
     ALL_CORES,
@@ -59,10 +59,6 @@ def export_lerobot(
 
 
 def _check(options: ExportOptions) -> None:
-    asked = {"axes": options.axes, "units": options.units, "joints": options.joints}
-    wrong = [name for name, value in asked.items() if value]
-    if wrong:
-        raise ConfigError(f"LeRobot's data set has our {' and '.join(wrong)}: leave them out.")
     if options.dataset.images == VIDEO:
         check_program()
     arrow()

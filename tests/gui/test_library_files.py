@@ -16,12 +16,13 @@ from app.jobs.export import DONE, ExportRequest, free_target
 from app.panels.library.export_dialog import ExportDialog
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
 from app.storage.settings import SettingsStore
-from app.viewmodels.export_choice import WORDS, ExportChoice, choice_from
+from app.viewmodels.export_choice import ExportChoice, choice_from
 from app.window.main_window import MainWindow
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
-from tracker.session.export.options import FORMATS, DatasetOptions
+from tracker.session.export.formats import formats
+from tracker.session.export.options import DatasetOptions
 from tracker.session.reader import SessionReader
 
 NAMES = ("P01_pinch", "P01_fist", "P02_pinch")
@@ -273,7 +274,7 @@ def test_an_open_session_from_anywhere_is_exported_in_several_formats(
     window.run_command("export")
     dialog = export_dialog(window)
     assert dialog.windowTitle() == f"Export {tracked.name}"
-    assert [i.text() for i in dialog._items()] == [WORDS[f] for f in FORMATS]
+    assert [i.text() for i in dialog._items()] == [kind.title for kind in formats()]
     tick(dialog)
     assert not dialog.start.isEnabled()
     tick(dialog, "csv", "trc")

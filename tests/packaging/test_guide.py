@@ -265,8 +265,8 @@ def test_shortcuts_are_the_windows() -> None:
 
 
 def test_export_formats_are_all_told() -> None:
-    from tracker.session.export.options import FORMATS
+    from tracker.session.export.formats import FORMATS
 
     text = (GUIDE / "exporting.md").read_text("utf-8")
     table = "\n".join(line.split("|")[1] for line in text.split("\n") if line.startswith("| `"))
-    assert set(re.findall(r"`([\w.]+)`", table)) == set(FORMATS)
+    assert set(re.findall(r"`([\w.]+)`", table)) == set(FORMATS.names())

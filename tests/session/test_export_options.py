@@ -1,27 +1,24 @@
 """Rates, axes, images, copies and what is left out, seen through libraries that are not ours."""
 
 import csv
-import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pyarrow.parquet as pq
 import pytest
-from PIL import Image
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 from scipy.spatial.transform import Rotation
 
-from tracker.base.errors import ConfigError, FileError
-from tracker.cli import main
+from tracker.base.errors import ConfigError
 from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
-from tracker.messages import CameraPose, Estimate, Event, ImuSample, Validity
+from tracker.messages import Estimate, Event, ImuSample, Validity
 from tracker.session.export.axes import AXES
+from tracker.session.export.formats import FORMATS
 from tracker.session.export.load import load_series
-from tracker.session.export.options import AXES_NAMES, FORMATS, ExportOptions
+from tracker.session.export.options import AXES_NAMES, ExportOptions
 from tracker.session.export.run import export
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
@@ -39,48 +36,6 @@ def tracked(tmp_path: Path, record: Record, maker) -> tuple[Path, list[Estimate]
         keypoints[-1], state[-1] = np.nan, 0
         estimates[k] = replace(estimates[k], keypoints=keypoints, keypoint_state=state)
     return record(tmp_path / "in.mcap", estimates), estimates
-
-
-def test_opensim_itself_reads_trc_mot_and_sto(tracked, tmp_path: Path, session_info) -> None:
-    opensim = pytest.importorskip("opensim")
-    path, estimates = tracked
-    for form in ("trc", "mot", "sto"):
-        export(path, form, tmp_path / f"o.{form}")
-    assert (tmp_path / "o.mot").read_text().startswith("o\n")
-    assert "\to.trc\n" in (tmp_path / "o.trc").read_text()
-    markers = opensim.TimeSeriesTableVec3(str(tmp_path / "o.trc"))
-    names = list(markers.getColumnLabels())
-    n = len(session_info.keypoint_names)
-    assert names[:n] == list(session_info.keypoint_names)
-    assert len(names) == n + len(session_info.glove.markers) + len(session_info.hand.segments)
-    x, y, z = estimates[7].keypoints[0] * 1000
-    found = markers.getRowAtIndex(7).getElt(0, 0)
-    assert np.allclose([found[i] for i in range(3)], [x, z, -y], atol=1e-5)
-    last = markers.getRowAtIndex(29)
-    assert np.isnan(last.getElt(0, n - 1)[0]), "lost is NaN"
-    table = opensim.TimeSeriesTable(str(tmp_path / "o.mot"))
-    assert list(table.getColumnLabels()) == list(session_info.hand.joint_names)
-    row = table.getRowAtIndex(4).to_numpy()
-    assert np.allclose(row, np.rad2deg(estimates[4].angles), rtol=1e-6)
-    turns = opensim.TimeSeriesTableQuaternion(str(tmp_path / "o.sto"))
-    imu = session_info.glove.imus[2]
-    assert turns.getColumnLabels()[2] == f"{imu.segment}_imu"
-    q = turns.getRowAtIndex(4).getElt(0, 2)
-    s = session_info.hand.index[imu.segment]
-    wanted = AXES["opensim"].rows @ estimates[4].segment_R[s] @ imu.R_BI
-    found = Rotation.from_quat([q.get(k) for k in (1, 2, 3, 0)]).as_matrix()
-    assert np.allclose(found, wanted, atol=1e-6)
-
-
-def test_trc_has_only_the_joints_that_are_asked_for_and_an_empty_last_cell_is_lost(
-    tracked, tmp_path: Path, session_info
-) -> None:
-    opensim = pytest.importorskip("opensim")
-    asked = ("wrist", session_info.keypoint_names[-1])
-    export(tracked[0], "trc", tmp_path / "o.trc", ExportOptions(joints=asked))
-    table = opensim.TimeSeriesTableVec3(str(tmp_path / "o.trc"))
-    assert tuple(table.getColumnLabels()) == asked
-    assert np.isnan(table.getRowAtIndex(29).getElt(0, 1)[0])
 
 
 def test_every_convention_is_what_its_words_say(tracked) -> None:
@@ -129,52 +84,6 @@ def test_a_fast_shake_does_not_fold_over_into_a_slow_rate(
     assert np.allclose(np.linalg.norm(m.q[:, 0], axis=1), 1)
 
 
-@pytest.fixture
-def filmed(tmp_path: Path, maker, session_info) -> Path:
-    """Twenty grey images at 50 a second, each brighter than the last, and a still hand."""
-    info = replace(
-        session_info,
-        rig=replace(
-            session_info.rig, pose=CameraPose(np.diag([1.0, -1, -1]), np.array([0.0, 0, 0.5]))
-        ),
-    )
-    still = maker.estimate(0)
-    with SessionRecorder(tmp_path / "in.mcap", info) as recorder:
-        for k in range(20):
-            grey = np.full((48, 64, 3), 10 * k, np.uint8)
-            recorder.write(replace(maker.image(20.0 * k, k), left=grey))
-            recorder.write(replace(still, t=maker.estimate(20.0 * k).t))
-    return tmp_path / "in.mcap"
-
-
-def test_png_folder_in_pillow(filmed: Path, tmp_path: Path) -> None:
-    out = tmp_path / "images"
-    assert main(["export", str(filmed), "--format", "png", "-o", str(out), "--every", "4"]) == 0
-    names = sorted(p.name for p in out.glob("*.png"))
-    assert names == [f"{k:06d}.png" for k in range(5)]
-    with (out / "pictures.csv").open() as file:
-        rows = list(csv.DictReader(file))
-    assert [r["file"] for r in rows] == names
-    assert float(rows[1]["t"]) - float(rows[0]["t"]) == pytest.approx(0.08, abs=1e-6)
-    with Image.open(out / names[2]) as image:
-        assert image.size == (64, 48)
-        assert np.median(np.asarray(image)) == pytest.approx(80, abs=4)
-    assert json.loads((tmp_path / "images.json").read_text())["pictures"] == 5
-    with pytest.raises(FileError, match="exists already"):
-        export(filmed, "png", out)
-    assert not list(tmp_path.glob(".*.part"))
-
-
-@pytest.mark.parametrize(("rate", "count"), [(25.0, 10), (100.0, 39)])
-def test_a_film_at_another_rate_lasts_as_long(
-    filmed: Path, tmp_path: Path, rate: float, count: int
-) -> None:
-    export(filmed, "mp4", tmp_path / "o.mp4", ExportOptions(rate=rate))
-    video = cv2.VideoCapture(str(tmp_path / "o.mp4"))
-    assert video.get(cv2.CAP_PROP_FPS) == pytest.approx(rate, rel=0.01)
-    assert video.get(cv2.CAP_PROP_FRAME_COUNT) == count
-
-
 def test_a_part_of_the_session_in_rosbags(tmp_path: Path, maker, session_info) -> None:
     source, out = tmp_path / "in.mcap", tmp_path / "part.mcap"
     with SessionRecorder(source, session_info) as recorder:
@@ -207,7 +116,7 @@ def test_nothing_tells_who_it_was_or_when(tmp_path: Path, maker, session_info) -
     recorder.close()
     assert "P-07" in recorder.path.name
     everyone = ("participant", "notes", "hand", "time")
-    for form in sorted(set(FORMATS) - {"mp4", "png", "mcap", "imu.csv", "imu.parquet"}):
+    for form in sorted(set(FORMATS.names()) - {"mp4", "png", "mcap", "imu.csv", "imu.parquet"}):
         out = tmp_path / f"o.{form}"
         report = export(recorder.path, form, out, ExportOptions(anonymous=everyone))
         said = (tmp_path / f"o.{form}.json").read_text()
@@ -221,7 +130,7 @@ def test_nothing_tells_who_it_was_or_when(tmp_path: Path, maker, session_info) -
 
 def test_a_skeleton_cannot_leave_out_joints(tracked, tmp_path: Path) -> None:
     path, _ = tracked
-    with pytest.raises(ConfigError, match="bvh holds the whole hand"):
+    with pytest.raises(ConfigError, match="The format bvh does not support joints."):
         export(path, "bvh", tmp_path / "o.bvh", ExportOptions(joints=("wrist",)))
     with pytest.raises(ConfigError, match="every n-th"):
         ExportOptions(every=0)

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from tracker.cli import main
-from tracker.session.export.options import FORMATS
+from tracker.session.export.formats import FORMATS
 
 Record = Callable[..., Path]
 ROOT = Path(__file__).resolve().parents[2]
@@ -61,7 +61,7 @@ def others(folder: Path) -> list[str]:
     return sorted(p.name for p in folder.iterdir() if p.name != "in.mcap")
 
 
-@pytest.mark.parametrize("form", [f for f in FORMATS if f not in {"urdf", *PICTURES, *RAW}])
+@pytest.mark.parametrize("form", [f for f in FORMATS.names() if f not in {"urdf", *PICTURES, *RAW}])
 def test_a_disk_without_room_leaves_nothing(tracked: Path, form: str) -> None:
     out = tracked.with_name(f"o.{form}")
     done = command("export", tracked, "--format", form, "-o", out, limit=LIMIT)

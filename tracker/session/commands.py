@@ -68,7 +68,8 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
 
 
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from tracker.session.export.options import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNITS, VIEWS
+    from tracker.session.export.formats import FORMATS
+    from tracker.session.export.options import AXES_NAMES, HIDEABLE, PERSONAL, UNITS, VIEWS
 
     command = subparsers.add_parser("export", help="convert a session to another format")
     command.add_argument(
@@ -78,7 +79,7 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
         metavar="IN",
         help="a session; for lerobot, several sessions or folders",
     )
-    command.add_argument("--format", required=True, choices=FORMATS, help="output format")
+    command.add_argument("--format", required=True, choices=FORMATS.names(), help="output format")
     command.add_argument(
         "-o", "--output", type=Path, required=True, metavar="OUT", help="output file or folder"
     )
@@ -143,12 +144,8 @@ def _add_dataset(command: argparse.ArgumentParser) -> None:
 def _export(args: argparse.Namespace) -> int:
     from tracker.base.terminal import progress_line
     from tracker.base.workers import WorkersAsked
-    from tracker.session.export.options import (
-        DATASETS,
-        PERSONAL,
-        DatasetOptions,
-        ExportOptions,
-    )
+    from tracker.session.export.formats import FORMATS
+    from tracker.session.export.options import PERSONAL, DatasetOptions, ExportOptions
     from tracker.session.export.run import export, export_dataset, path_of_side
 
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
@@ -165,7 +162,7 @@ def _export(args: argparse.Namespace) -> int:
         dataset=DatasetOptions(args.task or _asked_task(args), args.split, args.images),
     )
     check_json(args, args.files)
-    if args.format in DATASETS or len(args.files) > 1:
+    if FORMATS.get(args.format).dataset is not None or len(args.files) > 1:
         asked = WorkersAsked(args.jobs, args.dask)
         progress = progress_line("exporting")
         report = export_dataset(args.files, args.format, args.output, options, progress, asked)
@@ -179,9 +176,9 @@ def _export(args: argparse.Namespace) -> int:
 
 def _asked_task(args: argparse.Namespace) -> str:
     """Of whoever sits at the terminal, where a data set is to say what is done in it."""
-    from tracker.session.export.options import DATASETS
+    from tracker.session.export.formats import FORMATS
 
-    if args.format not in DATASETS or args.split or not sys.stdin.isatty():
+    if FORMATS.get(args.format).dataset is None or args.split or not sys.stdin.isatty():
         return ""
     return input("Task in these sessions (Enter: use the tasks stored in them): ").strip()
 

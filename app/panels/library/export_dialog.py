@@ -28,10 +28,11 @@ from PySide6.QtWidgets import (
 from app.jobs.export import ExportRequest, free_target
 from app.panels.library.export_presets import Presets
 from app.storage.settings import SettingsStore
-from app.viewmodels.export_choice import WORDS, ExportChoice, choice_from
+from app.viewmodels.export_choice import ExportChoice, choice_from
 from app.viewmodels.recording import position_text
 from app.words import tr
-from tracker.session.export.options import AXES_NAMES, DATASETS, FORMATS, UNITS
+from tracker.session.export.formats import FORMATS, formats
+from tracker.session.export.options import AXES_NAMES, UNITS
 
 MAX_RATE_HZ = 2000.0
 
@@ -70,9 +71,9 @@ class ExportDialog(QDialog):
     def _make_fields(self) -> None:
         self.formats = QListWidget()
         self.formats.setAccessibleName(self.tr("Formats"))
-        for name in FORMATS:
-            item = QListWidgetItem(tr(WORDS[name]), self.formats)
-            item.setData(Qt.ItemDataRole.UserRole, name)
+        for kind in formats():
+            item = QListWidgetItem(tr(kind.title), self.formats)
+            item.setData(Qt.ItemDataRole.UserRole, kind.name)
             item.setCheckState(Qt.CheckState.Unchecked)
         self.formats.itemChanged.connect(lambda _item: self._enable())
         folder = Path(self._store.value.export_folder or self._sources[0].parent)
@@ -188,7 +189,7 @@ class ExportDialog(QDialog):
         self._store.update(export=choice.as_dict(), export_folder=folder)
         taken: set[Path] = set()
         for form in choice.formats:
-            together = form in DATASETS
+            together = FORMATS.get(form).dataset is not None
             for source in self._sources[:1] if together else self._sources:
                 request = self._request(source, form, choice, taken)
                 if together:

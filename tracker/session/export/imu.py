@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from tracker.base.errors import ConfigError
 from tracker.messages import Array
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.tables import arrow
@@ -54,16 +53,7 @@ def columns(raw: RawImu) -> tuple[list[str], Array]:
 
 
 def _chosen(reader: SessionReader, options: ExportOptions) -> RawImu:
-    """The part that is asked for, in s from the first packet; times from 0 where they are hidden.
-
-    Raises ConfigError for what raw samples do not have.
-    """
-    asked = {
-        "rate": options.rate, "axes": options.axes, "units": options.units, "joints": options.joints
-    }  # fmt: skip
-    wrong = [name for name, value in asked.items() if value]
-    if wrong:
-        raise ConfigError(f"Raw samples stay as they are: leave out {' and '.join(wrong)}.")
+    """The part from ``start`` to ``stop``, s from the first packet; without the date from 0."""
     raw = read_raw_imu(reader)
     at = (raw.stamp_ns - raw.stamp_ns[0]) * 1e-9
     low = -np.inf if options.start is None else options.start

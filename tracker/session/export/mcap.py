@@ -66,15 +66,6 @@ def copy_extras(reader: SessionReader, out: McapOutput, without: Sequence[str] =
 
 
 def _check(options: ExportOptions) -> None:
-    asked = {
-        "rate": options.rate,
-        "axes": options.axes,
-        "units": options.units,
-        "joints": options.joints,
-    }
-    wrong = [name for name, value in asked.items() if value]
-    if wrong:
-        raise ConfigError(f"A session is copied as it is: leave out {' and '.join(wrong)}.")
     hidden = [name for name in ("hand", "time") if name in options.anonymous]
     if hidden:
         raise ConfigError(

@@ -1,4 +1,4 @@
-"""What can be asked of an export: formats, axes, units, and the rest. Quick to import."""
+"""Options of exports: axes, units, and the rest. Quick to import."""
 
 from __future__ import annotations
 
@@ -6,20 +6,6 @@ from dataclasses import dataclass
 
 from tracker.base.errors import ConfigError
 
-FORMATS = (
-    *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "osim", "bvh", "glb", "urdf"),
-    *("mp4", "png", "mcap", "isaac", "lerobot", "bids", "imu.csv", "imu.parquet"),
-)
-WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
-"""Formats of a skeleton, which cannot leave out joints."""
-BOTH_HANDS = ("mcap", "isaac", "lerobot")
-"""Formats of which one file holds both hands."""
-FOLDERS = ("png", "bids", "lerobot")
-"""Formats of many files."""
-TRAJECTORY = ".joints.csv"
-"""Ending of the table that stands beside a URDF."""
-DATASETS = ("lerobot",)
-"""Formats that hold many sessions."""
 IMAGES = ENCODED, VIDEO, NONE = ("encoded", "video", "none")
 """Of a data set: as recorded, as films by the system's ffmpeg, or left out."""
 VIEWS = ("left", "right", "3d", "curves")

@@ -5,55 +5,21 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from tracker import __version__
-from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, sha256, whole_files
 from tracker.base.workers import ALL_CORES, WorkersAsked
 from tracker.messages import Validity
 from tracker.session.edits import WORD, edits_text
-from tracker.session.export.options import (
-    BOTH_HANDS,
-    DATASETS,
-    FOLDERS,
-    FORMATS,
-    TRAJECTORY,
-    WHOLE_HAND,
-    ExportOptions,
-)
+from tracker.session.export.formats import FORMATS, ExportFormat
+from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries
 from tracker.session.export.sidecar import BESIDE, forget_orphan
 from tracker.session.reader import SessionReader
-
-_WRITERS = {
-    "csv": "tables:export_csv",
-    "parquet": "tables:export_parquet",
-    "h5": "h5:export_h5",
-    "c3d": "c3d:export_c3d",
-    "trc": "+movement.opensim:export_trc",
-    "mot": "+movement.opensim:export_mot",
-    "sto": "+movement.osim:export_sto",
-    "osim": "+movement.osim:export_osim",
-    "bvh": "bvh:export_bvh",
-    "glb": "glb:export_glb",
-    "urdf": "urdf:export_urdf",
-    "mp4": "overlay:export_mp4",
-    "png": "overlay:export_png",
-    "mcap": "mcap:export_mcap",
-    "bids": "+movement.bids:export_bids",
-    "imu.csv": "imu:export_imu_csv",
-    "imu.parquet": "imu:export_imu_parquet",
-    "isaac": "+conformance.export:export_isaac",
-}
-"""Module and function for each format, imported when it is asked for: the libraries are slow."""
-_INSTALLED_IN = (__package__ or "").removesuffix("tracker.session.export")
-_BESIDE = {"urdf": (TRAJECTORY,)}
-"""Endings of what a writer makes beside its file, in place of the file's own."""
 
 
 def export(
@@ -73,22 +39,20 @@ def export(
     has been read, once per pass over it, and may raise to end the export. Raises GlovetrackError
     in words.
     """
-    if format not in FORMATS:
-        raise ConfigError(f"There is no format {format!r}; there are {', '.join(FORMATS)}.")
-    if format in WHOLE_HAND and options is not None and options.joints:
-        raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
+    kind = FORMATS.get(format)
     options = options or ExportOptions()
+    kind.check(options)
     path_in, path_out = Path(path_in), Path(path_out)
-    if format in DATASETS:
+    if kind.dataset is not None:
         return export_dataset([path_in], format, path_out, options, watch)
     sides = sides_of(path_in)
-    if not sides or format in BOTH_HANDS:
-        return _export_one(path_in, format, path_out, options, watch, force)
+    if not sides or kind.both_hands:
+        return _export_one(path_in, kind, path_out, options, watch, force)
     paths = {side: path_of_side(path_out, side) for side in sides}
     for path in paths.values():
-        check_target(path, force and format not in FOLDERS, [path_in])
+        check_target(path, force and not kind.folder, [path_in])
     found = {
-        side: _export_one(path_in, format, path, options, watch, force, side)
+        side: _export_one(path_in, kind, path, options, watch, force, side)
         for side, path in paths.items()
     }
     return {"format": format, "file": path_out.name, "hands": found}
@@ -102,15 +66,15 @@ def export_dataset(
     watch: Callable[[float], None] = lambda share: None,
     asked: WorkersAsked = ALL_CORES,
 ) -> dict[str, Any]:
-    """Several sessions, and all of folders, as one data set: ``format`` of `DATASETS`.
+    """Write several sessions, and all sessions in given folders, as one data set.
 
-    Raises GlovetrackError in words; a folder that is there already is never added to.
+    Raises GlovetrackError: ConfigError for a format that is not of data sets; an existing folder is
+    never added to.
     """
-    from extensions.lerobot.export import export_lerobot
-
-    if format not in DATASETS:
-        raise ConfigError(f"{format} holds one session; of several make {' or '.join(DATASETS)}.")
-    return export_lerobot(sources, path_out, options, watch, asked)
+    kind = FORMATS.get(format)
+    write = kind.load_dataset()
+    kind.check(options)
+    return write(sources, path_out, options, watch, asked)
 
 
 def sides_of(path: Path) -> tuple[str, ...]:
@@ -126,7 +90,7 @@ def path_of_side(path: Path, side: str) -> Path:
 
 def _export_one(
     path_in: Path,
-    format: str,
+    kind: ExportFormat,
     path_out: Path,
     options: ExportOptions,
     watch: Callable[[float], None],
@@ -134,17 +98,15 @@ def _export_one(
     side: str = "",
 ) -> dict[str, Any]:
     sidecar = path_out.with_name(path_out.name + ".json")
-    check_target(path_out, force and format not in FOLDERS, [path_in])
-    others = [path_out.with_suffix(ending) for ending in _BESIDE.get(format, ())]
+    write = kind.load()
+    check_target(path_out, force and not kind.folder, [path_in])
+    others = [path_out.with_suffix(ending) for ending in kind.beside]
     forget_orphan(sidecar, path_out)
-    module, _, function = _WRITERS[format].partition(":")
-    home = f"{_INSTALLED_IN}extensions" if module.startswith("+") else __package__
-    write = getattr(import_module(f"{home}.{module.removeprefix('+')}"), function)
     names = (sidecar, *others, path_out)
     with whole_files(*names, force=force, inputs=[path_in]) as (beside, *parts, partial):
         with SessionReader(path_in, watch=watch, side=side) as reader:
             series = write(reader, partial, options)
-            report = _report(reader, format, path_out, options, series)
+            report = _report(reader, kind.name, path_out, options, series)
             if len(reader.source.left_out):
                 report["left_out"] = reader.source.left_out.by_topic()
         if parts:

@@ -8,9 +8,6 @@ the last calibration, so one who sets the angles alone has that hand.
 
 from __future__ import annotations
 
-import csv
-import math
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from tracker.hand.names import AXES
 from tracker.messages import Array
 from tracker.session.export.joints import JointMotion, joint_motion, matrices
-from tracker.session.export.series import EstimateSeries, seconds_text
+from tracker.session.export.series import EstimateSeries
 
 STILL_M, STILL = 2e-6, 2e-5
 """Less than this, m and rad, no joint is made for: over a finger that is less than 0.02 mm."""
@@ -152,14 +149,3 @@ def _shifts(name: str, away: Array) -> tuple[UrdfAxis, ...]:
 def _used(values: Array, least: float) -> list[bool]:
     """Which columns of values (N, 3) ever leave nought."""
     return [bool(v) for v in np.abs(np.nan_to_num(values)).max(axis=0, initial=0.0) > least]
-
-
-def write_trajectory(path: Path, m: EstimateSeries, axes: list[UrdfAxis]) -> None:
-    """A row of values, m and rad, for each row of the CSV; empty where lost."""
-    with path.open("w", encoding="utf-8", newline="") as out:
-        writer = csv.writer(out, lineterminator="\n")
-        writer.writerow(["t", *(axis.name for axis in axes)])
-        for k in range(len(m)):
-            values = [float(axis.values[k]) for axis in axes]
-            cells = ["" if math.isnan(v) else f"{v:.9g}" for v in values]
-            writer.writerow([seconds_text(int(m.stamp_ns[k])), *cells])

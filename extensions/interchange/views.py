@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from extensions.interchange.skeleton import bone_tree
 from tracker.hand.names import CHAINS
 from tracker.hand.skin.mesh import SkinMaker
 from tracker.hand.skin.posing import posed, rest_of
@@ -17,7 +18,6 @@ from tracker.messages import Array, StereoFrame, Validity
 from tracker.session.export.markers import read_sizes
 from tracker.session.export.options import VIEWS
 from tracker.session.export.series import EstimateSeries
-from tracker.session.export.skeleton import bone_tree
 from tracker.session.reader import SessionReader
 from tracker.vision.rig import StereoRig
 

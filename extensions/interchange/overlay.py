@@ -10,15 +10,15 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from extensions.interchange.film import NO_FFMPEG, PLAIN, Film, open_film
+from extensions.interchange.views import FilmView, side_by_side, views_of
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
 from tracker.base.files import DiskError
 from tracker.messages import StereoFrame
-from tracker.session.export.film import NO_FFMPEG, PLAIN, Film, open_film
 from tracker.session.export.load import load_series
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text
-from tracker.session.export.views import FilmView, side_by_side, views_of
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.reader import SessionReader
 

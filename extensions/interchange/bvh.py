@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from extensions.interchange.skeleton import Skeleton, skeleton
 from tracker.session.export.load import load_series
 from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
-from tracker.session.export.skeleton import Skeleton, skeleton
 from tracker.session.reader import SessionReader
 
 _TURN = "Zrotation Yrotation Xrotation"

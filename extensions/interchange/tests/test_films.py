@@ -10,16 +10,16 @@ import cv2
 import numpy as np
 import pytest
 
+from extensions.interchange import film
+from extensions.interchange.film import PLAIN, H264Film, open_film
+from extensions.interchange.views import CurvesView, HandView, side_by_side
 from tracker.base.errors import ConfigError
 from tracker.base.files import DiskError
 from tracker.messages import CameraPose, Estimate
 from tracker.session.description import SessionInfo
-from tracker.session.export import film
-from tracker.session.export.film import PLAIN, H264Film, open_film
 from tracker.session.export.options import VIEWS, ExportOptions
 from tracker.session.export.run import export
 from tracker.session.export.series import series_of
-from tracker.session.export.views import CurvesView, HandView, side_by_side
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import ideal_rig

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from extensions.interchange.skeleton import Skeleton, skeleton
 from tracker.messages import Validity
 from tracker.session.export.load import load_series
 from tracker.session.export.options import BONE_AXES, ExportOptions
 from tracker.session.export.resample import continuous
 from tracker.session.export.series import EstimateSeries
-from tracker.session.export.skeleton import Skeleton, skeleton
 from tracker.session.holes import LONGEST_FILLED, gaps
 from tracker.session.reader import SessionReader
 

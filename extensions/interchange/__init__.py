@@ -1,0 +1,1 @@
+"""Export formats of motion capture, animation, robot models and films."""
