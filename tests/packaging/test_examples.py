@@ -181,6 +181,29 @@ window.close()
     assert found[-3:] == ["Pinch No hand yet", "False", "True"]
 
 
+def test_an_export_format_is_found_and_written(site: Path) -> None:
+    """From Python and from the command line, next to the program's own formats."""
+    code = """
+import glovetrack, numpy as np
+from glovetrack.app.__main__ import main
+from glovetrack.formats import formats
+rec = glovetrack.simulate("f.mcap", seed=1, duration=2.0, images=False, force=True)
+tracked = rec.track(out="g.mcap", force=True)
+tracked.export("ply", "f.ply", force=True)
+head, _, body = open("f.ply").read().partition("end_header\\n")
+table = np.loadtxt(body.splitlines())
+tips = table[table[:, 4] == tracked.keypoints.names.index("index_tip")]
+known = tracked.keypoints["index_tip"][tracked.valid["index_tip"]]
+assert len(known) > 100 and np.allclose(tips[:, :3], known, atol=1e-6)
+assert main(["export", "g.mcap", "--format", "ply", "-o", "h.ply", "--units", "mm", "--force"]) == 0
+first = [np.loadtxt(open(p).read().partition("end_header\\n")[2].splitlines()) for p in
+         ("f.ply", "h.ply")]
+assert np.allclose(1000 * first[0][:, :3], first[1][:, :3], atol=1e-3)
+print([kind.name for kind in formats()][-1], "c3d" in [kind.name for kind in formats()])
+"""
+    assert run(site, code).splitlines()[-1] == "ply True"
+
+
 def test_the_public_api_works_from_the_wheel(site: Path) -> None:
     code = """
 import glovetrack
