@@ -138,7 +138,7 @@ class Recording(OnlyHand):
         """Each recorded hand by its side. Raises FileError where there are no estimates."""
         return MappingProxyType(
             {
-                side: self._hand_of(side, recorded_series(self._file.of_side(side)))
+                side: self._hand_of(side, recorded_series(self._file.of_side(side), segments=False))
                 for side in self.sides
             }
         )

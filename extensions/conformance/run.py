@@ -105,7 +105,7 @@ def session_records(reader: SessionReader) -> dict[str, list[HandRecord]]:
     found = {}
     for one in readers_of_hands(reader):
         with one:
-            m = recorded_series(one)
+            m = recorded_series(one, segments=False)
             told = hand_records(m.info.side, m, arrivals(one, m))
             found[m.info.side] = [record for _, _, record in told]
     return found

@@ -22,7 +22,7 @@ _TURN = "Zrotation Yrotation Xrotation"
 
 
 def export_bvh(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    m = load_series(reader, replace(options, joints=()), even=True, axes="y-up")
+    m = load_series(reader, replace(options, joints=()), even=True, axes="y-up", segments=True)
     tree, scale = skeleton(m), UNITS[options.units or "cm"]
     lines = ["HIERARCHY"]
     order: list[int] = []

@@ -42,7 +42,7 @@ def export_c3d(reader: SessionReader, path: Path, options: ExportOptions) -> Est
 
     Markers and IMUs are left out where ``options`` name joints to keep.
     """
-    m = load_series(reader, options, even=True)
+    m = load_series(reader, options, even=True, segments=True)
     points = _points(reader, m, bool(options.joints))
     names, values, units = _analogs(reader, m, bool(options.joints))
     unit = options.units or "mm"

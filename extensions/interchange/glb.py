@@ -36,7 +36,7 @@ _FACES = np.array(
 
 
 def export_glb(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    m = load_series(reader, replace(options, joints=()), axes="y-up")
+    m = load_series(reader, replace(options, joints=()), axes="y-up", segments=True)
     tree = skeleton(m)
     path.write_bytes(_document(m, tree))
     return replace(m, notes={**m.notes, **tree.notes(m.elapsed)})

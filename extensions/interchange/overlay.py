@@ -38,7 +38,7 @@ class Overlay:
 
     def __post_init__(self) -> None:
         span = ExportOptions(start=self.options.start, stop=self.options.stop)
-        object.__setattr__(self, "motion", load_series(self.reader, span))
+        object.__setattr__(self, "motion", load_series(self.reader, span, segments=True))
 
     def images(self) -> Iterator[tuple[int, Image]]:
         """(stamp ns, (h, w, 3) BGR) of every chosen image of the tracked time, at ``rate`` with

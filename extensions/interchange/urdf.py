@@ -40,7 +40,7 @@ def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> Es
     hand = reader.info.hand
     scale = _calibrated_scale(reader, hand)
     try:
-        series = load_series(reader, options)
+        series = load_series(reader, options, segments=True)
     except FileError:
         series = None
     m = series_of(reader.info, []) if series is None else series

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,10 +16,9 @@ from tracker.base.clock import NS
 from tracker.hand.openxr import WRIST as WRIST_JOINT
 from tracker.hand.openxr import joint_radii, openxr_joints
 from tracker.messages import Array, IntArray, Validity
-from tracker.session.description import SessionInfo
 from tracker.session.export.resample import continuous, sampled_at
-from tracker.session.export.series import EstimateSeries
-from tracker.session.hand_columns import HandColumns, read_hand, read_joints
+from tracker.session.export.series import EstimateSeries, recorded_series
+from tracker.session.number_rows import NumberRows
 from tracker.session.reader import SessionReader
 
 Numbers = NDArray[np.float32]
@@ -40,7 +40,7 @@ class Frames(NamedTuple):
 class Recorded(NamedTuple):
     """All that a session says of its hands and robots, read once for all its episodes."""
 
-    hands: tuple[tuple[SessionInfo, HandColumns], ...]
+    hands: tuple[EstimateSeries, ...]
     robots: tuple[tuple[IntArray, Array], ...]
 
 
@@ -50,7 +50,7 @@ def read_recorded(
     """Raises FileError where a hand has no estimates at all."""
     with SessionReader(path) as reader:
         sides = hand_sides(reader)
-        robots = tuple(read_joints(reader, topic) for topic in robot_topics(reader).values())
+        robots = tuple(_robot_joints(reader, topic) for topic in robot_topics(reader).values())
         both = bool(reader.sides)
     hands = []
     for k, side in enumerate(sides):
@@ -58,9 +58,22 @@ def read_recorded(
         def tell(share: float, k: int = k) -> None:
             watch((k + share) / len(sides))
 
-        with SessionReader(path, side=side if both else "") as reader:
-            hands.append((reader.info, read_hand(reader, tell)))
-    return Recorded(tuple(hands), tuple((r.stamp_ns, r.values) for r in robots))
+        with SessionReader(path, watch=tell, side=side if both else "") as reader:
+            hands.append(recorded_series(reader, segments=False))
+    return Recorded(tuple(hands), robots)
+
+
+def _robot_joints(reader: SessionReader, topic: str) -> tuple[IntArray, Array]:
+    """Stamps (N,) ns and values (N, C) of all JointState messages of a topic, in the order of their
+    stamps; columns in the order in which their names first appear."""
+    joints = NumberRows(8)
+    for raw in reader.raw_messages(frozenset([topic])):
+        with reader.source.left_out.reading(raw.topic, raw.log_time):
+            joints.feed_joints(raw.data)
+    names = tuple(dict.fromkeys(name for run in joints.runs for name in run.names))
+    stamps, values = joints.by_name(names)
+    order = np.argsort(stamps, kind="stable")
+    return stamps[order], values[order]
 
 
 def frames_of(episode: Episode, layout: Layout, recorded: Recorded) -> Frames:
@@ -68,23 +81,21 @@ def frames_of(episode: Episode, layout: Layout, recorded: Recorded) -> Frames:
     zeros, and the quaternion of no turn. ``valid`` is 0 there."""
     at = episode.start_ns + np.round(np.arange(episode.frames) * (NS / layout.fps)).astype(np.int64)
     values, valid = [], []
-    for (info, columns), names in zip(recorded.hands, layout.hands, strict=True):
-        found = _hand(info, columns, names, at, layout.fps)
+    for series, names in zip(recorded.hands, layout.hands, strict=True):
+        found = _hand(series, names, at, layout.fps)
         valid.append(np.isfinite(found).astype(np.float32))
         values.append(_held(found, _nowhere(names)))
     state, known = np.concatenate(values, axis=1), np.concatenate(valid, axis=1)
     return Frames(state, known, _action(recorded, at) if layout.robot else _next(state))
 
 
-def _hand(
-    info: SessionInfo, columns: HandColumns, names: HandNames, at: IntArray, fps: int
-) -> Numbers:
+def _hand(series: EstimateSeries, names: HandNames, at: IntArray, fps: int) -> Numbers:
     """(N, numbers of the hand); NaN where lost."""
-    m = _series(info, columns, at)
+    m = _near(series, at)
     if len(m) < FEW:
         return np.full((len(at), names.numbers), np.nan, np.float32)
     m = sampled_at(m, (at - m.stamp_ns[0]) / NS, fps)
-    hand = openxr_joints(m.keypoints, m.q, m.state, m.keypoint_names, joint_radii(info.hand))
+    hand = openxr_joints(m.keypoints, m.q, m.state, m.keypoint_names, joint_radii(m.info.hand))
     turns = np.stack([continuous(q) for q in np.moveaxis(hand.orientation, 1, 0)], axis=1)
     n = len(at)
     wrist = [hand.position[:, WRIST_JOINT], turns[:, WRIST_JOINT]]
@@ -92,21 +103,14 @@ def _hand(
     return np.concatenate(parts, axis=1).astype(np.float32)
 
 
-def _series(info: SessionInfo, columns: HandColumns, at: IntArray) -> EstimateSeries:
-    """The estimates about the frames, without segments; a second one of the same instant is left
-    out."""
-    stamp = columns.stamp_ns
+def _near(series: EstimateSeries, at: IntArray) -> EstimateSeries:
+    """The estimates about the frames; a second one of the same instant is left out."""
+    stamp = series.stamp_ns
     near = (stamp >= at[0] - BESIDE) & (stamp <= at[-1] + BESIDE)
     near &= np.diff(stamp, prepend=np.int64(-1)) > 0
-    c = columns.rows(near)
-    n, k = c.state.shape
-    lost = c.state == Validity.LOST
-    keypoints = np.where(lost[:, :, None], np.nan, c.keypoints)
-    return EstimateSeries(
-        info, info.keypoint_names, info.hand.joint_names, c.stamp_ns, keypoints, c.q,
-        c.state.astype(np.int64), np.zeros((n, k)), c.angles, c.angle_state.astype(np.int64),
-        np.zeros((n, 0, 3)), np.zeros((n, 0, 4)),
-    )  # fmt: skip
+    m = series.rows(np.flatnonzero(near))
+    lost = m.state == Validity.LOST
+    return replace(m, keypoints=np.where(lost[:, :, None], np.nan, m.keypoints))
 
 
 def _held(values: Numbers, nowhere: Numbers) -> Numbers:

@@ -16,7 +16,7 @@ from tracker.session.reader import SessionReader
 def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """Keypoints and, unless joints are asked for by name, the glove's markers and a point above
     each segment: what inverse kinematics needs to find the angles again."""
-    m = load_series(reader, options, even=True, axes="opensim")
+    m = load_series(reader, options, even=True, axes="opensim", segments=True)
     unit = options.units or "mm"
     names, points = m.keypoint_names, m.keypoints
     if not options.joints:

@@ -39,7 +39,7 @@ _ROOT = ("turn_z", "turn_y", "turn_x", "x", "y", "z")
 
 def export_osim(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """Sizes are medians over the chosen part; it stands as the hand first stood. y is up."""
-    m = load_series(reader, options, axes="opensim")
+    m = load_series(reader, options, axes="opensim", segments=True)
     motion = joint_motion(m)
     name = "hand" if "hand" in options.anonymous else m.info.hand.name
     document = ET.Element("OpenSimDocument", Version=_DOCUMENT)
@@ -237,7 +237,7 @@ def imu_turns(reader: SessionReader) -> Array:
 def export_sto(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """The IMUs' orientations as OpenSim's table of quaternions (w, x, y, z); rows with one that is
     lost are left out, since OpenSim takes every cell for a rotation."""
-    m = load_series(reader, options, even=True, axes="opensim")
+    m = load_series(reader, options, even=True, axes="opensim", segments=True)
     glove, hand = m.info.glove, m.info.hand
     q = m.segment_q[:, glove.imu_segment(hand)]
     kept = np.flatnonzero(np.isfinite(q).all(axis=(1, 2)))

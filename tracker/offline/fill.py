@@ -17,11 +17,11 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256, whole_file
 from tracker.offline.options import TrackOptions
 from tracker.session.edits import Edit, Filled
+from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.gaps.fill import FillOptions, HandFill, Left, choose, fill_hand
 from tracker.session.gaps.find import INFERRED_LIMIT, KINDS, Gap, session_gaps
 from tracker.session.gaps.methods import METHODS, SMOOTH
 from tracker.session.gaps.write import write_filled
-from tracker.session.hand_columns import HandColumns, read_hand
 from tracker.session.reader import SessionReader
 
 Watch = Callable[[float], None]
@@ -113,7 +113,7 @@ def fill(
     for n, side in enumerate(sides):
         with SessionReader(source, side=side) as reader:
             mine = [gap for gap in chosen if gap.side == side]
-            hand = read_hand(reader)
+            hand = recorded_series(reader, segments=False)
             shape = shapes.get(side)
             fills[side] = fill_hand(reader, hand, mine, options.method, shape, partial(filling, n))
     filled = tuple(f for fill in fills.values() for f in fill.filled)
@@ -166,7 +166,7 @@ def _nothing(source: Path, gaps: Sequence[Gap], options: FillOptions) -> str:
     return f"No gap of {source.name} has estimates on both sides."
 
 
-def _smoothed(source: Path, out: Path, watch: Watch) -> Mapping[str, HandColumns]:
+def _smoothed(source: Path, out: Path, watch: Watch) -> Mapping[str, EstimateSeries]:
     """The sensors of a session tracked again and smoothed, by side."""
     from tracker.offline.track import track
 
@@ -181,7 +181,7 @@ def _smoothed(source: Path, out: Path, watch: Watch) -> Mapping[str, HandColumns
         shapes = {}
         for side in sides:
             with SessionReader(made, side=side if len(sides) > 1 else "") as reader:
-                shapes[side] = read_hand(reader)
+                shapes[side] = recorded_series(reader, segments=False)
     return shapes
 
 

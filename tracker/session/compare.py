@@ -69,7 +69,7 @@ def _common_sides(a: Path, b: Path) -> list[str]:
 def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, Any], _Curves]:
     """Of one hand."""
     with _of_side(a, side) as reader_a, _of_side(b, side) as reader_b:
-        first, second = (recorded_series(r) for r in (reader_a, reader_b))
+        first, second = (recorded_series(r, segments=False) for r in (reader_a, reader_b))
         words = _metadata_changes(reader_a, reader_b)
         made_on = [r.metadata.get("arithmetic", "") for r in (reader_a, reader_b)]
     second = _shifted(second, first.stamp_ns, shift_s) if shift_s else second
@@ -166,12 +166,12 @@ def truth_error_mm(tracked: Path, truth: Path, beside: Path | None = None) -> di
         names = reader.info.keypoint_names
         stamps = np.array([reader.anchor.wall(e.t) for e in true], np.int64)
     with SessionReader(tracked) as reader:
-        series = recorded_series(reader)
+        series = recorded_series(reader, segments=False)
     if not true:
         return {}
     if beside is not None:
         with SessionReader(beside) as reader:
-            other = recorded_series(reader)
+            other = recorded_series(reader, segments=False)
         series = series.rows(common_rows(series.stamp_ns, other.stamp_ns)[0])
     rows, true_rows = common_rows(series.stamp_ns, stamps)
     if len(rows) == 0:

@@ -23,7 +23,7 @@ from tracker.session.description import SessionInfo
 from tracker.session.edits import Edit
 from tracker.session.engine_parts import register_all
 from tracker.session.images import PackedFrame
-from tracker.session.mcap.input import FOREVER, McapInput
+from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.mcap.records import LATEST
 from tracker.session.rigs import first_rig, rig_changes
@@ -286,12 +286,23 @@ class SessionReader:
                 decoder.remember(before)
         wanted = decoder.topics_of(kinds)
         types = {PackedFrame if kind is StereoFrame else kind for kind in kinds}
-        for n, raw in enumerate(ordered(self.source, wanted, first, last, decoder.rank)):
+        for raw in self.raw_messages(wanted, first, last, decoder.rank):
+            yield from (m for m in decoder.feed(raw) if type(m) in types)
+        yield from (m for m in decoder.finish() if type(m) in types)
+
+    def raw_messages(
+        self,
+        wanted: frozenset[str],
+        first: int = 0,
+        last: int = FOREVER,
+        rank: Callable[[str], int] = lambda topic: 0,
+    ) -> Iterator[RawMessage]:
+        """Undecoded messages of the topics ``wanted``, as `ordered` sorts them."""
+        for n, raw in enumerate(ordered(self.source, wanted, first, last, rank)):
             if n % _WATCH_EVERY == 0:
                 share = (raw.log_time - self.span_ns[0]) / NS / max(self.duration, 1e-9)
                 self._watch(min(max(share, 0.0), 1.0))
-            yield from (m for m in decoder.feed(raw) if type(m) in types)
-        yield from (m for m in decoder.finish() if type(m) in types)
+            yield raw
 
     def truth(self, start: float | None = None) -> Iterator[Estimate]:
         """What a simulated hand really did, with arrival ≥ ``start`` (s); else nothing."""

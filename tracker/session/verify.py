@@ -13,7 +13,7 @@ from tracker.base.errors import GlovetrackError
 from tracker.messages import EYES, Validity
 from tracker.session import description
 from tracker.session.edits import NAME, lines, masks
-from tracker.session.hand_columns import read_hand
+from tracker.session.export.series import recorded_series
 from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
 from tracker.session.message_check import check_message
@@ -258,7 +258,7 @@ def _edits(reader: SessionReader) -> list[FileFinding]:
 
 def _called_measured(path: Path, side: str) -> int:
     with SessionReader(path, side=side) as reader:
-        hand, info = read_hand(reader), reader.info
+        hand, info = recorded_series(reader, segments=False), reader.info
         names = info.keypoint_names, info.hand.joint_names
         points, _ = masks(reader.edits, side, hand.stamp_ns, *names)
         return int((points & (hand.state == Validity.MEASURED)).sum())

@@ -13,13 +13,18 @@ from tracker.session.reader import SessionReader
 
 
 def load_series(
-    reader: SessionReader, options: ExportOptions, even: bool = False, axes: str = "z-up"
+    reader: SessionReader,
+    options: ExportOptions,
+    even: bool = False,
+    axes: str = "z-up",
+    segments: bool = False,
 ) -> EstimateSeries:
-    """Estimates of a session, as ``options`` ask; ``even``: the format knows one rate only.
+    """Estimates of a session, as ``options`` ask; ``even``: the format has one rate only;
+    ``segments``: with the poses of all segments, which take most of the time to read.
 
     Raises FileError if the session holds none.
     """
-    series = recorded_series(reader).between(options.start, options.stop)
+    series = recorded_series(reader, segments).between(options.start, options.stop)
     rate = options.rate
     if rate is None and even and not series.even:
         rate = float(round(series.rate))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -14,7 +14,16 @@ from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.session.description import SessionInfo
 from tracker.session.edits import WORD, Mask, masks
 from tracker.session.export.options import BONE_AXES, OPENXR_AXES
+from tracker.session.mcap.input import RawMessage
+from tracker.session.number_rows import (
+    DeviationRows,
+    NumberRows,
+    StateRows,
+    TransformRows,
+    at_stamps,
+)
 from tracker.session.reader import SessionReader
+from tracker.session.ros import topics
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,13 +141,52 @@ class EstimateSeries:
         return len(steps) == 0 or bool(np.ptp(steps) < 1e-3 * np.median(steps))
 
 
-def recorded_series(reader: SessionReader) -> EstimateSeries:
-    """All estimates of a session as they are. Raises FileError if it holds none."""
-    found = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
-    if not found:
+def recorded_series(reader: SessionReader, segments: bool = True) -> EstimateSeries:
+    """All estimates of the reader's hand, unchanged, in the order of their stamps.
+
+    Without ``segments``, which take most of the time, there are none: (N, 0, 3) and (N, 0, 4).
+    Raises FileError if the session contains no estimates.
+    """
+    side, info = reader.info.side, reader.info
+    rows = {f"{side}_{s}": i for i, s in enumerate(info.hand.segment_names)} if segments else {}
+    poses, joints, deviations = NumberRows(8 * 7), NumberRows(8), DeviationRows()
+    states = StateRows(info.keypoint_names, info.hand.joint_names)
+    transforms = TransformRows(rows, reader.source.left_out)
+    feed: dict[str, Callable[[RawMessage], None]] = {
+        topics.hand(side, "keypoints"): lambda raw: poses.feed_poses(raw.data),
+        topics.hand(side, "joint_states"): lambda raw: joints.feed_joints(raw.data),
+        topics.hand(side, "keypoint_sd"): lambda raw: deviations.feed(raw.data, len(poses.stamps)),
+        topics.hand(side, "states"): lambda raw: states.feed(raw.data, len(poses.stamps)),
+    }
+    if segments:
+        feed[topics.TF] = transforms.feed
+    for raw in reader.raw_messages(frozenset(feed)):
+        with reader.source.left_out.reading(raw.topic, raw.log_time):
+            feed[raw.topic](raw)
+    if not poses.stamps:
         raise FileError(f"{reader.path} holds no estimates; track it first.")
-    found.sort(key=lambda m: m.t)
-    series = series_of(reader.info, found)
+    n, k = len(poses.stamps), len(info.keypoint_names)
+    stamp, table = np.array(poses.stamps, np.int64), poses.table(k)
+    angles = at_stamps(stamp, *joints.by_name(info.hand.joint_names))
+    state, angle_state = states.of("keypoints", n), states.of("joints", n)
+    state[~np.isfinite(table[:, :, :3]).all(axis=2)] = Validity.LOST
+    angle_state[~np.isfinite(angles)] = Validity.LOST
+    p, R = transforms.at(stamp)
+    series = EstimateSeries(
+        info, info.keypoint_names, info.hand.joint_names, stamp, table[:, :, :3], table[:, :, 3:],
+        state.astype(np.int64), deviations.table((n, k)), angles, angle_state.astype(np.int64),
+        p, _quaternions(R),
+    )  # fmt: skip
+    return _with_edits(reader, _in_order(series))
+
+
+def _in_order(series: EstimateSeries) -> EstimateSeries:
+    """By their stamps; those of one stamp as they were written."""
+    order = np.argsort(series.stamp_ns, kind="stable")
+    return series if (order == np.arange(len(series))).all() else series.rows(order)
+
+
+def _with_edits(reader: SessionReader, series: EstimateSeries) -> EstimateSeries:
     if not reader.edits:
         return series
     points, angles = masks(

@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 from tracker.base.clock import NS
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 from tracker.session.edits import Filled
+from tracker.session.export.series import EstimateSeries
 from tracker.session.gaps.find import HOLE, INFERRED, LOST, Gap
 from tracker.session.gaps.interpolate import (
     SPEED_OVER,
@@ -23,7 +24,6 @@ from tracker.session.gaps.interpolate import (
 from tracker.session.gaps.merge import merged
 from tracker.session.gaps.methods import LINEAR
 from tracker.session.gaps.spread import Spread, grown
-from tracker.session.hand_columns import HandColumns
 from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
 
@@ -73,10 +73,10 @@ def choose(gaps: Sequence[Gap], options: FillOptions) -> tuple[list[Gap], list[L
 
 def fill_hand(
     reader: SessionReader,
-    hand: HandColumns,
+    hand: EstimateSeries,
     gaps: Sequence[Gap],
     method: str = LINEAR,
-    shape: HandColumns | None = None,
+    shape: EstimateSeries | None = None,
     watch: Callable[[float], None] = lambda share: None,
 ) -> HandFill:
     """Fill ``gaps`` of the reader's hand, whose estimates are ``hand``.
@@ -105,7 +105,7 @@ class _Grid(NamedTuple):
 
 class _HandWork:
     def __init__(
-        self, reader: SessionReader, hand: HandColumns, method: str, shape: HandColumns | None
+        self, reader: SessionReader, hand: EstimateSeries, method: str, shape: EstimateSeries | None
     ) -> None:
         self._reader, self._hand, self._method, self._shape = reader, hand, method, shape
         self._of = SessionSkeleton(reader.info)
@@ -312,7 +312,7 @@ def _nothing(reader: SessionReader, t: float) -> Estimate:
     )
 
 
-def _sampled(hand: HandColumns, stamp_ns: IntArray) -> RecordedMotion:
+def _sampled(hand: EstimateSeries, stamp_ns: IntArray) -> RecordedMotion:
     """Another tracking at the stamps (n,): on lines between its estimates, NaN where it is lost or
     has a hole."""
     own = hand.rows(np.flatnonzero(np.diff(hand.stamp_ns, prepend=hand.stamp_ns[0] - 1) > 0))

@@ -12,9 +12,9 @@ import numpy as np
 
 from tracker.base.clock import NS
 from tracker.hand.names import CHAINS
-from tracker.messages import Array, Validity
+from tracker.messages import Array, IntArray, Validity
+from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.gaps.cause import CauseFinder
-from tracker.session.hand_columns import HandColumns, States, read_hand
 from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
 
@@ -79,9 +79,8 @@ def session_gaps(
         sides = reader.sides or ("",)
     found: list[Gap] = []
     for n, side in enumerate(sides):
-        with SessionReader(path, side=side) as reader:
-            part = _watch_part(watch, n, len(sides))
-            found += hand_gaps(reader, read_hand(reader, part), limit)
+        with SessionReader(path, watch=_watch_part(watch, n, len(sides)), side=side) as reader:
+            found += hand_gaps(reader, recorded_series(reader, segments=False), limit)
     ordered = sorted(found, key=lambda g: (g.start, g.side, KINDS.index(g.kind), g.part))
     return [_numbered(gap, n) for n, gap in enumerate(ordered, 1)]
 
@@ -94,7 +93,7 @@ def _numbered(gap: Gap, number: int) -> Gap:
     return Gap(number, *(getattr(gap, f) for f in list(Gap.__dataclass_fields__)[1:]))
 
 
-def hand_gaps(reader: SessionReader, hand: HandColumns, limit: float) -> list[Gap]:
+def hand_gaps(reader: SessionReader, hand: EstimateSeries, limit: float) -> list[Gap]:
     """Gaps of the reader's hand with their causes, not numbered."""
     first, last = reader.span_ns
     t = (hand.stamp_ns - first) / NS
@@ -139,7 +138,7 @@ def _rows(names: Sequence[str], wanted: Sequence[str]) -> list[int]:
     return [names.index(name) for name in wanted]
 
 
-def _is_fillable(interval: Interval, state: States, rows: list[int]) -> bool:
+def _is_fillable(interval: Interval, state: IntArray, rows: list[int]) -> bool:
     """Whether there is something to interpolate between."""
     if interval.before < 0 or interval.after >= len(state):
         return False
@@ -150,7 +149,7 @@ def _is_fillable(interval: Interval, state: States, rows: list[int]) -> bool:
 
 
 def _parts(
-    t: Array, state: States, names: Sequence[str], limit: float, ends: tuple[float, float]
+    t: Array, state: IntArray, names: Sequence[str], limit: float, ends: tuple[float, float]
 ) -> Iterator[_Part]:
     """Intervals of keypoints, those that are the same for all of a finger or a hand as one."""
     of: dict[Interval, list[str]] = {}
@@ -173,7 +172,7 @@ def _part_of(keypoint: str) -> str:
 
 
 def intervals(
-    t: Array, state: States, limit: float, ends: tuple[float, float]
+    t: Array, state: IntArray, limit: float, ends: tuple[float, float]
 ) -> Iterator[Interval]:
     """Of one keypoint with states (N,) at the rising times ``t`` (N,) s of a session that lasts
     between ``ends``. One that is never measured is inferred throughout."""
@@ -194,7 +193,7 @@ def intervals(
     yield from _inferred(t, state, limit)
 
 
-def _inferred(t: Array, state: States, limit: float) -> Iterator[Interval]:
+def _inferred(t: Array, state: IntArray, limit: float) -> Iterator[Interval]:
     """Stretches without a hole that are inferred, from a measured row to a measured row."""
     n = len(t)
     is_inferred = state == Validity.INFERRED

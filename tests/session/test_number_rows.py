@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from tracker.base.errors import FileError
-from tracker.session.export.series import recorded_series
-from tracker.session.hand_columns import NumberRows, read_hand
+from tracker.messages import Estimate
+from tracker.session.export.series import recorded_series, series_of
+from tracker.session.number_rows import NumberRows
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion
 
@@ -25,7 +26,9 @@ def test_columns_are_those_of_estimates_to_the_last_bit(
     found[30], found[31] = found[31], found[30]  # written out of order
     path = record(tmp_path / "in.mcap", found)
     with SessionReader(path) as reader:
-        columns, series = read_hand(reader), recorded_series(reader)
+        columns = recorded_series(reader)
+        one_by_one = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
+        series = series_of(reader.info, sorted(one_by_one, key=lambda m: m.t))
     assert np.array_equal(columns.stamp_ns, series.stamp_ns)
     for ours, theirs in (
         (columns.keypoints, series.keypoints),
@@ -33,6 +36,9 @@ def test_columns_are_those_of_estimates_to_the_last_bit(
         (columns.angles, series.angles),
         (columns.state, series.state),
         (columns.angle_state, series.angle_state),
+        (columns.sd, series.sd),
+        (columns.segment_p, series.segment_p),
+        (columns.segment_q, series.segment_q),
     ):
         assert np.array_equal(ours, theirs, equal_nan=True)
     assert (columns.state == 1).sum() == 3 and np.isnan(columns.angles).any()
@@ -63,4 +69,4 @@ def test_a_session_without_estimates_says_so(
 ) -> None:
     path = record(tmp_path / "in.mcap", [maker.imu(0.0)])
     with SessionReader(path) as reader, pytest.raises(FileError, match="track it first"):
-        read_hand(reader)
+        recorded_series(reader)

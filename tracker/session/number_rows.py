@@ -1,0 +1,278 @@
+"""Numbers of recorded messages as columns: an hour of estimates in seconds.
+
+Messages of one topic differ mostly in their numbers, so that what comes before these is parsed
+once, and again where it changes.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.base.clock import NS
+from tracker.base.damage import LeftOut
+from tracker.geometry import so3
+from tracker.messages import Array, IntArray, Validity
+from tracker.session.mcap.input import RawMessage
+from tracker.session.ros import motion
+
+_STAMP = struct.Struct("<iI")
+_AFTER_STAMP = 12  # bytes: the header of CDR and the stamp
+_BODY = 4  # where alignment is counted from
+_LITTLE_ENDIAN = 1
+_BLOCK = 4096  # transform messages that are decoded together
+States = NDArray[np.int8]
+
+
+@dataclass
+class _Run:
+    """Messages in a row whose words are the same: the numbers stand at ``at``."""
+
+    head: bytes
+    length: int
+    at: int
+    names: tuple[str, ...]
+    parts: list[bytes] = field(default_factory=list)
+
+
+class NumberRows:
+    """Numbers of one topic's messages, ``size`` bytes for each thing that has a row."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self.stamps: list[int] = []
+        self.runs: list[_Run] = []
+
+    def feed_poses(self, data: bytes) -> None:
+        if not self._known(data):
+            found = motion.unpack_poses(data)
+            numbers = np.hstack([found.position, found.orientation])
+            self._begin(data, found.stamp, (), numbers)
+
+    def feed_joints(self, data: bytes) -> None:
+        if not self._known(data):
+            found = motion.unpack_joints(data)
+            self._begin(data, found.stamp, tuple(found.names), found.position)
+
+    def _known(self, data: bytes) -> bool:
+        if not self.runs:
+            return False
+        run = self.runs[-1]
+        if len(data) != run.length or data[:4] + data[_AFTER_STAMP : run.at] != run.head:
+            return False
+        second, nano = _STAMP.unpack_from(data, 4)
+        self.stamps.append(second * NS + nano)
+        run.parts.append(data[run.at :])
+        return True
+
+    def _begin(self, data: bytes, stamp: int, names: tuple[str, ...], numbers: Array) -> None:
+        """The first of a run; where the numbers cannot be found again its head is never met."""
+        raw = np.asarray(numbers, "<f8").tobytes()
+        at = _aligned(data, raw) if raw else -1
+        plain = at >= 0 and data[1] == _LITTLE_ENDIAN
+        head = data[:4] + data[_AFTER_STAMP:at] if plain else b""
+        tail = len(data) - at - len(raw) if plain else 0
+        run = _Run(head, len(data) if plain else -1, at, names, [raw + bytes(tail)])
+        self.stamps.append(stamp)
+        self.runs.append(run)
+
+    def table(self, columns: int) -> Array:
+        """(N, columns, numbers of each) of all messages; NaN where one has fewer rows."""
+        out = np.full((len(self.stamps), columns, self._size // 8), np.nan)
+        first = 0
+        for run in self.runs:
+            rows = self.rows(run)
+            out[first : first + len(rows), : rows.shape[1]] = rows[:, :columns]
+            first += len(rows)
+        return out
+
+    def rows(self, run: _Run) -> Array:
+        """(n, rows, numbers of each) of a run."""
+        each = self._size // 8
+        table = np.frombuffer(b"".join(run.parts), np.uint8).reshape(len(run.parts), -1)
+        whole = table.shape[1] // self._size * self._size
+        if run.names:
+            whole = min(whole, len(run.names) * self._size)
+        numbers = np.ascontiguousarray(table[:, :whole]).view("<f8")
+        return np.asarray(numbers.reshape(len(run.parts), -1, each), np.float64)
+
+    def by_name(self, names: tuple[str, ...]) -> tuple[IntArray, Array]:
+        """Stamps (N,) and the values (N, C) of ``names``."""
+        out = []
+        for run in self.runs:
+            found = self.rows(run)[:, :, 0]
+            values = np.full((len(run.parts), len(names)), np.nan)
+            for column, name in enumerate(run.names[: found.shape[1]]):
+                if name in names:
+                    values[:, names.index(name)] = found[:, column]
+            out.append(values)
+        table = np.concatenate(out) if out else np.zeros((0, len(names)))
+        return np.array(self.stamps, np.int64), table
+
+
+def _aligned(data: bytes, numbers: bytes) -> int:
+    """Where doubles stand in a message, at eight bytes as CDR puts them; -1 where nowhere."""
+    at = data.find(numbers, _AFTER_STAMP)
+    while at >= 0 and (at - _BODY) % 8:
+        at = data.find(numbers, at + 1)
+    return at
+
+
+class StateRows:
+    """States as they were said, and from which estimate on they hold."""
+
+    def __init__(self, keypoints: tuple[str, ...], joints: tuple[str, ...]) -> None:
+        self._names = {"keypoints": keypoints, "joints": joints}
+        self._said = {what: self._numbers(what, {}) for what in self._names}
+        self._from = [0]
+        self._rows = {what: [values] for what, values in self._said.items()}
+
+    def feed(self, data: bytes, row: int) -> None:
+        for told in motion.unpack_diagnostics(data)[1]:
+            if told.name in self._names:
+                self._said[told.name] = self._numbers(told.name, told.values)
+        self._from.append(row)
+        for what, rows in self._rows.items():
+            rows.append(self._said[what])
+
+    def _numbers(self, what: str, words: dict[str, str]) -> States:
+        """Measured where nothing was said, lost for a word that is none."""
+        said = [words.get(n, "measured").upper() for n in self._names[what]]
+        known = Validity.__members__
+        return np.array([known.get(w, Validity.LOST) for w in said], np.int8)
+
+    def of(self, what: str, n: int) -> States:
+        """(n, rows) of n estimates."""
+        counts = np.diff(np.minimum([*self._from, n], n))
+        return np.repeat(np.array(self._rows[what]), counts, axis=0)
+
+
+def at_stamps(stamp: IntArray, told: IntArray, values: Array) -> Array:
+    """The last row of ``values`` (M, …) with each stamp (N,); NaN where there is none."""
+    if not len(told):
+        return np.full((len(stamp), *values.shape[1:]), np.nan)
+    order = np.argsort(told, kind="stable")
+    at = np.clip(np.searchsorted(told[order], stamp, side="right") - 1, 0, None)
+    same = (told[order][at] == stamp).reshape(-1, *[1] * (values.ndim - 1))
+    return np.where(same, values[order[at]], np.nan)
+
+
+class DeviationRows:
+    """The last standard deviations before each estimate: messages of numbers without a stamp."""
+
+    def __init__(self) -> None:
+        self._rows: list[int] = []
+        self._values: list[Array] = []
+
+    def feed(self, data: bytes, row: int) -> None:
+        """A message before the estimate ``row``."""
+        self._rows.append(row)
+        self._values.append(motion.unpack_numbers(data))
+
+    def table(self, shape: tuple[int, int]) -> Array:
+        """(N, K) m; NaN where there was none, or one of another length."""
+        out = np.full(shape, np.nan)
+        for row, values in zip(self._rows, self._values, strict=True):
+            if row < len(out):
+                out[row] = values if len(values) == shape[1] else np.nan
+        return out
+
+
+class _Layout(NamedTuple):
+    """Of a transform message: which bytes are the same in all like it (L,) bool; its byte order;
+    where each child's stamp and numbers begin."""
+
+    fixed: NDArray[np.bool_]
+    order: str
+    places: list[tuple[str, int, int]]
+
+
+def _layout(data: bytes) -> _Layout:
+    """Raises one of `tracker.base.damage.DAMAGE` for a message that cannot be decoded."""
+    fixed = np.ones(len(data), bool)
+    order = "<" if data[1] == _LITTLE_ENDIAN else ">"
+    at, places = _BODY + 4, []
+    for transform in motion.unpack_transforms(data):
+        stamp_at = at
+        at += _STAMP.size
+        for _ in ("frame", "child"):
+            at += -at % 4
+            at += 4 + int(struct.unpack_from(f"{order}I", data, at)[0])
+        at += -(at - _BODY) % 8
+        places.append((transform.child, stamp_at, at))
+        fixed[stamp_at : stamp_at + _STAMP.size] = fixed[at : at + 56] = False
+        at += 56
+    return _Layout(fixed, order, places)
+
+
+class TransformRows:
+    """Poses of ``children`` (row by frame) out of transform messages, by stamp.
+
+    Messages of one layout are decoded together.
+    """
+
+    def __init__(self, children: Mapping[str, int], left_out: LeftOut) -> None:
+        self._children, self._left_out = children, left_out
+        self._waiting: list[RawMessage] = []
+        self._count = 0
+        self._blocks: list[tuple[IntArray, IntArray, Array, Array]] = []
+
+    def feed(self, raw: RawMessage) -> None:
+        self._waiting.append(raw)
+        if len(self._waiting) >= _BLOCK:
+            self._decode()
+
+    def at(self, stamp: IntArray) -> tuple[Array, Array]:
+        """Positions (N, S, 3) m and rotations (N, S, 3, 3) at the stamps; NaN where unknown."""
+        self._decode()
+        if not self._blocks:
+            empty = np.full((len(stamp), len(self._children), 3), np.nan)
+            return empty, np.full((*empty.shape, 3), np.nan)
+        number, told, p, R = (np.concatenate(part) for part in zip(*self._blocks, strict=True))
+        order = np.argsort(number)
+        return at_stamps(stamp, told[order], p[order]), at_stamps(stamp, told[order], R[order])
+
+    def _decode(self) -> None:
+        by_length: dict[int, list[int]] = {}
+        for k, raw in enumerate(self._waiting):
+            by_length.setdefault(len(raw.data), []).append(k)
+        for numbers in by_length.values():
+            self._decode_equal(np.array(numbers))
+        self._count += len(self._waiting)
+        self._waiting.clear()
+
+    def _decode_equal(self, numbers: IntArray) -> None:
+        """Messages of one length."""
+        data = b"".join(self._waiting[k].data for k in numbers)
+        table = np.frombuffer(data, np.uint8).reshape(len(numbers), -1)
+        rows = np.arange(len(numbers))
+        while len(rows):
+            first = self._waiting[numbers[rows[0]]]
+            same = np.zeros(len(rows), bool)
+            same[0] = True
+            with self._left_out.reading(first.topic, first.log_time):
+                layout = _layout(first.data)
+                fixed = table[rows][:, layout.fixed]
+                same = (fixed == fixed[0]).all(axis=1)
+                self._take(numbers[rows[same]], table[rows[same]], layout)
+            rows = rows[~same]
+
+    def _take(self, numbers: IntArray, table: NDArray[np.uint8], layout: _Layout) -> None:
+        mine = [place for place in layout.places if place[0] in self._children]
+        if not mine:
+            return
+        stamps = table[:, mine[0][1] : mine[0][1] + _STAMP.size]
+        second = np.ascontiguousarray(stamps[:, :4]).view(f"{layout.order}i4")[:, 0]
+        nano = np.ascontiguousarray(stamps[:, 4:]).view(f"{layout.order}u4")[:, 0]
+        poses = np.full((len(table), len(self._children), 7), np.nan)
+        for child, _, at in mine:
+            numbers_of = np.ascontiguousarray(table[:, at : at + 56])
+            poses[:, self._children[child]] = numbers_of.view(f"{layout.order}f8")
+        stamp = second.astype(np.int64) * NS + nano.astype(np.int64)
+        R = so3.matrix_from_quat(poses[:, :, 3:])
+        self._blocks.append((self._count + numbers, stamp, poses[:, :, :3], R))
