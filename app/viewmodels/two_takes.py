@@ -13,7 +13,7 @@ import numpy as np
 from app.words import local, tr
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
-from tracker.messages import Array, Estimate, Validity
+from tracker.messages import Array, Validity
 from tracker.session.align import (
     Alignment,
     Match,
@@ -23,7 +23,9 @@ from tracker.session.align import (
     kept_beside,
     read_alignment,
 )
+from tracker.session.export.series import read_series
 from tracker.session.holes import LONGEST_FILLED, durations, with_breaks
+from tracker.session.motion import instants
 from tracker.session.reader import SessionReader
 
 
@@ -149,20 +151,15 @@ def between(t: Array, known_t: Array, values: Array) -> Array:
 def read_take(path: Path) -> TakeAngles:
     """A session's joint angles. Raises FileError for a file that is no session."""
     with SessionReader(path) as reader:
-        names = reader.info.hand.joint_names
-        start = reader.anchor.monotonic(reader.span_ns[0])
-        found = [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
-        found.sort(key=lambda m: m.t)  # of packets that were late they are not in this order
-        angles = np.array([m.angles for m in found]).reshape(-1, len(names))
-        state = np.array([m.angle_state for m in found]).reshape(-1, len(names))
+        series = read_series(reader, segments=False)
         return TakeAngles(
             path,
-            start,
+            reader.anchor.monotonic(reader.span_ns[0]),
             reader.span_ns[0],
             reader.duration,
-            names,
-            np.array([m.t - start for m in found]),
-            np.where(state == int(Validity.LOST), np.nan, angles),
+            series.joint_names,
+            instants(reader, series),
+            np.where(series.angle_state == int(Validity.LOST), np.nan, series.angles),
         )
 
 

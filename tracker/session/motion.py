@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracker.base.errors import FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
-from tracker.session.edits import Mask, masks
+from tracker.session.edits import Mask
+from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.holes import LONGEST_FILLED, time_shares, with_breaks
 from tracker.session.reader import SessionReader
 
@@ -70,24 +70,26 @@ class Measure:
 
 def read_take(reader: SessionReader) -> Take:
     """All estimates of a session. Raises FileError if there is none."""
-    found = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
-    if not found:
-        raise FileError(f"{reader.path} holds no estimates; track it first.")
-    found.sort(key=lambda m: m.t)
-    info = reader.info
-    start = reader.anchor.monotonic(reader.span_ns[0])
-    hand = info.hand
-    take = take_of(found, hand.joint_names, hand.angle_limits, info.keypoint_names, start)
-    if not reader.edits:
-        return take
-    stamps = np.array([reader.anchor.wall(m.t) for m in found], np.int64)
-    names = info.keypoint_names, hand.joint_names
-    points, angles = masks(reader.edits, info.side, stamps, *names)
-    return replace(
-        take,
-        point_filled=points & (take.point_state == Validity.INFERRED),
-        angle_filled=angles & (take.angle_state == Validity.INFERRED),
+    series, info = recorded_series(reader, segments=False), reader.info
+    return Take(
+        instants(reader, series),
+        series.joint_names,
+        series.angles,
+        series.angle_state,
+        info.hand.angle_limits,
+        series.keypoint_names,
+        series.keypoints,
+        series.sd,
+        series.state,
+        None if series.angle_filled is None else series.angles_interpolated,
+        None if series.point_filled is None else series.interpolated,
     )
+
+
+def instants(reader: SessionReader, series: EstimateSeries) -> Array:
+    """(N,) s from the session's start."""
+    start = reader.anchor.monotonic(reader.span_ns[0])
+    return np.array([reader.anchor.monotonic(int(s)) for s in series.stamp_ns]) - start
 
 
 def take_of(

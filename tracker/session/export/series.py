@@ -142,10 +142,17 @@ class EstimateSeries:
 
 
 def recorded_series(reader: SessionReader, segments: bool = True) -> EstimateSeries:
+    """As `read_series`; raises FileError if the session contains no estimates."""
+    series = read_series(reader, segments)
+    if not len(series):
+        raise FileError(f"{reader.path} holds no estimates; track it first.")
+    return series
+
+
+def read_series(reader: SessionReader, segments: bool = True) -> EstimateSeries:
     """All estimates of the reader's hand, unchanged, in the order of their stamps.
 
     Without ``segments``, which take most of the time, there are none: (N, 0, 3) and (N, 0, 4).
-    Raises FileError if the session contains no estimates.
     """
     side, info = reader.info.side, reader.info
     rows = {f"{side}_{s}": i for i, s in enumerate(info.hand.segment_names)} if segments else {}
@@ -163,8 +170,6 @@ def recorded_series(reader: SessionReader, segments: bool = True) -> EstimateSer
     for raw in reader.raw_messages(frozenset(feed)):
         with reader.source.left_out.reading(raw.topic, raw.log_time):
             feed[raw.topic](raw)
-    if not poses.stamps:
-        raise FileError(f"{reader.path} holds no estimates; track it first.")
     n, k = len(poses.stamps), len(info.keypoint_names)
     stamp, table = np.array(poses.stamps, np.int64), poses.table(k)
     angles = at_stamps(stamp, *joints.by_name(info.hand.joint_names))
