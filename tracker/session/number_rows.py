@@ -171,8 +171,9 @@ class DeviationRows:
 
     def feed(self, data: bytes, row: int) -> None:
         """A message before the estimate ``row``."""
+        values = motion.unpack_numbers(data)
         self._rows.append(row)
-        self._values.append(motion.unpack_numbers(data))
+        self._values.append(values)
 
     def table(self, shape: tuple[int, int]) -> Array:
         """(N, K) m; NaN where there was none, or one of another length."""
@@ -201,7 +202,7 @@ def _layout(data: bytes) -> _Layout:
         stamp_at = at
         at += _STAMP.size
         for _ in ("frame", "child"):
-            at += -at % 4
+            at += -(at - _BODY) % 4
             at += 4 + int(struct.unpack_from(f"{order}I", data, at)[0])
         at += -(at - _BODY) % 8
         places.append((transform.child, stamp_at, at))
