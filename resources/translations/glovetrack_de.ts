@@ -2250,12 +2250,12 @@
     <message>
       <location filename="app/panels/record_file.py" />
       <source>File of {}</source>
-      <translation type="unfinished" />
+      <translation>Datei für {}</translation>
     </message>
     <message>
       <location filename="app/panels/record_file.py" />
       <source>Hand records (*{})</source>
-      <translation type="unfinished" />
+      <translation>Handaufzeichnungen (*{})</translation>
     </message>
     <message>
       <location filename="app/panels/record_file.py" />
@@ -3608,101 +3608,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/device_settings.py" />
       <source>now {}</source>
       <translation>jetzt {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Table for spreadsheets and everything else (CSV)</source>
-      <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Table for Python and R (Parquet)</source>
-      <translation>Tabelle für Python und R (Parquet)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Arrays for MATLAB and Python (HDF5)</source>
-      <translation>Felder für MATLAB und Python (HDF5)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Motion capture (C3D)</source>
-      <translation>Bewegungserfassung (C3D)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>OpenSim markers (TRC)</source>
-      <translation>OpenSim-Marker (TRC)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>OpenSim joint angles (MOT)</source>
-      <translation>OpenSim-Gelenkwinkel (MOT)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>OpenSim orientations of the IMUs (STO)</source>
-      <translation>OpenSim-Lagen der IMUs (STO)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>OpenSim model of the hand as tracked (OSIM)</source>
-      <translation>OpenSim-Modell der verfolgten Hand (OSIM)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Animation skeleton (BVH)</source>
-      <translation>Animationsskelett (BVH)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Animated hand in 3D (glTF)</source>
-      <translation>Animierte Hand in 3D (glTF)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Robot model of the hand (URDF)</source>
-      <translation>Robotermodell der Hand (URDF)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Film with the hand drawn in (MP4)</source>
-      <translation>Film mit eingezeichneter Hand (MP4)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Folder of images with the hand drawn in (PNG)</source>
-      <translation>Ordner mit Bildern, Hand eingezeichnet (PNG)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Session, whole or the chosen part (MCAP)</source>
-      <translation>Sitzung, ganz oder der gewählte Teil (MCAP)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Data set for laboratories (Motion-BIDS, a folder)</source>
-      <translation>Datensatz für Labore (Motion-BIDS, ein Ordner)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Raw samples of the IMUs (CSV)</source>
-      <translation>Rohe Messwerte der IMUs (CSV)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Raw samples of the IMUs (Parquet)</source>
-      <translation>Rohe Messwerte der IMUs (Parquet)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Hand record of NVIDIA's Isaac tools (MCAP)</source>
-      <translation>Handdaten für Isaac von NVIDIA (MCAP)</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/export_choice.py" />
-      <source>Data set for robot learning (LeRobot, a folder)</source>
-      <translation>Datensatz für das Lernen von Robotern (LeRobot, ein Ordner)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/gaps.py" />
@@ -7722,12 +7627,12 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.streams" />
       <source>UDP (JSON)</source>
-      <translation type="unfinished" />
+      <translation>UDP (JSON)</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
       <source>WebSocket (JSON)</source>
-      <translation type="unfinished" />
+      <translation>WebSocket (JSON)</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -7737,7 +7642,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.streams" />
       <source>Lab Streaming Layer</source>
-      <translation type="unfinished" />
+      <translation>Lab Streaming Layer</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -7747,7 +7652,7 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.streams" />
       <source>Foxglove</source>
-      <translation type="unfinished" />
+      <translation>Foxglove</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -7762,12 +7667,107 @@ change {}: {}</source>
     <message>
       <location filename="glovetrack.remote" />
       <source>OSC</source>
-      <translation type="unfinished" />
+      <translation>OSC</translation>
     </message>
     <message>
       <location filename="glovetrack.remote" />
       <source>LSL (markers become notes)</source>
       <translation>LSL (Marker werden Notizen)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Table for spreadsheets and everything else (CSV)</source>
+      <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Table for Python and R (Parquet)</source>
+      <translation>Tabelle für Python und R (Parquet)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Arrays for MATLAB and Python (HDF5)</source>
+      <translation>Felder für MATLAB und Python (HDF5)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Motion capture (C3D)</source>
+      <translation>Bewegungserfassung (C3D)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>OpenSim markers (TRC)</source>
+      <translation>OpenSim-Marker (TRC)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>OpenSim joint angles (MOT)</source>
+      <translation>OpenSim-Gelenkwinkel (MOT)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>OpenSim orientations of the IMUs (STO)</source>
+      <translation>OpenSim-Lagen der IMUs (STO)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>OpenSim model of the hand as tracked (OSIM)</source>
+      <translation>OpenSim-Modell der verfolgten Hand (OSIM)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Animation skeleton (BVH)</source>
+      <translation>Animationsskelett (BVH)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Animated hand in 3D (glTF)</source>
+      <translation>Animierte Hand in 3D (glTF)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Robot model of the hand (URDF)</source>
+      <translation>Robotermodell der Hand (URDF)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Film with the hand drawn in (MP4)</source>
+      <translation>Film mit eingezeichneter Hand (MP4)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Folder of images with the hand drawn in (PNG)</source>
+      <translation>Ordner mit Bildern, Hand eingezeichnet (PNG)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Session, whole or the chosen part (MCAP)</source>
+      <translation>Sitzung, ganz oder der gewählte Teil (MCAP)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Data set for laboratories (Motion-BIDS, a folder)</source>
+      <translation>Datensatz für Labore (Motion-BIDS, ein Ordner)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Raw samples of the IMUs (CSV)</source>
+      <translation>Rohe Messwerte der IMUs (CSV)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Raw samples of the IMUs (Parquet)</source>
+      <translation>Rohe Messwerte der IMUs (Parquet)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Hand record of NVIDIA's Isaac tools (MCAP)</source>
+      <translation>Handdaten für Isaac von NVIDIA (MCAP)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.formats" />
+      <source>Data set for robot learning (LeRobot, a folder)</source>
+      <translation>Datensatz für das Lernen von Robotern (LeRobot, ein Ordner)</translation>
     </message>
     <message>
       <location filename="tracker/base/damage.py" />
@@ -8205,6 +8205,11 @@ change {}: {}</source>
       <translation>{} und {} sind vertauscht: die Stecker tauschen oder eine Handschuhdatei mit dieser Reihenfolge wählen.</translation>
     </message>
     <message>
+      <location filename="tracker/engine/hands.py" />
+      <source>The glove {} is made for the {} hand and cannot track the {} one.</source>
+      <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
+    </message>
+    <message>
       <location filename="tracker/engine/pipeline.py" />
       <source>No packets from the {} glove: the hand follows the images alone.</source>
       <translation>Keine Pakete vom Handschuh ({}): Die Hand folgt nur den Bildern.</translation>
@@ -8248,11 +8253,6 @@ change {}: {}</source>
       <location filename="tracker/engine/side_watch.py" />
       <source>This looks like a glove of the {} hand: its patches are mirrored. The file {} is of the {} hand; choose a {} one.</source>
       <translation>Das sieht nach einem Handschuh für {} aus: seine Flecken sind gespiegelt. Die Datei {} ist für {}; eine für {} wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/two_hands.py" />
-      <source>The glove {} is made for the {} hand and cannot track the {} one.</source>
-      <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
     </message>
     <message>
       <location filename="tracker/firmware/command.py" />
@@ -8835,34 +8835,19 @@ change {}: {}</source>
       <translation>Der Zustand des Trackings in der Aufnahme ist beschädigt: {}.</translation>
     </message>
     <message>
-      <location filename="tracker/session/export/c3d.py" />
-      <source>{} could not be written as a whole: the disk may be full.</source>
-      <translation>{} konnte nicht ganz geschrieben werden: die Festplatte ist vielleicht voll.</translation>
+      <location filename="tracker/session/export/formats.py" />
+      <source>{} is a data set of many sessions.</source>
+      <translation>{} ist ein Datensatz aus vielen Aufzeichnungen.</translation>
     </message>
     <message>
-      <location filename="tracker/session/export/film.py" />
-      <source>There is no ffmpeg with H.264 on this computer: the film is MPEG-4 part 2, which browsers and some players do not show.</source>
-      <translation>Auf diesem Rechner gibt es kein ffmpeg mit H.264: der Film ist MPEG-4 Teil 2, den Browser und manche Abspieler nicht zeigen.</translation>
+      <location filename="tracker/session/export/formats.py" />
+      <source>{} contains one session; {} can contain several.</source>
+      <translation>{} enthält eine Aufzeichnung; {} kann mehrere enthalten.</translation>
     </message>
     <message>
-      <location filename="tracker/session/export/film.py" />
-      <source>OpenCV on this computer cannot write {}.</source>
-      <translation>OpenCV kann auf diesem Rechner {} nicht schreiben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/film.py" />
-      <source>{} could not be written by ffmpeg.</source>
-      <translation>{} konnte von ffmpeg nicht geschrieben werden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/imu.py" />
-      <source>Raw samples stay as they are: leave out {}.</source>
-      <translation>Rohe Messwerte bleiben, wie sie sind: {} weglassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/mcap.py" />
-      <source>A session is copied as it is: leave out {}.</source>
-      <translation>Eine Sitzung wird kopiert, wie sie ist: {} weglassen.</translation>
+      <location filename="tracker/session/export/formats.py" />
+      <source>The format {} does not support {}.</source>
+      <translation>Das Format {} unterstützt {} nicht.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/mcap.py" />
@@ -8905,29 +8890,9 @@ change {}: {}</source>
       <translation>Einheiten können {} sein, nicht {}.</translation>
     </message>
     <message>
-      <location filename="tracker/session/export/overlay.py" />
-      <source>{} holds no images of the tracked time.</source>
-      <translation>{} enthält keine Bilder der getrackten Zeit.</translation>
-    </message>
-    <message>
       <location filename="tracker/session/export/resample.py" />
       <source>{} estimates over {} s would be {} rows at {} Hz; export a part of them.</source>
       <translation>{} Schätzungen über {} s wären {} Zeilen bei {} Hz; einen Teil davon exportieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/run.py" />
-      <source>There is no format {}; there are {}.</source>
-      <translation>Es gibt kein Format {}; es gibt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/run.py" />
-      <source>{} holds the whole hand; it cannot leave out joints.</source>
-      <translation>{} enthält die ganze Hand; Gelenke können nicht fehlen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/run.py" />
-      <source>{} holds one session; of several make {}.</source>
-      <translation>{} enthält eine Sitzung; aus mehreren {} machen.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/series.py" />
@@ -8945,29 +8910,9 @@ change {}: {}</source>
       <translation>In dieser Sitzung gibt es keinen Punkt und kein Gelenk {}.</translation>
     </message>
     <message>
-      <location filename="tracker/session/export/skeleton.py" />
-      <source>A bone was never seen with both its ends, so there is no skeleton.</source>
-      <translation>Ein Knochen wurde nie mit beiden Enden gesehen, also gibt es kein Skelett.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/skeleton.py" />
-      <source>A skeleton needs the wrist; export all joints.</source>
-      <translation>Ein Skelett braucht das Handgelenk; alle Gelenke exportieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/skeleton.py" />
-      <source>{} was never tracked, so there is no skeleton.</source>
-      <translation>{} wurde nie getrackt, also gibt es kein Skelett.</translation>
-    </message>
-    <message>
       <location filename="tracker/session/export/tables.py" />
       <source>Parquet needs Arrow: install glovetrack[parquet].</source>
       <translation>Parquet braucht Arrow: glovetrack[parquet] installieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/urdf.py" />
-      <source>A URDF has right-handed axes; {} has left-handed ones.</source>
-      <translation>Eine URDF-Datei hat rechtshändige Achsen; {} hat linkshändige.</translation>
     </message>
     <message>
       <location filename="tracker/session/glance.py" />
@@ -9107,12 +9052,12 @@ change {}: {}</source>
     <message>
       <location filename="tracker/streaming/connection.py" />
       <source>The {} {} has no port: clients find it by its name.</source>
-      <translation type="unfinished" />
+      <translation>{} {} hat keinen Port: Programme finden es über seinen Namen.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/connection.py" />
       <source>{} is not a port for the {} {}: ports are 1 to 65535.</source>
-      <translation type="unfinished" />
+      <translation>{} ist kein Port für {} {}: Ports sind 1 bis 65535.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/datagram.py" />
@@ -9127,17 +9072,17 @@ change {}: {}</source>
     <message>
       <location filename="tracker/streaming/registry.py" />
       <source>{}: streams must be a table.</source>
-      <translation type="unfinished" />
+      <translation>{}: streams muss eine Tabelle sein.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/registry.py" />
       <source>{}: streams.{} {}.</source>
-      <translation type="unfinished" />
+      <translation>{}: streams.{} {}.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/registry.py" />
       <source>The {} stream made {} publishers for {} hands.</source>
-      <translation type="unfinished" />
+      <translation>Der Stream {} hat {} Sender für {} Hände erstellt.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/remote/doors.py" />
@@ -9240,9 +9185,49 @@ change {}: {}</source>
       <translation>{} ist keine STL-Datei: {}.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/export.py" />
-      <source>LeRobot's data set has our {}: leave them out.</source>
-      <translation>Der Datensatz von LeRobot hat unsere {}: weglassen.</translation>
+      <location filename="extensions/interchange/c3d.py" />
+      <source>{} could not be written as a whole: the disk may be full.</source>
+      <translation>{} konnte nicht ganz geschrieben werden: die Festplatte ist vielleicht voll.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/film.py" />
+      <source>There is no ffmpeg with H.264 on this computer: the film is MPEG-4 part 2, which browsers and some players do not show.</source>
+      <translation>Auf diesem Rechner gibt es kein ffmpeg mit H.264: der Film ist MPEG-4 Teil 2, den Browser und manche Abspieler nicht zeigen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/film.py" />
+      <source>OpenCV on this computer cannot write {}.</source>
+      <translation>OpenCV kann auf diesem Rechner {} nicht schreiben.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/film.py" />
+      <source>{} could not be written by ffmpeg.</source>
+      <translation>{} konnte von ffmpeg nicht geschrieben werden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/overlay.py" />
+      <source>{} holds no images of the tracked time.</source>
+      <translation>{} enthält keine Bilder der getrackten Zeit.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/skeleton.py" />
+      <source>A bone was never seen with both its ends, so there is no skeleton.</source>
+      <translation>Ein Knochen wurde nie mit beiden Enden gesehen, also gibt es kein Skelett.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/skeleton.py" />
+      <source>A skeleton needs the wrist; export all joints.</source>
+      <translation>Ein Skelett braucht das Handgelenk; alle Gelenke exportieren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/skeleton.py" />
+      <source>{} was never tracked, so there is no skeleton.</source>
+      <translation>{} wurde nie getrackt, also gibt es kein Skelett.</translation>
+    </message>
+    <message>
+      <location filename="extensions/interchange/urdf.py" />
+      <source>A URDF has right-handed axes; {} has left-handed ones.</source>
+      <translation>Eine URDF-Datei hat rechtshändige Achsen; {} hat linkshändige.</translation>
     </message>
     <message>
       <location filename="extensions/lerobot/film.py" />
