@@ -14,8 +14,6 @@ from typing import Any
 import pytest
 
 import tracker.cli
-from app.__main__ import WINDOW
-from app.window import remote_command, start
 from tracker.session.export.formats import FORMATS
 
 OPTIONS = {
@@ -51,9 +49,7 @@ FORMS = (
 
 
 def parsers() -> Iterator[tuple[str, argparse.ArgumentParser]]:
-    yield from _below(tracker.cli._parser(), "")
-    yield from _below(remote_command._parser(), "remote")
-    yield "window", start._parser()
+    yield from _below(tracker.cli.build_parser(), "")
 
 
 def _below(
@@ -82,7 +78,7 @@ def test_options_take_the_words_of_the_contract(command: str, option: str) -> No
 
 
 def test_there_are_the_window_s_commands_and_all_formats() -> None:
-    assert "demo" in WINDOW
+    assert {"window", "demo", "devices"} <= PARSERS.keys()
     assert set(FORMS.split()) <= set(FORMATS.names())
 
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import pytest
 
 import tracker.cli
-from app.window import remote_command, start
+from app.window import remote_command
 from app.window.report_files import check_report, report_paths
 from tests.gui.environments import without_screen
 from tracker.base.errors import FileError
@@ -65,7 +65,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
 def run(*words: object, allowed: tuple[int, ...] = (0,)) -> int:
     """The command's exit status."""
     argv = [str(word) for word in words]
-    status = remote_command.main(argv[1:]) if argv[0] == "remote" else tracker.cli.main(argv)
+    status = tracker.cli.main(argv)
     assert status in allowed, argv
     return status
 
@@ -129,15 +129,14 @@ CASES: dict[str, Words] = {
     },
 }
 """Words of each command that writes, all its outputs in the folder ``f``."""
-ELSEWHERE = {("window", "--out"), ("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
+ELSEWHERE = {("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
+ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""
 
 
 def parsers() -> Iterator[tuple[str, argparse.ArgumentParser]]:
     """Every command's parser by its name."""
-    yield from _below(tracker.cli._parser(), "")
-    yield "window", start._parser()
-    yield from _below(remote_command._parser(), "remote")
+    yield from _below(tracker.cli.build_parser(), "")
 
 
 def _below(

@@ -1,8 +1,7 @@
-"""The commands of ``glovetrack`` that need no window (`app.__main__` adds the two that do).
+"""The command line ``glovetrack``: chooses a command of the registry, and runs it.
 
-Exit status: 0 done, 1 the work failed (one message on standard error), 2 wrong usage. Packages
-bring their own sub-commands and import what these need inside them, so that ``glovetrack info``
-starts at once.
+Exit status: 0 done, 1 the work failed (one message on standard error), 2 wrong usage. Only the
+chosen command's modules are imported, so that ``glovetrack info`` starts at once.
 """
 
 from __future__ import annotations
@@ -12,21 +11,38 @@ import sys
 from collections.abc import Sequence
 
 from tracker import __version__
+from tracker.base.command import COMMANDS, Command, UsageError
 from tracker.base.damage import gather, sentences
-from tracker.base.errors import GlovetrackError
+from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.files import disk_error
 from tracker.base.terminal import printable, stopped_by_signals, words_on_standard_output
+
+BEFORE_COMMANDS = ("--help", "--version")
+"""Options without a command; any other belongs to the window."""
+
+NOT_INSTALLED = (
+    "No commands are registered, because the installation is incomplete or older than the program. "
+    "Install Glovetrack again."
+)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
-    args = _parser().parse_args(argv)
+    words = _with_window(sys.argv[1:] if argv is None else argv)
     try:
+        if not COMMANDS.names():
+            raise ConfigError(NOT_INSTALLED)
+        args = build_parser(words).parse_args(words)
+        command: Command = args.command
+        if command.opens_window:
+            return command.start(args)
         with stopped_by_signals(), words_on_standard_output(), gather() as left_out:
-            status = int(args.func(args) or 0)
+            status = command.start(args)
             for text in sentences(left_out):
                 print(f"glovetrack: {printable(text)}", file=sys.stderr)
             return status
+    except UsageError as error:
+        args.parser.error(printable(str(error)))
     except GlovetrackError as error:
         print(f"glovetrack: {printable(str(error))}", file=sys.stderr)
     except KeyboardInterrupt:
@@ -39,15 +55,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 1
 
 
-def _parser() -> argparse.ArgumentParser:
-    from extensions.applications.command import add_commands as add_apps
-    from extensions.conformance.command import add_commands as add_conformance
-    from extensions.evaluation.commands import add_commands as add_evaluation
-    from extensions.sheets.command import add_commands as add_sheets
-    from tracker.firmware.command import add_commands as add_firmware
-    from tracker.offline.commands import add_commands as add_offline
-    from tracker.session.commands import add_commands as add_session
+def _with_window(words: Sequence[str]) -> list[str]:
+    """``words`` with the command ``window`` where they start with none: with a session, or with an
+    option that no command has before its name, as ``--remote udp``."""
+    option = bool(words) and words[0].startswith("--") and words[0] not in BEFORE_COMMANDS
+    if not words or option or words[0].endswith(".mcap"):
+        return ["window", *words]
+    return list(words)
 
+
+def build_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParser:
+    """The parser for ``words``, with the arguments of the command that they choose; without
+    ``words``, with those of all commands."""
     parser = argparse.ArgumentParser(
         prog="glovetrack",
         description="Track a hand with a sensor glove and a stereo camera. Without a command, or "
@@ -56,15 +75,50 @@ def _parser() -> argparse.ArgumentParser:
         "an open window.",
     )
     parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    add_offline(commands)
-    add_session(commands)
-    add_evaluation(commands)
-    add_conformance(commands)
-    add_apps(commands)
-    add_firmware(commands)
-    add_sheets(commands)
+    _add_commands(parser, (), words)
     return parser
+
+
+def _add_commands(
+    parser: argparse.ArgumentParser, group: tuple[str, ...], words: Sequence[str] | None
+) -> None:
+    """Add the commands of a group. Raises ConfigError if the chosen one cannot be loaded."""
+    names = _names_in(group)
+    chosen = words[0] if words and words[0] in names else None
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for name in names if chosen is None else [chosen]:
+        command = _command((*group, name), required=chosen is not None)
+        if command is None:
+            continue
+        child = commands.add_parser(
+            name, help=command.help, description=command.description or None
+        )
+        if words is not None and chosen is None:
+            continue
+        child.set_defaults(command=command, parser=child)
+        if command.run is None:
+            _add_commands(child, (*group, name), words if words is None else words[1:])
+        command.fill(child)
+
+
+def _names_in(group: tuple[str, ...]) -> list[str]:
+    """The next word of all commands that begin with ``group``, in alphabetical order."""
+    split = (tuple(name.split(".")) for name in COMMANDS.names())
+    depth = len(group)
+    return sorted({name[depth] for name in split if name[:depth] == group and len(name) > depth})
+
+
+def _command(path: tuple[str, ...], required: bool) -> Command | None:
+    """A command; None if it cannot be loaded, unless it is ``required``: then ConfigError."""
+    name = ".".join(path)
+    if name not in COMMANDS.names():  # its sub-commands alone are declared
+        return Command(" ".join(path), "more commands")
+    try:
+        return COMMANDS.get(name)
+    except ConfigError:
+        if required:
+            raise
+        return None
 
 
 if __name__ == "__main__":

@@ -4,37 +4,29 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
-from collections.abc import Sequence
 from typing import Any
 
 from app.platform.single_instance import NOT_A_WINDOW, ask
 from tracker.base.errors import GlovetrackError
-from tracker.base.terminal import add_json, check_json, finish, printable
+from tracker.base.terminal import add_json, check_json, finish
 from tracker.hand.names import CHAINS
 from tracker.streaming.remote.client import UDP_PORT
 from tracker.streaming.remote.client import ask as ask_over_udp
 from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
 
 NOBODY = "No window is open. Open one with `glovetrack`."
-_NOT_SAID = ("json", "force", "to")
+_NOT_SENT = ("json", "force", "to", "command", "parser")
 
 
-def main(argv: Sequence[str]) -> int:
-    """Exit status 0 done, 1 not done (with a sentence), 2 wrong usage."""
-    args = _parser().parse_args(argv)
-    words = {k: v for k, v in vars(args).items() if k not in _NOT_SAID}
-    try:
-        check_json(args)
-        answer = _asked(words, args.to)
-        if answer["ok"]:
-            lines = [answer["text"], *([answer["file"]] if "file" in answer else [])]
-            finish(args, answer, lines)
-            return 0
-    except GlovetrackError as error:
-        answer = {"error": str(error)}
-    print(f"glovetrack: {printable(str(answer.get('error')))}", file=sys.stderr)
-    return 1
+def control(args: argparse.Namespace) -> int:
+    """Send the request and print the answer. Raises GlovetrackError if it was not carried out."""
+    check_json(args)
+    request = {k: v for k, v in vars(args).items() if k not in _NOT_SENT}
+    answer = _asked(request, args.to)
+    if not answer["ok"]:
+        raise GlovetrackError(str(answer.get("error")))
+    finish(args, answer, [answer["text"], *([answer["file"]] if "file" in answer else [])])
+    return 0
 
 
 def _asked(words: dict[str, Any], to: tuple[str, int] | None) -> dict[str, Any]:
@@ -56,11 +48,8 @@ def _address(text: str) -> tuple[str, int]:
     return host, int(port) if colon else UDP_PORT
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="glovetrack remote",
-        description="Control the open Glovetrack window.",
-    )
+def add_remote(parser: argparse.ArgumentParser) -> None:
+    """Its sub-commands and their arguments."""
     common = argparse.ArgumentParser(add_help=False)
     common.add_argument(
         "--to",
@@ -110,4 +99,3 @@ def _parser() -> argparse.ArgumentParser:
         help="strength of the contact; 0 ends it (default: 1)",
     )
     contact.add_argument("--object", default="", metavar="NAME", help="name of the object")
-    return parser

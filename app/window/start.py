@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import signal
 import sys
-from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.engines.demo_camera import HANDS, LENSES, SCENES, DemoChoice, start_camera
+from app.engines.demo_camera import DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
+from app.window.window_options import WindowOptions
 from resources import folder
 from tracker import __version__
+from tracker.base.command import UsageError
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.toml_reader import read_text
-from tracker.sensors.protocol import BAUDS
 from tracker.streaming.connection import ConnectionSettings
-from tracker.streaming.publisher import JOINT_SETS
-from tracker.streaming.registry import StreamSettings, stream_kinds, with_streams
-from tracker.streaming.remote.registry import door_kinds, with_doors
+from tracker.streaming.registry import StreamSettings, with_streams
+from tracker.streaming.remote.registry import with_doors
 
 if TYPE_CHECKING:
     from app.platform.crash import CrashWatch
@@ -46,23 +43,17 @@ ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
 """Of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
 
 
-def open_window(argv: Sequence[str]) -> int:
-    """Open the window with these words of the command line; returns the exit status."""
-    parser = _parser()
-    args = parser.parse_args(argv)
+def open_window(options: WindowOptions) -> int:
+    """Open the window; returns the exit status.
+
+    Raises UsageError for options that contradict each other, and GlovetrackError.
+    """
     try:
-        args.streams = with_streams(
-            StreamSettings(), args.stream, args.stream_host, args.stream_joints
-        )
-        with_doors(ConnectionSettings(), args.remote, args.remote_host)
-        if args.wearer is not None:
-            read_text(args.wearer)
-        if args.headless_report is not None:
-            _check_headless(args)
+        _check(options)
     except GlovetrackError as error:
-        parser.error(str(error))
+        raise UsageError(str(error)) from error
     if not has_screen():
-        if args.headless_report is None:
+        if options.headless_report is None:
             print(NO_SCREEN, file=sys.stderr)
             return 1
         do_without()
@@ -73,49 +64,59 @@ def open_window(argv: Sequence[str]) -> int:
     app.setApplicationVersion(__version__)
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
-    try:
-        return _run(app, args) if args.headless_report is None else _report(args)
-    except GlovetrackError as error:
-        print(f"glovetrack: {error}", file=sys.stderr)
-        return 1
+    if options.headless_report is None:
+        return _run(app, options)
+    return _report(options, options.headless_report)
 
 
-def _check_headless(args: argparse.Namespace) -> None:
-    """Raises ConfigError for options that such a run does not have."""
-    if args.session is not None:
+def _check(options: WindowOptions) -> None:
+    """Raises GlovetrackError for options that cannot be used."""
+    _streams(options)
+    with_doors(ConnectionSettings(), options.remote, options.remote_host)
+    if options.wearer is not None:
+        read_text(options.wearer)
+    if options.headless_report is None:
+        return
+    if options.session is not None:
         raise ConfigError("--headless-report cannot be used with a session.")
-    if not 0.0 < args.headless_report < float("inf"):
+    if not 0.0 < options.headless_report < float("inf"):
         raise ConfigError("--headless-report requires a number of seconds greater than 0.")
 
 
-def _report(args: argparse.Namespace) -> int:
+def _streams(options: WindowOptions) -> StreamSettings:
+    return with_streams(
+        StreamSettings(), options.stream, options.stream_host, options.stream_joints
+    )
+
+
+def _report(options: WindowOptions, seconds: float) -> int:
     from app.window.report_files import check_report
 
-    check_report(args.out, args.force)
+    check_report(options.out, options.force)
     # a camera to be simulated starts before the window is even imported
-    camera = None if args.devices else start_camera(choice=_demo(args))
+    camera = None if options.devices else start_camera(choice=_demo(options))
     from app.storage.settings import SettingsStore
     from app.window.headless_report import Connected, Watched, headless_report
     from app.window.sources import demo_factory, hardware_factory
 
     settings = SettingsStore().value
-    if args.baud is not None:
-        settings = replace(settings, baud=args.baud)
+    if options.baud is not None:
+        settings = replace(settings, baud=options.baud)
     watched = Watched("devices", hardware_factory(settings))
     if camera is not None:
-        watched = Watched("demo", demo_factory(_demo(args), camera=camera))
-    connected = Connected(args.streams, args.remote, args.remote_host)
-    return headless_report(args.headless_report, args.out, watched, connected, args.wearer)
+        watched = Watched("demo", demo_factory(_demo(options), camera=camera))
+    connected = Connected(_streams(options), options.remote, options.remote_host)
+    return headless_report(seconds, options.out, watched, connected, options.wearer)
 
 
-def _run(app: QApplication, args: argparse.Namespace) -> int:
+def _run(app: QApplication, options: WindowOptions) -> int:
     from app.platform.compiling import compile_before_start
     from app.platform.crash import CrashWatch, log_folder, log_to_file
     from app.platform.single_instance import Instance, hand_over
     from app.platform.translation import install
     from app.storage.settings import SettingsStore
 
-    if not args.demo and hand_over(args.session):
+    if not options.demo and hand_over(options.session):
         return 0  # the window that is open has it now
     store = SettingsStore()
     install(app, store.value.language)
@@ -123,7 +124,7 @@ def _run(app: QApplication, args: argparse.Namespace) -> int:
     log_to_file(log_folder())
     crashes, instance = CrashWatch(log_folder()), Instance()
     try:
-        return _show(app, args, store, crashes, instance)
+        return _show(app, options, store, crashes, instance)
     finally:
         instance.close()
         crashes.end()
@@ -131,12 +132,12 @@ def _run(app: QApplication, args: argparse.Namespace) -> int:
 
 def _show(
     app: QApplication,
-    args: argparse.Namespace,
+    options: WindowOptions,
     store: SettingsStore,
     crashes: CrashWatch,
     instance: Instance,
 ) -> int:
-    camera = start_camera(choice=_demo(args)) if args.demo else None
+    camera = start_camera(choice=_demo(options)) if options.demo else None
     from app.window.main_window import MainWindow
     from app.window.pauses import keep_pauses_short
 
@@ -144,26 +145,26 @@ def _show(
     instance.asked.connect(window.sources.take_over)
     close_when_told(window)
     keep_pauses_short(window.host)
-    window.outputs.use(args.streams)
-    window.remote.use(args.remote, args.remote_host)
+    window.outputs.use(_streams(options))
+    window.remote.use(options.remote, options.remote_host)
     instance.answer = window.remote.answers.answer_line
-    window.sources.baud = args.baud
-    if args.wearer is not None:
-        window.calibration.profiles.begin_with(args.wearer)
+    window.sources.baud = options.baud
+    if options.wearer is not None:
+        window.calibration.profiles.begin_with(options.wearer)
     window.show()
-    if args.demo:
-        if _demo(args).uses_application:  # once the layout of watching is there
+    if options.demo:
+        if _demo(options).uses_application:  # once the layout of watching is there
             window.host.opened.connect(lambda _setup: window.show_panel("applications"), SingleShot)
-        window.sources.open_demo(_demo(args), camera)
-    elif args.session is not None:
-        window.sources.open_session(args.session)
-    elif args.devices:
+        window.sources.open_demo(_demo(options), camera)
+    elif options.session is not None:
+        window.sources.open_session(options.session)
+    elif options.devices:
         window.sources.open_devices()
     return app.exec()
 
 
-def _demo(args: argparse.Namespace) -> DemoChoice:
-    return DemoChoice(args.fps, args.hands, args.motion, args.lenses, args.scene)
+def _demo(options: WindowOptions) -> DemoChoice:
+    return DemoChoice(options.fps, options.hands, options.motion, options.lenses, options.scene)
 
 
 def close_when_told(window: QWidget) -> None:
@@ -176,94 +177,6 @@ def close_when_told(window: QWidget) -> None:
         if hasattr(signal, name):  # not every system has all of them
             number = getattr(signal, name)
             signal.signal(number, lambda *_: QTimer.singleShot(0, window, window.close))
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="glovetrack", description="Open the Glovetrack window.")
-    parser.add_argument("session", nargs="?", type=Path, help="session to replay")
-    parser.add_argument("--demo", action="store_true", help="start a simulated glove and camera")
-    parser.add_argument(
-        "--devices", action="store_true", help="connect to the glove and the camera"
-    )
-    parser.add_argument(
-        "--baud",
-        type=int,
-        choices=BAUDS,
-        default=None,
-        help="baud rate of the glove for this run (default: from the settings)",
-    )
-    parser.add_argument(
-        "--stream",
-        default="",
-        metavar="NAME[:PORT],…",
-        help=f"streams to enable for this run: {', '.join(stream_kinds())}",
-    )
-    parser.add_argument(
-        "--stream-host",
-        default="",
-        metavar="HOST",
-        help="destination or listening address of the streams",
-    )
-    parser.add_argument(
-        "--stream-joints",
-        default="",
-        choices=("", *JOINT_SETS),
-        metavar="|".join(JOINT_SETS),
-        help="joints to stream: Glovetrack's keypoints, or OpenXR's 26 joints",
-    )
-    parser.add_argument(
-        "--remote",
-        default="",
-        metavar="NAME[:PORT],…",
-        help=f"enable remote control for this run: {', '.join(door_kinds())}",
-    )
-    parser.add_argument(
-        "--remote-host", default="", metavar="HOST", help="listening address for remote control"
-    )
-    parser.add_argument(
-        "--wearer",
-        type=Path,
-        metavar="FILE",
-        help="import this wearer's profile and use it from the start",
-    )
-    parser.add_argument(
-        "--fps",
-        type=float,
-        default=30.0,
-        help="frame rate of the simulated camera, Hz (default: 30)",
-    )
-    parser.add_argument(
-        "--hands", choices=HANDS, default="right", help="hands to simulate in the demo"
-    )
-    parser.add_argument(
-        "--motion",
-        default="",
-        help="hand motion in the demo: a recording, or show:NAME for an application",
-    )
-    parser.add_argument(
-        "--lenses",
-        choices=LENSES,
-        default="both",
-        help="lenses of the simulated camera, or none for no camera",
-    )
-    parser.add_argument(
-        "--scene",
-        choices=SCENES,
-        default="auto",
-        help="background in the demo; auto: a desk if the computer can render it fast enough",
-    )
-    parser.add_argument(
-        "--headless-report",
-        type=float,
-        metavar="SECONDS",
-        default=None,
-        help="run without a window for this long and write a report to --out",
-    )
-    parser.add_argument(
-        "--out", type=Path, default=Path("demo"), help="folder for the report (default: demo)"
-    )
-    parser.add_argument("--force", action="store_true", help="overwrite an earlier report")
-    return parser
 
 
 def do_without() -> None:

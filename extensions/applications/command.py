@@ -1,4 +1,4 @@
-"""``glovetrack apps``."""
+"""``glovetrack apps`` and ``vehicles``."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MOST_VEHICLES = 5000
 
 
 def add_apps(parser: argparse.ArgumentParser) -> None:
-    """Arguments of the command."""
+    """Arguments of ``apps``."""
     parser.add_argument("name", metavar="NAME", help="application name; list prints all of them")
     parser.add_argument(
         "source", type=Path, nargs="?", metavar="SESSION", help="session to use as input"
@@ -75,10 +75,10 @@ def add_apps(parser: argparse.ArgumentParser) -> None:
         help="run the recorded application again and compare the events",
     )
     add_json(parser)
-    parser.set_defaults(func=_apps)
 
 
-def _apps(args: argparse.Namespace) -> int:
+def run_application(args: argparse.Namespace) -> int:
+    """``glovetrack apps``."""
     if args.name == "list":
         from extensions.applications.registry import titles
 
@@ -167,7 +167,8 @@ def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
     return simulated(options, args.on_truth)
 
 
-def _vehicles(args: argparse.Namespace) -> int:
+def simulate_vehicles(args: argparse.Namespace) -> int:
+    """``glovetrack vehicles``."""
     from extensions.applications.swarm.simulated_vehicles import VehicleSimulator
 
     if not 1 <= args.count <= MOST_VEHICLES:
@@ -190,15 +191,8 @@ def _setting(text: str) -> tuple[str, Any]:
         return key, value  # a text
 
 
-def add_commands(commands: Any) -> None:
-    """Add ``apps`` to the sub-parsers of ``glovetrack``."""
-    parser = commands.add_parser(
-        "apps", help="run an application of the hand: touch, swarm, arm, place"
-    )
-    add_apps(parser)
-    vehicles = commands.add_parser(
-        "vehicles", help="simulate vehicles that receive MAVLink over UDP"
-    )
+def add_vehicles(vehicles: argparse.ArgumentParser) -> None:
+    """Arguments of ``vehicles``."""
     vehicles.add_argument(
         "--count", type=int, default=200, metavar="N", help="number of vehicles (default: 200)"
     )
@@ -214,4 +208,3 @@ def add_commands(commands: Any) -> None:
         default=math.inf,
         help="stop after this time (default: run until interrupted)",
     )
-    vehicles.set_defaults(func=_vehicles)

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json
 
 if TYPE_CHECKING:
@@ -14,12 +15,8 @@ if TYPE_CHECKING:
 SIMULATED = "simulated"  # name of a simulated wearer's page in a folder
 
 
-def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add ``conformance``, whose exit status is 1 where a rule is not kept."""
-    parser = subparsers.add_parser(
-        "conformance",
-        help="check hand data against the requirements of robot labs and write an HTML page",
-    )
+def add_conformance(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     parser.add_argument(
         "file", type=Path, nargs="?", metavar="FILE", help="session or Isaac record"
     )
@@ -47,10 +44,10 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
         help="HTML page, or a folder for it (created if missing)",
     )
     add_json(parser)
-    parser.set_defaults(func=_run)
 
 
-def _run(args: argparse.Namespace) -> int:
+def check_conformance(args: argparse.Namespace) -> int:
+    """Exit status 1 if a rule is not fulfilled."""
     from extensions.conformance.page import as_json, page
     from extensions.conformance.run import judge, read_take
     from tracker.base.errors import ConfigError
@@ -120,3 +117,11 @@ def _lines(verdict: Verdict) -> list[str]:
             lines.append(f"{f.status}: {f.layer}, {f.side}: {f.rule}: {f.figure} ({f.limit})")
     kept = sum(f.status == "pass" for f in verdict.findings)
     return [*lines, f"{kept} of {len(verdict.findings)} rules passed."]
+
+
+CONFORMANCE = Command(
+    "conformance",
+    "check hand data against the requirements of robot labs and write an HTML page",
+    check_conformance,
+    add=add_conformance,
+)

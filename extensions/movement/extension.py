@@ -1,7 +1,9 @@
-"""What movement analysis adds to the program."""
+"""What movement science adds to the program: formats of exports and reports."""
 
 from __future__ import annotations
 
+from extensions.movement.report.command import add_report, report
+from tracker.base.command import Command
 from tracker.session.export.formats import COMMON, ExportFormat, Writer
 
 _WITHOUT_UNITS = tuple(name for name in COMMON if name != "units")
@@ -52,4 +54,7 @@ BIDS = ExportFormat(
     _bids,
     folder=True,
     order=150,
+)
+REPORT = Command(
+    "report", "summarize recordings in one HTML page and one table", report, add=add_report
 )

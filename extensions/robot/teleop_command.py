@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def add_teleop(parser: argparse.ArgumentParser) -> None:
-    """Its arguments; ``func`` returns the exit status."""
+    """Its arguments."""
     parser.add_argument("source", type=Path, nargs="?", metavar="IN", help="a session to follow")
     parser.add_argument("-o", "--out", type=Path, help="copy of the session with the robot added")
     parser.add_argument(
@@ -71,10 +71,10 @@ def add_teleop(parser: argparse.ArgumentParser) -> None:
         help="gesture that couples and uncouples the palm",
     )
     add_json(parser)
-    parser.set_defaults(func=_teleop)
 
 
-def _teleop(args: argparse.Namespace) -> int:
+def teleoperate(args: argparse.Namespace) -> int:
+    """Drive the robot hand, or check a recorded drive."""
     from extensions.robot.library import need_mujoco
 
     given = [args.source is not None, args.listen is not None, args.simulate is not None]

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
 
 from tracker.base.terminal import add_force
 
 PAPERS = ("a4", "letter")
 
 
-def add_commands(commands: Any) -> None:
-    """Sub-command ``print``."""
-    parser = commands.add_parser(
-        "print", help="create PDF sheets at true scale for building a glove"
-    )
+def add_print(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     parser.add_argument(
         "what",
         choices=("markers", "wiring", "board"),
@@ -27,10 +23,10 @@ def add_commands(commands: Any) -> None:
     )
     parser.add_argument("--paper", choices=PAPERS, default=PAPERS[0], help="paper size")
     add_force(parser)
-    parser.set_defaults(func=_print)
 
 
-def _print(args: argparse.Namespace) -> int:
+def print_sheets(args: argparse.Namespace) -> int:
+    """Write the PDF file."""
     from extensions.sheets.board import board_page
     from extensions.sheets.markers import marker_pages
     from extensions.sheets.page import save_pages

@@ -15,8 +15,8 @@ from PySide6.QtNetwork import QLocalSocket
 from app.platform import own_socket
 from app.platform.own_socket import ForeignSocket, addresses
 from app.platform.single_instance import Instance, ask, hand_over
-from app.window.remote_command import main as remote
 from tracker.base.errors import GlovetrackError
+from tracker.cli import main
 from tracker.streaming.remote.request import Reply, is_reply
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="sockets of Unix")
@@ -130,7 +130,7 @@ def test_a_squatted_folder_is_an_error_in_words(shared, monkeypatch, name, squat
         folder.chmod(0o777)
     with pytest.raises(ForeignSocket, match="folder of your own"):
         hand_over(None, name)
-    assert remote(["start"]) == 1
+    assert main(["remote", "start"]) == 1
     assert "folder of your own" in capsys.readouterr().err
 
 
@@ -167,7 +167,7 @@ def test_another_users_listener_is_refused(shared, monkeypatch, name, capsys):
         with pytest.raises(ForeignSocket):
             Instance(name)
         monkeypatch.setattr("app.platform.single_instance.server_name", lambda: name)
-        assert remote(["start"]) == 1
+        assert main(["remote", "start"]) == 1
         assert "Trust me" not in "".join(capsys.readouterr())
     finally:
         stranger.end()

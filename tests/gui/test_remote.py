@@ -23,9 +23,9 @@ from app.jobs.remote_answers import MOTOR_HZ
 from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore
-from app.window.remote_command import main
 from tests.gui.gui_fakes import scripted_setup
 from tracker.base.clock import monotonic
+from tracker.cli import main
 from tracker.streaming.remote.client import ask as ask_over_udp
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -338,5 +338,5 @@ def test_the_command_controls_the_window_of_another_process(tmp_path):
 @pytest.mark.parametrize("words", [[], ["dance"], ["note"], ["stop", "--to", "host:x"]])
 def test_wrong_usage_is_told_as_by_every_command(words):
     with pytest.raises(SystemExit) as ended:
-        main(words)
+        main(["remote", *words])
     assert ended.value.code == 2

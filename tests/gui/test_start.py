@@ -35,7 +35,7 @@ def test_the_window_is_imported_without_what_only_devices_and_dialogs_need() -> 
 
 
 def test_commands_are_told_without_numpy_and_qt() -> None:
-    code = "import sys; from tracker.cli import _parser; _parser(); print(*sys.modules)"
+    code = "import sys; from tracker.cli import build_parser as b; b(['-h']); print(*sys.modules)"
     said = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )

@@ -104,9 +104,9 @@ def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
 def test_an_option_of_the_window_opens_it_without_another_word(monkeypatch, word):
     """As the guide to remote control writes it; ``--help`` and ``--version`` are the commands'."""
     opened = []
-    monkeypatch.setattr("app.window.start.open_window", lambda words: opened.append(words) or 0)
-    assert main([word, "x"]) == 0
-    assert opened == [[word, "x"]]
+    monkeypatch.setattr("app.window.start.open_window", lambda options: opened.append(options) or 0)
+    assert main([word, "7"]) == 0
+    assert str(getattr(opened[0], word.strip("-").replace("-", "_"))) in ("7", "7.0")
     with pytest.raises(SystemExit):
         main(["--version"])
     assert len(opened) == 1

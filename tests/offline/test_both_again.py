@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from extensions.movement.report.command import TrackReport
 from resources import folder
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Estimate
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
+from tracker.offline.track_report import TrackReport
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 

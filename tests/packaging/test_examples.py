@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -91,6 +92,24 @@ assert main(["apps", "air-drawing", "t.mcap", "--json", "a.json", "--force"]) ==
 print(json.loads(open("a.json").read())["application"])
 """
     assert run(site, code).splitlines()[-1] == "air-drawing"
+
+
+def test_a_command_is_listed_and_runs(site: Path, tmp_path: Path) -> None:
+    session = str(tmp_path / "s.mcap")
+    code = f"""
+from glovetrack.app.__main__ import main
+assert main(["simulate", "-o", {session!r}, "--duration", "3", "--blobs-only"]) == 0
+assert main(["track", {session!r}, "-o", {session!r} + ".t.mcap"]) == 0
+assert main(["pinches", {session!r} + ".t.mcap", "--closer-mm", "1000"]) == 0
+try:
+    main(["pinches", "x", "--closer-mm", "0"])
+except SystemExit as ended:
+    assert ended.code == 2
+main(["--help"])
+"""
+    text = run(site, code)
+    assert "s.mcap.t.mcap: 0 pinches, " in text, "closed from the first to the last instant"
+    assert re.search(r"pinches\s+count pinches of the thumb and a finger", text)
 
 
 def test_a_camera_driver_is_found(site: Path, tmp_path: Path) -> None:

@@ -16,9 +16,8 @@ from typing import NamedTuple
 
 import pytest
 
-from app.__main__ import WINDOW, main
-from app.window import start
 from tests.firmware.bootloader import Bootloader
+from tracker.cli import build_parser, main
 from tracker.messages import Event
 from tracker.session.reader import SessionReader
 
@@ -62,7 +61,11 @@ def commands(page: Path) -> list[str]:
 
 def needs_a_window(line: str) -> bool:
     words = shlex.split(line)[1:]
-    return not words or words[0] in (*WINDOW, "remote") or words[0].endswith(".mcap")
+    return (
+        not words
+        or words[0] in ("demo", "--demo", "devices", "remote")
+        or words[0].endswith(".mcap")
+    )
 
 
 def run(line: str) -> int:
@@ -193,7 +196,7 @@ def test_the_commands_that_open_a_window_or_talk_to_it(
     opened = {"glovetrack demo", "glovetrack session.mcap"}
     parsed = lines - opened - {f"glovetrack remote {words}" for words in remote}
     assert opened <= lines and parsed == {"glovetrack demo --hands both"}
-    assert start._parser().parse_args(["--demo", "--hands", "both"]).hands == "both"
+    assert build_parser(["demo"]).parse_args(["demo", "--hands", "both"]).hands == "both"
     shutil.copy(sessions.tracked, own_home / "session.mcap")
     program = [sys.executable, "-m", "app"]
     with subprocess.Popen([*program, "demo"], cwd=own_home) as window:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import configparser
 import os
 import re
 import runpy
 import shutil
 import subprocess
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 from types import SimpleNamespace
@@ -88,6 +90,15 @@ def test_the_command_and_the_licence_travel_along(wheel: zipfile.ZipFile) -> Non
     assert any(n.endswith("/licenses/LICENSE") for n in wheel.namelist())
 
 
+def test_entry_points_are_declared_by_their_installed_names(wheel: zipfile.ZipFile) -> None:
+    (name,) = (n for n in wheel.namelist() if n.endswith("/entry_points.txt"))
+    installed = configparser.ConfigParser(delimiters="=")
+    installed.read_string(wheel.read(name).decode())
+    declared = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    for group, declarations in declared["entry-points"].items():
+        assert dict(installed[group]) == {n: f"glovetrack.{v}" for n, v in declarations.items()}
+
+
 def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -> None:
     """Beside a package of that project's own that is called app."""
     wheel.extractall(tmp_path / "site")
@@ -106,7 +117,7 @@ def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -
         text=True,
     )
     assert run.returncode == 0, run.stderr
-    assert "--blobs-only" in run.stdout
+    assert "--blobs-only" in run.stdout, "a command of the registry"
 
 
 def test_imports_are_rewritten_and_nothing_else() -> None:

@@ -4,26 +4,21 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, finish
 
 
-def add_commands(commands: Any) -> None:
-    """Sub-commands ``firmware show`` and ``firmware write``."""
-    parser = commands.add_parser("firmware", help="show or write the glove's firmware")
-    actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
-    show = actions.add_parser(
-        "show", help="show the versions of the bundled firmware and of the connected gloves"
-    )
+def _add_show(show: argparse.ArgumentParser) -> None:
     show.add_argument(
         "port",
         nargs="?",
         help="serial port of the glove, such as /dev/ttyUSB0 or COM5 (default: all ports)",
     )
     add_json(show)
-    show.set_defaults(func=_show)
-    write = actions.add_parser("write", help="write firmware to a glove and verify it")
+
+
+def _add_write(write: argparse.ArgumentParser) -> None:
     write.add_argument("port", help="serial port of the glove, such as /dev/ttyUSB0 or COM5")
     write.add_argument(
         "--glove-id",
@@ -44,7 +39,6 @@ def add_commands(commands: Any) -> None:
         action="store_true",
         help="use the 57600 baud bootloader of early Arduino Nanos",
     )
-    write.set_defaults(func=_write)
 
 
 def _show(args: argparse.Namespace) -> int:
@@ -83,3 +77,13 @@ def _write(args: argparse.Namespace) -> int:
     if after is None:
         print("The glove does not respond yet. Unplug it, then plug it in again.")
     return 0
+
+
+FIRMWARE = Command[argparse.Namespace]("firmware", "show or write the glove's firmware")
+SHOW = Command(
+    "firmware show",
+    "show the versions of the bundled firmware and of the connected gloves",
+    _show,
+    add=_add_show,
+)
+WRITE = Command("firmware write", "write firmware to a glove and verify it", _write, add=_add_write)

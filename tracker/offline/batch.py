@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from extensions.movement.report.command import TrackReport
 from tracker.base.errors import ConfigError
 from tracker.base.files import make_folder
 from tracker.base.workers import (
@@ -21,6 +20,7 @@ from tracker.base.workers import (
 )
 from tracker.offline.options import TrackOptions
 from tracker.offline.track import track
+from tracker.offline.track_report import TrackReport
 from tracker.session.glance import sessions_in
 
 HEAD = ("session", "duration", "mean error", "tracked", "seconds", "")

@@ -1,4 +1,4 @@
-"""The commands ``simulate``, ``track``, ``crop``, ``gaps``, ``fill``, ``light`` and ``teleop``."""
+"""The commands ``simulate``, ``track``, ``crop``, ``light`` and ``colours``."""
 
 from __future__ import annotations
 
@@ -7,12 +7,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from extensions.robot.teleop_command import add_teleop
+from tracker.base.command import Command
 from tracker.base.errors import GlovetrackError
 from tracker.base.terminal import add_force, add_json, check_json, finish, progress_line
-from tracker.offline.gap_commands import add_gap_commands
-from tracker.offline.imports.command import add_import
-from tracker.offline.rig_command import add_rig
 
 if TYPE_CHECKING:
     from tracker.offline.batch import Job
@@ -20,29 +17,6 @@ if TYPE_CHECKING:
 
 
 LENSES_BY_NUMBER = {"2": "both", "1": "one", "0": "none"}
-
-
-def add_commands(commands: Any) -> None:
-    """Add them to the sub-parsers of ``glovetrack``."""
-    _add_simulate(commands.add_parser("simulate", help="simulate a session with known truth"))
-    _add_colours(commands.add_parser("colours", help="fit colours to a recording, or check them"))
-    _add_track(commands.add_parser("track", help="track a recorded session again"))
-    _add_light(
-        commands.add_parser(
-            "light", help="assess the lighting of a recording and suggest improvements"
-        )
-    )
-    _add_crop(commands.add_parser("crop", help="copy part of a session to a new session"))
-    add_gap_commands(commands)
-    add_teleop(
-        commands.add_parser("teleop", help="drive a robot hand from a session or a live stream")
-    )
-    add_rig(
-        commands.add_parser("rig", help="simulate a glove and a camera as devices of this computer")
-    )
-    add_import(
-        commands.add_parser("import", help="create a session from another program's raw IMU data")
-    )
 
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:
@@ -125,7 +99,6 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
         help="start with guided poses, announced in /events and held well (default) or badly",
     )
     add_force(parser)
-    parser.set_defaults(func=_simulate)
 
 
 def _add_track(parser: argparse.ArgumentParser) -> None:
@@ -193,7 +166,6 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
         "--jobs", type=int, metavar="N", help="number of worker processes (default: one per core)"
     )
     parser.add_argument("--dask", default="", metavar="ADDRESS", help="run on this Dask cluster")
-    parser.set_defaults(func=_track)
 
 
 def _add_crop(parser: argparse.ArgumentParser) -> None:
@@ -214,7 +186,6 @@ def _add_crop(parser: argparse.ArgumentParser) -> None:
         help="end, in seconds from the beginning (default: the end)",
     )
     add_json(parser)
-    parser.set_defaults(func=_crop)
 
 
 def _crop(args: argparse.Namespace) -> int:
@@ -234,7 +205,6 @@ def _add_light(parser: argparse.ArgumentParser) -> None:
         "--colours", default="", help="colour profile name or file (default: the session's profile)"
     )
     add_json(parser)
-    parser.set_defaults(func=_light)
 
 
 def _light(args: argparse.Namespace) -> int:
@@ -246,24 +216,24 @@ def _light(args: argparse.Namespace) -> int:
     return 0
 
 
-def _add_colours(parser: argparse.ArgumentParser) -> None:
-    kinds = parser.add_subparsers(title="actions", metavar="fit|check", required=True)
-    fit = kinds.add_parser("fit", help="fit colours to the images of a recording")
-    fit.add_argument("-o", "--out", type=Path, required=True, help="the new colour profile (.toml)")
-    fit.set_defaults(func=_fit_colours)
-    check = kinds.add_parser(
-        "check", help="report found, missed and conflicting markers of each hue"
+def _add_colours_fit(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "-o", "--out", type=Path, required=True, help="the new colour profile (.toml)"
     )
-    check.set_defaults(func=_check_colours)
-    for command in (fit, check):
-        command.add_argument("source", type=Path, metavar="SESSION", help="session with images")
-        command.add_argument(
-            "--colours",
-            default="",
-            help="colour profile name or file (default: the session's profile)",
-        )
-    add_force(fit)
-    add_json(check)
+    _add_coloured(parser)
+    add_force(parser)
+
+
+def _add_colours_check(parser: argparse.ArgumentParser) -> None:
+    _add_coloured(parser)
+    add_json(parser)
+
+
+def _add_coloured(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", type=Path, metavar="SESSION", help="session with images")
+    parser.add_argument(
+        "--colours", default="", help="colour profile name or file (default: the session's profile)"
+    )
 
 
 def _fit_colours(args: argparse.Namespace) -> int:
@@ -369,3 +339,24 @@ def _summary(report: dict[str, Any]) -> str:
     if "error_deg" in report:
         text += f", mean joint angle error {report['error_deg']:.1f}°"
     return text + "."
+
+
+SIMULATE = Command("simulate", "simulate a session with known truth", _simulate, add=_add_simulate)
+TRACK = Command("track", "track a recorded session again", _track, add=_add_track)
+CROP = Command("crop", "copy part of a session to a new session", _crop, add=_add_crop)
+LIGHT = Command(
+    "light",
+    "assess the lighting of a recording and suggest improvements",
+    _light,
+    add=_add_light,
+)
+COLOURS = Command[argparse.Namespace]("colours", "fit colours to a recording, or check them")
+COLOURS_FIT = Command(
+    "colours fit", "fit colours to the images of a recording", _fit_colours, add=_add_colours_fit
+)
+COLOURS_CHECK = Command(
+    "colours check",
+    "report found, missed and conflicting markers of each hue",
+    _check_colours,
+    add=_add_colours_check,
+)

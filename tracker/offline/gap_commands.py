@@ -6,8 +6,9 @@ import argparse
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from tracker.base.command import Command
 from tracker.base.errors import FileError
 from tracker.base.terminal import add_json, check_json, finish, progress_line
 
@@ -15,16 +16,13 @@ if TYPE_CHECKING:
     from tracker.session.gaps.find import Gap
 
 
-def add_gap_commands(commands: Any) -> None:
-    """Add both."""
-    gaps = commands.add_parser("gaps", help="list where and why a hand is not measured")
+def _add_gaps(gaps: argparse.ArgumentParser) -> None:
     gaps.add_argument("source", type=Path, metavar="SESSION", help="session file")
     _add_limit(gaps)
     add_json(gaps)
-    gaps.set_defaults(func=_gaps)
-    fill = commands.add_parser(
-        "fill", help="interpolate gaps of a session and save the result as a new session"
-    )
+
+
+def _add_fill(fill: argparse.ArgumentParser) -> None:
     fill.add_argument("source", type=Path, metavar="SESSION", help="session file")
     fill.add_argument("-o", "--out", type=Path, required=True, help="the new session")
     fill.add_argument(
@@ -54,7 +52,6 @@ def add_gap_commands(commands: Any) -> None:
     )
     _add_limit(fill)
     add_json(fill)
-    fill.set_defaults(func=_fill)
 
 
 def _add_limit(command: argparse.ArgumentParser) -> None:
@@ -123,3 +120,12 @@ def read_gaps(path: Path) -> Sequence[Gap]:
         ]
     except (ValueError, KeyError, TypeError, RecursionError) as error:
         raise FileError(f"{path} is not a list that `glovetrack gaps --json` wrote.") from error
+
+
+GAPS = Command("gaps", "list where and why a hand is not measured", _gaps, add=_add_gaps)
+FILL = Command(
+    "fill",
+    "interpolate gaps of a session and save the result as a new session",
+    _fill,
+    add=_add_fill,
+)

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tracker.base.command import Command
 from tracker.base.files import write_whole
 from tracker.base.terminal import add_force
 
@@ -22,8 +23,7 @@ CALIBRATION = "camera.yml"
 LASTS = 3600.0  # s of motion
 
 
-def add_rig(parser: argparse.ArgumentParser) -> None:
-    """Arguments of the command."""
+def _add_rig(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("folder", type=Path, help="folder for the device files and camera.yml")
     parser.add_argument(
         "--hands",
@@ -58,7 +58,6 @@ def add_rig(parser: argparse.ArgumentParser) -> None:
         "Commands on standard input: 'unplug left' and 'plug left' (or right) disconnect and "
         "reconnect a glove; 'board' shows a calibration board to the camera, 'hand' the hand."
     )
-    parser.set_defaults(func=_rig)
 
 
 def _rig(args: argparse.Namespace) -> int:
@@ -154,3 +153,8 @@ def _calibration(rig: StereoRig) -> str:
         return calibration_text(left, note=words)
     T = np.array([-rig.baseline, 0.0, 0.0])
     return calibration_text(left, right, np.eye(3), T, words)
+
+
+RIG = Command(
+    "rig", "simulate a glove and a camera as devices of this computer", _rig, add=_add_rig
+)

@@ -9,7 +9,6 @@ from typing import Protocol
 
 import numpy as np
 
-from extensions.movement.report.command import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.engine.hands import Hands, Sided
 from tracker.engine.pipeline import ANOTHER, Pipeline
 from tracker.engine.side_watch import SideWatch
@@ -29,6 +28,7 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.offline.own_colours import OwnColours
+from tracker.offline.track_report import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.online.colour_watch import ColourWatch
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame

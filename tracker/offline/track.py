@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from extensions.movement.report.command import TrackReport, TruthCheck
 from tracker import __version__
 from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError, FileError
@@ -40,6 +39,7 @@ from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.repeats import Repeats
 from tracker.offline.runs import Fed, LiveRun, NoOutput, Output, SessionRun, arrival
+from tracker.offline.track_report import TrackReport, TruthCheck
 from tracker.online.camera_tilt import CameraTilt
 from tracker.session.arithmetic import arithmetic
 from tracker.session.description import COLOURS, SETTINGS, SessionInfo

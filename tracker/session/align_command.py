@@ -6,12 +6,11 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, check_json, finish
 
 
-def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Its arguments."""
-    command = subparsers.add_parser("align", help="find the time offset between two recordings")
+def _add_align(command: argparse.ArgumentParser) -> None:
     command.add_argument("first", type=Path, metavar="A", help="reference session")
     command.add_argument("second", type=Path, metavar="B", help="session to align with A")
     command.add_argument(
@@ -27,7 +26,6 @@ def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -
         "--figure", type=Path, metavar="PNG", help="plot both recordings on one time axis"
     )
     add_json(command)
-    command.set_defaults(func=_align)
 
 
 def _align(args: argparse.Namespace) -> int:
@@ -52,3 +50,6 @@ def _align(args: argparse.Namespace) -> int:
         )
     finish(args, asdict(found), [f"{line}."], files)
     return 0
+
+
+ALIGN = Command("align", "find the time offset between two recordings", _align, add=_add_align)

@@ -1,4 +1,4 @@
-"""The sub-commands export, info, verify, recover, report and compare."""
+"""The commands ``export``, ``info``, ``verify``, ``recover`` and ``compare``."""
 
 from __future__ import annotations
 
@@ -7,52 +7,47 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, check_json, finish, printable
-from tracker.session.align_command import add_align
 
 if TYPE_CHECKING:
     from tracker.session.verify import FileFinding
 
 
-def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the sub-commands; each sets ``func``, which returns the exit status."""
-    _add_export(subparsers)
-    for name, func, text in (
-        ("info", _info, "show the contents of a session"),
-        ("verify", _verify, "check sessions for damage"),
-        ("recover", _recover, "recover a damaged recording"),
-    ):
-        command = subparsers.add_parser(name, help=text)
-        if name == "verify":
-            command.add_argument(
-                "files",
-                type=Path,
-                nargs="+",
-                metavar="FILE",
-                help="sessions or folders of sessions",
-            )
-        else:
-            command.add_argument("file", type=Path, metavar="FILE", help="session file")
-        if name == "info":
-            command.add_argument(
-                "--latency",
-                action="store_true",
-                help="also report the latency of vibration motors and robots",
-            )
-        add_json(command)
-        command.set_defaults(func=func)
-        if name == "recover":
-            command.add_argument(
-                "-o",
-                "--output",
-                type=Path,
-                metavar="OUT",
-                help="the recovered session (default: FILE_recovered.mcap)",
-            )
-    _add_report(subparsers)
-    command = subparsers.add_parser(
-        "compare", help="list the differences between two trackings of a session"
+def _add_file(command: argparse.ArgumentParser) -> None:
+    command.add_argument("file", type=Path, metavar="FILE", help="session file")
+
+
+def _add_info(command: argparse.ArgumentParser) -> None:
+    _add_file(command)
+    command.add_argument(
+        "--latency",
+        action="store_true",
+        help="also report the latency of vibration motors and robots",
     )
+    add_json(command)
+
+
+def _add_verify(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "files", type=Path, nargs="+", metavar="FILE", help="sessions or folders of sessions"
+    )
+    add_json(command)
+
+
+def _add_recover(command: argparse.ArgumentParser) -> None:
+    _add_file(command)
+    command.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="OUT",
+        help="the recovered session (default: FILE_recovered.mcap)",
+    )
+    add_json(command)
+
+
+def _add_compare(command: argparse.ArgumentParser) -> None:
     command.add_argument("first", type=Path, metavar="A", help="session A")
     command.add_argument("second", type=Path, metavar="B", help="session B, compared with A")
     command.add_argument("--figure", type=Path, metavar="PNG", help="plot the differences")
@@ -63,15 +58,12 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
         help="shift B to A's time by the result of `glovetrack align`",
     )
     add_json(command)
-    command.set_defaults(func=_compare)
-    add_align(subparsers)
 
 
-def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def _add_export(command: argparse.ArgumentParser) -> None:
     from tracker.session.export.formats import FORMATS
     from tracker.session.export.options import AXES_NAMES, HIDEABLE, PERSONAL, UNITS, VIEWS
 
-    command = subparsers.add_parser("export", help="convert a session to another format")
     command.add_argument(
         "files",
         type=Path,
@@ -120,7 +112,6 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     )
     _add_dataset(command)
     add_json(command)
-    command.set_defaults(func=_export)
 
 
 def _add_dataset(command: argparse.ArgumentParser) -> None:
@@ -181,40 +172,6 @@ def _asked_task(args: argparse.Namespace) -> str:
     if FORMATS.get(args.format).dataset is None or args.split or not sys.stdin.isatty():
         return ""
     return input("Task in these sessions (Enter: use the tasks stored in them): ").strip()
-
-
-def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    command = subparsers.add_parser(
-        "report", help="summarize recordings in one HTML page and one table"
-    )
-    command.add_argument(
-        "sessions", type=Path, nargs="+", metavar="SESSION", help="sessions or folders of sessions"
-    )
-    command.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        required=True,
-        metavar="REPORT.html",
-        help="the HTML page; the table is written next to it",
-    )
-    command.add_argument(
-        "--anonymous", action="store_true", help="omit names of recordings and participants"
-    )
-    add_json(command)
-    command.set_defaults(func=_report)
-
-
-def _report(args: argparse.Namespace) -> int:
-    from extensions.movement.report.numbers import as_json
-    from extensions.movement.report.write import write_report
-    from tracker.session.glance import sessions_in
-
-    paths = [path for path, _ in sessions_in(args.sessions)]
-    check_json(args, paths)
-    takes = write_report(paths, args.output, args.anonymous, args.force)
-    finish(args, as_json(takes), [f"{args.output}: {len(takes)} recordings"], [*paths, args.output])
-    return 0
 
 
 def _info(args: argparse.Namespace) -> int:
@@ -342,3 +299,15 @@ def _compare(args: argparse.Namespace) -> int:
     lines += _made_on(found["made_on"], found["identical"])
     finish(args, found, lines, inputs)
     return 0
+
+
+EXPORT = Command("export", "convert a session to another format", _export, add=_add_export)
+INFO = Command("info", "show the contents of a session", _info, add=_add_info)
+VERIFY = Command("verify", "check sessions for damage", _verify, add=_add_verify)
+RECOVER = Command("recover", "recover a damaged recording", _recover, add=_add_recover)
+COMPARE = Command(
+    "compare",
+    "list the differences between two trackings of a session",
+    _compare,
+    add=_add_compare,
+)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tracker.base.terminal import add_json
 
@@ -11,19 +11,15 @@ if TYPE_CHECKING:
     from extensions.evaluation.faults.drill import DrillReport
 
 
-def add_evaluate_faults(protocols: Any) -> None:
-    """Adds ``faults`` to the sub-parsers of ``evaluate``."""
-    parser: argparse.ArgumentParser = protocols.add_parser(
-        "faults",
-        help="inject random faults into a simulated glove and camera and check the tracking",
-    )
+def add_faults(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     parser.add_argument("--count", type=int, default=1000, help="number of faults (default: 1000)")
     parser.add_argument("--seed", type=int, default=1, help="random seed")
     add_json(parser)
-    parser.set_defaults(func=_run)
 
 
-def _run(args: argparse.Namespace) -> int:
+def evaluate_faults(args: argparse.Namespace) -> int:
+    """Exit status 1 if an error was not reported."""
     from extensions.evaluation.faults.drill import drill
     from tracker.base.terminal import check_json, finish, progress_line
 

@@ -13,13 +13,8 @@ if TYPE_CHECKING:
     from extensions.evaluation.gestures.score import GestureScore, Held
 
 
-def add_evaluate_gestures(
-    subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
-) -> None:
-    """Adds the protocol; its ``func`` returns the exit status."""
-    parser = subparsers.add_parser(
-        "gestures", help="score gesture recognition on simulated or recorded hands"
-    )
+def add_gestures(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     parser.add_argument(
         "--people", type=int, default=8, metavar="N", help="number of simulated people (default: 8)"
     )
@@ -43,10 +38,10 @@ def add_evaluate_gestures(
         help="use recorded hand motion instead of simulated people",
     )
     add_json(parser)
-    parser.set_defaults(func=_evaluate)
 
 
-def _evaluate(args: argparse.Namespace) -> int:
+def evaluate_gestures(args: argparse.Namespace) -> int:
+    """Score and print."""
     from extensions.evaluation.gestures.score import score
 
     check_json(args, args.motion)

@@ -17,13 +17,8 @@ LONGEST_RATIO, LONGEST_OFF = 1.2, 0.2
 """Goals: error together over error alone, and s for which a hand may be off at most."""
 
 
-def add_evaluate_hands(protocols: Any) -> None:
-    """Adds ``hands`` to the sub-parsers of ``evaluate``."""
-    parser: argparse.ArgumentParser = protocols.add_parser(
-        "hands",
-        help="track two simulated hands that cross and occlude each other; compare with each "
-        "hand alone, and with each hand occluded by a hand without markers",
-    )
+def add_hands(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     parser.add_argument(
         "--pairs", type=int, default=20, metavar="N", help="number of pairs of hands (default: 20)"
     )
@@ -43,10 +38,10 @@ def add_evaluate_hands(protocols: Any) -> None:
         help="number of worker processes (default: 1)",
     )
     add_json(parser)
-    parser.set_defaults(func=_run)
 
 
-def _run(args: argparse.Namespace) -> int:
+def evaluate_hands(args: argparse.Namespace) -> int:
+    """Track the pairs and print the figures."""
     from extensions.evaluation.hands.trial import run_trial
     from tracker.base.terminal import check_json, finish, progress_line
     from tracker.base.workers import WorkItem, run_all, some_workers

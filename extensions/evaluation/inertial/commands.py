@@ -8,14 +8,8 @@ from pathlib import Path
 from tracker.base.terminal import add_json
 
 
-def add_evaluate_inertial(
-    subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
-) -> None:
-    """Adds the sub-command ``inertial``."""
-    p = subparsers.add_parser(
-        "inertial",
-        help="estimate finger angles from IMUs, following the protocol of Lemak et al. 2020",
-    )
+def add_inertial(p: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     add_json(p)
     p.add_argument(
         "--broad", type=Path, metavar="DIR", help="folder with recordings of the BROAD data set"
@@ -26,10 +20,9 @@ def add_evaluate_inertial(
     )
     p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures (PNG)")
     p.add_argument("--quick", action="store_true", help="fewer durations and seeds, 100 Hz only")
-    p.set_defaults(func=_run)
 
 
-def _run(args: argparse.Namespace) -> int:
+def evaluate_inertial_command(args: argparse.Namespace) -> int:
     """Imported here, so that other commands start without numba and matplotlib."""
     from extensions.evaluation.inertial.report import evaluate_inertial
 

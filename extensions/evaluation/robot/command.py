@@ -11,13 +11,8 @@ from tracker.base.terminal import add_json, check_json, finish, progress_line
 GOAL_MM = 5.0
 
 
-def add_evaluate_robot(
-    subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
-) -> None:
-    """Adds the protocol; its ``func`` returns the exit status."""
-    parser = subparsers.add_parser(
-        "robot", help="evaluate a robot hand that follows a wearer and picks up a cube"
-    )
+def add_robot(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     parser.add_argument(
         "--trials",
         type=int,
@@ -46,10 +41,10 @@ def add_evaluate_robot(
         "--model", default="shadow", help="robot hand: a name, or the path of an MJCF file"
     )
     add_json(parser)
-    parser.set_defaults(func=_evaluate)
 
 
-def _evaluate(args: argparse.Namespace) -> int:
+def evaluate_robot(args: argparse.Namespace) -> int:
+    """Run the trials and print the figures."""
     try:
         from extensions import robot as _extension  # noqa: F401
     except ImportError as error:

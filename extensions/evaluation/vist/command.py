@@ -19,11 +19,8 @@ ENGINES_OF = {"both": ("chain", "vist"), "one": ("chain",), "none": ("inertial",
 """What is judged with so many lenses if no engine is named."""
 
 
-def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Adds the sub-command."""
-    p = subparsers.add_parser(
-        "vist", help="track simulated hands in the three experiments of Lee et al. 2021"
-    )
+def add_vist(p: argparse.ArgumentParser) -> None:
+    """Its arguments."""
     p.add_argument(
         "--participants",
         type=_count,
@@ -128,7 +125,6 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
     )
     add_json(p)
     p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures and an HTML report")
-    p.set_defaults(func=run)
 
 
 def _words(text: str) -> tuple[str, ...]:

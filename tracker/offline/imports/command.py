@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.base.command import Command
 from tracker.base.terminal import add_json, check_json, finish
 
 
-def add_import(parser: argparse.ArgumentParser) -> None:
-    """Its arguments."""
+def _add_import(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "sources", type=Path, nargs="+", metavar="IN", help="CSV or .mat files, or x-IMU3 folders"
     )
@@ -26,7 +26,6 @@ def add_import(parser: argparse.ArgumentParser) -> None:
         help="assign a file to an IMU of the glove, such as dorsum=hand_right; can be repeated",
     )
     add_json(parser)
-    parser.set_defaults(func=_import)
 
 
 def _import(args: argparse.Namespace) -> int:
@@ -43,3 +42,11 @@ def _import(args: argparse.Namespace) -> int:
     ]
     finish(args, report, lines, [*args.sources, args.out])
     return 0
+
+
+IMPORT = Command(
+    "import",
+    "create a session from another program's raw IMU data",
+    _import,
+    add=_add_import,
+)

@@ -1,0 +1,56 @@
+"""What evaluation adds to the program."""
+
+from __future__ import annotations
+
+import argparse
+
+from extensions.evaluation.faults.command import add_faults, evaluate_faults
+from extensions.evaluation.gestures.command import add_gestures, evaluate_gestures
+from extensions.evaluation.hands.command import add_hands, evaluate_hands
+from extensions.evaluation.inertial.commands import add_inertial, evaluate_inertial_command
+from extensions.evaluation.robot.command import add_robot, evaluate_robot
+from extensions.evaluation.vist.command import add_vist
+from extensions.evaluation.vist.command import run as evaluate_vist
+from tracker.base.command import Command
+
+EVALUATE = Command[argparse.Namespace](
+    "evaluate", "run the papers' evaluation protocols, or simulate device faults"
+)
+VIST = Command(
+    "evaluate vist",
+    "track simulated hands in the three experiments of Lee et al. 2021",
+    evaluate_vist,
+    add=add_vist,
+)
+INERTIAL = Command(
+    "evaluate inertial",
+    "estimate finger angles from IMUs, following the protocol of Lemak et al. 2020",
+    evaluate_inertial_command,
+    add=add_inertial,
+)
+FAULTS = Command(
+    "evaluate faults",
+    "inject random faults into a simulated glove and camera and check the tracking",
+    evaluate_faults,
+    add=add_faults,
+)
+GESTURES = Command(
+    "evaluate gestures",
+    "score gesture recognition on simulated or recorded hands",
+    evaluate_gestures,
+    add=add_gestures,
+)
+HANDS = Command(
+    "evaluate hands",
+    "track two simulated hands that cross and occlude each other; compare with each hand alone, "
+    "and with each hand occluded by a hand without markers",
+    evaluate_hands,
+    add=add_hands,
+)
+ROBOT = Command(
+    "evaluate robot",
+    "evaluate a robot hand that follows a wearer and picks up a cube",
+    evaluate_robot,
+    add=add_robot,
+    extra="robot",
+)

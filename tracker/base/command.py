@@ -1,0 +1,68 @@
+"""Commands of ``glovetrack``: what describes one, and the registry of all."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+from tracker.base.arguments import add_options, options_of
+from tracker.base.errors import ConfigError
+from tracker.base.registry import Registry
+
+O = TypeVar("O")  # noqa: E741 (options)
+
+
+class UsageError(ConfigError):
+    """Arguments that contradict each other: exit status 2, with the command's usage."""
+
+
+@dataclass(frozen=True)
+class Command(Generic[O]):
+    """A command; the entry point of ``evaluate vist`` is named ``evaluate.vist``.
+
+    Without ``run`` it is a group, whose sub-commands are the entry points below its name; any
+    package may declare more of them.
+    """
+
+    name: str
+    help: str
+    """One line of ``glovetrack --help``, without a full stop."""
+    run: Callable[[O], int | None] | None = None
+    """Does the work; returns the exit status (None: 0). It takes an instance of ``options`` or,
+    without these, the ``argparse.Namespace``. A `GlovetrackError` is printed, exit status 1."""
+    options: type[O] | None = None
+    """A dataclass: each field is an argument (`tracker.base.arguments`)."""
+    add: Callable[[argparse.ArgumentParser], None] | None = None
+    """Adds arguments to the command's parser, in place of or in addition to ``options``."""
+    description: str = ""
+    """A paragraph for ``glovetrack NAME --help``."""
+    extra: str = ""
+    """The optional dependencies that it needs, as in ``pip install "glovetrack[EXTRA]"``."""
+    opens_window: bool = False
+    """Whether it runs an event loop that handles signals itself."""
+
+    def fill(self, parser: argparse.ArgumentParser) -> None:
+        """Add the command's arguments to its parser."""
+        if self.options is not None:
+            add_options(parser, self.options)
+        if self.add is not None:
+            self.add(parser)
+
+    def start(self, args: argparse.Namespace) -> int:
+        """Run the command with parsed arguments; returns the exit status."""
+        assert self.run is not None, "a group has no run"
+        run: Callable[..., int | None] = self.run
+        try:
+            return run(args if self.options is None else options_of(self.options, args)) or 0
+        except ImportError as error:
+            if not self.extra:
+                raise
+            raise ConfigError(
+                f"The command {self.name} requires more packages ({error}): "
+                f'pip install "glovetrack[{self.extra}]".'
+            ) from error
+
+
+COMMANDS: Registry[Command] = Registry("commands", "command", Command)
