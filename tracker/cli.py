@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from tracker import __version__
 from tracker.base.command import COMMANDS, Command, UsageError
 from tracker.base.damage import gather, sentences
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.files import disk_error
+from tracker.base.logs import add_log_options, logging_to
 from tracker.base.terminal import printable, stopped_by_signals, words_on_standard_output
 
 BEFORE_COMMANDS = ("--help", "--version")
@@ -28,19 +29,13 @@ NOT_INSTALLED = (
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
-    words = _with_window(sys.argv[1:] if argv is None else argv)
+    words = with_window(sys.argv[1:] if argv is None else argv)
     try:
         if not COMMANDS.names():
             raise ConfigError(NOT_INSTALLED)
         args = build_parser(words).parse_args(words)
-        command: Command = args.command
-        if command.opens_window:
-            return command.start(args)
-        with stopped_by_signals(), words_on_standard_output(), gather() as left_out:
-            status = command.start(args)
-            for text in sentences(left_out):
-                print(f"glovetrack: {printable(text)}", file=sys.stderr)
-            return status
+        with logging_to(args.log_level, args.log_file):
+            return _run(args.command, args)
     except UsageError as error:
         args.parser.error(printable(str(error)))
     except GlovetrackError as error:
@@ -55,7 +50,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 1
 
 
-def _with_window(words: Sequence[str]) -> list[str]:
+def _run(command: Command, args: argparse.Namespace) -> int:
+    if command.opens_window:
+        return command.start(args)
+    with stopped_by_signals(), words_on_standard_output(), gather() as left_out:
+        status = command.start(args)
+        for text in sentences(left_out):
+            print(f"glovetrack: {printable(text)}", file=sys.stderr)
+        return status
+
+
+def with_window(words: Sequence[str]) -> list[str]:
     """``words`` with the command ``window`` where they start with none: with a session, or with an
     option that no command has before its name, as ``--remote udp``."""
     option = bool(words) and words[0].startswith("--") and words[0] not in BEFORE_COMMANDS
@@ -98,7 +103,28 @@ def _add_commands(
         child.set_defaults(command=command, parser=child)
         if command.run is None:
             _add_commands(child, (*group, name), words if words is None else words[1:])
+            continue
         command.fill(child)
+        for leaf in _leaves(child):
+            add_log_options(leaf)
+
+
+def _leaves(parser: argparse.ArgumentParser) -> Iterator[argparse.ArgumentParser]:
+    """The parser itself, or those below it if it is a command's own group."""
+    inner = subparsers_of(parser)
+    if inner is None:
+        yield parser
+        return
+    for below in inner.choices.values():
+        yield from _leaves(below)
+
+
+def subparsers_of(
+    parser: argparse.ArgumentParser,
+) -> argparse._SubParsersAction[argparse.ArgumentParser] | None:
+    """What chooses between the parser's sub-commands, if it has any."""
+    found = (a for a in parser._actions if isinstance(a, argparse._SubParsersAction))
+    return next(found, None)
 
 
 def _names_in(group: tuple[str, ...]) -> list[str]:

@@ -26,6 +26,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.words import tr
 from tracker import __version__
+from tracker.base.logs import FORMAT
 
 _log = logging.getLogger(__name__)
 LOG_BYTES, LOG_FILES = 1_000_000, 3
@@ -39,15 +40,16 @@ def log_folder() -> Path:
 
 
 def log_to_file(folder: Path) -> None:
-    """Let Python's loggers write to ``glovetrack.log``, a megabyte thrice at most."""
+    """Let Python's loggers write to ``glovetrack.log``, three files of 1 MB at most.
+
+    `tracker.base.logs` sets the level.
+    """
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     handler = RotatingFileHandler(
         folder / "glovetrack.log", maxBytes=LOG_BYTES, backupCount=LOG_FILES - 1, encoding="utf-8"
     )
-    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
-    root = logging.getLogger()
-    root.addHandler(handler)
-    root.setLevel(logging.INFO)
+    handler.setFormatter(logging.Formatter(FORMAT))
+    logging.getLogger().addHandler(handler)
 
 
 class CrashWatch(QObject):

@@ -15,7 +15,7 @@ from tracker.streaming.remote.client import ask as ask_over_udp
 from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
 
 NOBODY = "No window is open. Open one with `glovetrack`."
-_NOT_SENT = ("json", "force", "to", "command", "parser")
+_NOT_SENT = ("json", "force", "to", "command", "parser", "log_level", "log_file")
 
 
 def control(args: argparse.Namespace) -> int:
