@@ -80,7 +80,8 @@ def build_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParser:
         "an open window.",
     )
     parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
-    _add_commands(parser, (), words)
+    if words is None or words[:1] != ["--version"]:
+        _add_commands(parser, (), words)
     return parser
 
 

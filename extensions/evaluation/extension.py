@@ -1,8 +1,6 @@
-"""What evaluation adds to the program."""
+"""What evaluation adds to the program; `group.py` describes the command above these."""
 
 from __future__ import annotations
-
-import argparse
 
 from extensions.evaluation.faults.command import add_faults, evaluate_faults
 from extensions.evaluation.gestures.command import add_gestures, evaluate_gestures
@@ -13,9 +11,6 @@ from extensions.evaluation.vist.command import add_vist
 from extensions.evaluation.vist.command import run as evaluate_vist
 from tracker.base.command import Command
 
-EVALUATE = Command[argparse.Namespace](
-    "evaluate", "run the papers' evaluation protocols, or simulate device faults"
-)
 VIST = Command(
     "evaluate vist",
     "track simulated hands in the three experiments of Lee et al. 2021",

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 
 from tracker.base.channels import Closed, Fifo
 from tracker.base.errors import GlovetrackError
 from tracker.engine.hands import Hands, Sided
 from tracker.messages import BlobFrame, Estimate
+
+_log = logging.getLogger(__name__)
 
 WAIT = 0.05  # s that the thread waits before it looks whether it should end
 MOST_WAITING = 500  # messages, 4 s: a machine too slow for two engines loses some here
@@ -49,7 +52,10 @@ class ReferenceEngine:
                 message = self._inbox.get(WAIT)
                 if message is not None:
                     self._feed(message)
-        except (Closed, GlovetrackError):
+        except Closed:
+            self._estimates = {}
+        except GlovetrackError as error:
+            _log.warning("The second engine has ended: %s", error, exc_info=True)
             self._estimates = {}  # it shows no hand any more rather than an old one
 
     def _feed(self, message: Sided | BlobFrame) -> None:

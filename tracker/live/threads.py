@@ -74,6 +74,7 @@ class ThreadGroup:
         return late
 
     def _run(self, name: str, step: Callable[[], None], soon: bool) -> None:
+        _log.info("The %s thread has started", name)
         if soon:
             run_soon()
         try:

@@ -6,6 +6,7 @@ the oldest estimates, which are counted. The engine's threads only put estimates
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections import deque
@@ -15,6 +16,8 @@ from dataclasses import dataclass, field
 from tracker.base.channels import Backlog, Closed
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
+
+_log = logging.getLogger(__name__)
 
 BACKLOG = 50  # estimates: half a second, after which a live client is better off without them
 RATE_WINDOW = 3.0  # s over which rates are counted
@@ -133,6 +136,8 @@ class _Output:
             self._publisher.send(estimate)
         except Exception as error:  # noqa: BLE001 - one output's fault must not end the others
             self._failed += 1
+            if not self._error:  # once, until it works again
+                _log.warning("The stream %s failed", self._publisher.name, exc_info=True)
             self._tell(str(error) or type(error).__name__)
         else:
             self._sent += 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 
@@ -11,6 +12,8 @@ from app.engines.replay.sights import sights
 from app.engines.replay.transport import Transport
 from tracker.base.errors import GlovetrackError
 from tracker.messages import Estimate, Event
+
+_log = logging.getLogger(__name__)
 
 IDLE_S = 0.03
 LEAD_IN_S = 0.12  # read before the position asked for: an image is older than its blobs
@@ -53,6 +56,7 @@ class ReplayThread:
                 start, transport.seek_to = transport.seek_to, None
                 self._play_from(start)
             except GlovetrackError as error:  # damaged here; elsewhere it may be whole
+                _log.warning("Replay stopped at %.3f s: %s", transport.position, error)
                 transport.playing = False
                 self._hands.tell(Event(0.0, "error", str(error)))
 

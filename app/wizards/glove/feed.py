@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections import deque
@@ -18,6 +19,8 @@ from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.protocol import BAUD
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
+
+_log = logging.getLogger(__name__)
 
 KEPT = 12.0  # s of samples
 WAIT = 0.05
@@ -114,6 +117,7 @@ class PortFeed:
         while not self._stopping.is_set():
             for item in self._link.poll(WAIT):
                 if isinstance(item, Event):
+                    _log.info("The glove's link: %s", item.text)
                     self.trouble = item.text
                 else:
                     self._keep(item)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import threading
 from collections.abc import Callable, Sequence
@@ -20,6 +21,8 @@ from tracker.calibration.stereo.views import (
     sizes_of,
 )
 from tracker.sensors.image_input import ImageInput, Pair
+
+_log = logging.getLogger(__name__)
 
 NO_IMAGE = 0.05  # s to wait where the device has none
 
@@ -86,12 +89,14 @@ class BoardWatcher:
             source = self._make_source()
             source.open()
         except GlovetrackError as error:
+            _log.warning("The camera cannot be opened: %s", error)
             self.trouble, self.ended = told(str(error)), True
             return
         self.live = source.live
         try:
             self._read(source)
         except GlovetrackError as error:
+            _log.warning("Reading the camera has ended: %s", error)
             self.trouble = told(str(error))
         finally:
             source.close()
