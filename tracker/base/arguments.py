@@ -26,6 +26,14 @@ def argument(help: str, *flags: str, **more: Any) -> Mapping[str, Any]:
     return {ARGUMENT: (flags, {"help": help} | more)}
 
 
+def thousandths(text: str) -> float:
+    """The ``type`` of an argument in mm or ms whose field is in m or s."""
+    try:
+        return float(text) / 1000
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"invalid float value: {text!r}") from None
+
+
 def add_options(parser: argparse._ActionsContainer, options: type[Any]) -> None:
     """Add an argument for each field of the dataclass ``options`` that has `argument` metadata."""
     hints = get_type_hints(options)

@@ -7,97 +7,19 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tracker.base.arguments import add_options, options_of
 from tracker.base.command import Command
 from tracker.base.errors import GlovetrackError
 from tracker.base.terminal import add_force, add_json, check_json, finish, progress_line
+from tracker.offline.options import LENSES_BY_NUMBER, USUAL, SimulateOptions, TrackOptions
 
 if TYPE_CHECKING:
     from tracker.offline.batch import Job
-    from tracker.offline.options import TrackOptions
-
-
-LENSES_BY_NUMBER = {"2": "both", "1": "one", "0": "none"}
 
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--out", type=Path, required=True, help="the new session (.mcap)")
-    parser.add_argument(
-        "--motion",
-        default="",
-        help="recorded hand motion (Qualisys TSV, Leap or BVH file), or motion for an "
-        "application: show:touch, show:arm, show:swarm or show:place",
-    )
-    parser.add_argument("--seed", type=int, default=0, help="random seed")
-    parser.add_argument(
-        "--person",
-        type=int,
-        metavar="SEED",
-        help="simulate the same person as the session with --seed SEED, after putting the glove "
-        "on again",
-    )
-    parser.add_argument(
-        "--duration", type=float, default=60.0, help="duration in seconds (default: 60)"
-    )
-    parser.add_argument(
-        "--fps", type=float, default=60.0, help="frame rate of the camera, Hz (default: 60)"
-    )
-    parser.add_argument(
-        "--hands",
-        choices=("left", "right", "both"),
-        default="right",
-        help="hands to simulate; if both, they touch and cross",
-    )
-    parser.add_argument(
-        "--glove", default="", help="glove name or file (default: the standard glove for that side)"
-    )
-    parser.add_argument(
-        "--hand", default="", help="hand name or file (default: the hand of the glove file)"
-    )
-    parser.add_argument("--blobs-only", action="store_true", help="write blobs instead of images")
-    parser.add_argument(
-        "--scene",
-        choices=("plain", "painted", "photo", "desk"),
-        default="plain",
-        help="background; desk also simulates the room lighting and the camera's noise and blur",
-    )
-    parser.add_argument(
-        "--photo", default="", metavar="FILE", help="background image for --scene photo"
-    )
-    parser.add_argument(
-        "--light",
-        choices=("window", "lamp", "led", "dim"),
-        default="",
-        help="lighting of the desk: daylight from a window (default), a 2700 K lamp, LEDs, or a "
-        "dim room",
-    )
-    parser.add_argument(
-        "--lenses",
-        choices=(*LENSES_BY_NUMBER.values(), *LENSES_BY_NUMBER),
-        default="both",
-        help="number of lenses: both (or 2), one (or 1), or none (or 0), a glove without a camera",
-    )
-    parser.add_argument(
-        "--right-late-ms",
-        type=float,
-        default=0.0,
-        metavar="MS",
-        help="delay of the right camera's exposure after the left one's",
-    )
-    parser.add_argument(
-        "--camera",
-        choices=("stand", "head", "head-imu"),
-        default="stand",
-        help="fixed on a stand; on the wearer's head with a known pose (head); or on the head "
-        "with only its own IMU (head-imu)",
-    )
-    parser.add_argument(
-        "--guided",
-        nargs="?",
-        const="well",
-        default="",
-        choices=("well", "badly"),
-        help="start with guided poses, announced in /events and held well (default) or badly",
-    )
+    add_options(parser, SimulateOptions)
     add_force(parser)
 
 
@@ -112,55 +34,7 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
         required=True,
         help="the new session; for several inputs, a folder",
     )
-    parser.add_argument(
-        "--engine",
-        default="",
-        help="chain, vist, switching, madgwick or inertial (needs no camera); default: the "
-        "recorded engine, or inertial for a session without a camera",
-    )
-    parser.add_argument(
-        "--settings",
-        default="",
-        metavar="FILE|default",
-        help="settings file (.toml), or the word default for the defaults of this version; "
-        "without this option, the recorded settings are used",
-    )
-    parser.add_argument("--hand", default="", help="hand name or file (default: the recorded hand)")
-    parser.add_argument(
-        "--glove", default="", help="glove name or file (default: the recorded glove)"
-    )
-    parser.add_argument(
-        "--colours", default="", help="colour profile name or file (default: the recorded profile)"
-    )
-    parser.add_argument(
-        "--lenses", default="", choices=("left", "right"), help="use only the images of this lens"
-    )
-    parser.add_argument(
-        "--wearer",
-        default="",
-        metavar="FILE",
-        help="wearer's profile (.toml); for both hands, two files separated by a comma",
-    )
-    parser.add_argument(
-        "--hand-length",
-        type=float,
-        default=0.0,
-        metavar="MM",
-        help="length of the wearer's hand, measured with a ruler",
-    )
-    parser.add_argument(
-        "--keep-wearer",
-        default="",
-        metavar="FILE",
-        help="save the wearer's profile; for both hands, FILE_left and FILE_right",
-    )
-    parser.add_argument(
-        "--no-guided", action="store_true", help="do not calibrate from guided poses in the session"
-    )
-    parser.add_argument(
-        "--smooth", action="store_true", help="smooth the result, using later data as well"
-    )
-    parser.add_argument("--with-sensors", action="store_true", help="also copy the sensor topics")
+    add_options(parser, TrackOptions)
     add_json(parser)
     parser.add_argument(
         "--jobs", type=int, metavar="N", help="number of worker processes (default: one per core)"
@@ -258,49 +132,20 @@ def _check_colours(args: argparse.Namespace) -> int:
 
 
 def _simulate(args: argparse.Namespace) -> int:
-    from tracker.offline.simulate import SimulateOptions, simulate
+    from tracker.offline.simulate import simulate
 
-    options = SimulateOptions(
-        hands=args.hands,
-        glove=args.glove,
-        hand=args.hand,
-        motion=args.motion,
-        seed=args.seed,
-        person=args.person,
-        duration=args.duration,
-        fps=args.fps,
-        images=not args.blobs_only,
-        scene=args.scene,
-        photo=args.photo,
-        light=args.light,
-        lenses=LENSES_BY_NUMBER.get(args.lenses, args.lenses),
-        right_late=args.right_late_ms / 1000,
-        camera=args.camera,
-        guided=args.guided,
-    )
+    lenses = LENSES_BY_NUMBER.get(args.lenses, args.lenses)
+    options = options_of(SimulateOptions, args, lenses=lenses)
     simulate(args.out, options, progress_line("simulating"), args.force)
     return 0
 
 
 def _track(args: argparse.Namespace) -> int:
     from tracker.offline.batch import plan
-    from tracker.offline.options import USUAL, TrackOptions
     from tracker.offline.track import track
 
-    options = TrackOptions(
-        args.engine,
-        args.hand,
-        args.glove,
-        args.colours,
-        args.with_sensors,
-        settings=USUAL if args.settings == "default" else args.settings,
-        smooth=args.smooth,
-        lenses=args.lenses,
-        guided=not args.no_guided,
-        wearer=args.wearer,
-        hand_length=args.hand_length / 1000,
-        keep_wearer=args.keep_wearer,
-    )
+    settings = USUAL if args.settings == "default" else args.settings
+    options = options_of(TrackOptions, args, settings=settings)
     jobs = plan(args.sources, args.out)
     if len(jobs) > 1 or args.dask or args.out.is_dir():
         return _track_many(args, jobs, options)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +15,7 @@ from tracker.geometry import so3
 from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
+from tracker.offline.options import SimulateOptions
 from tracker.session.description import SessionInfo, describe
 from tracker.session.writer import RecorderParams, new_session
 from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_events
@@ -35,29 +36,6 @@ MONOTONIC_NS = 0
 MOST_LATE = 0.05  # s
 GLOVES = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
 """What a simulated hand of each side wears if not told."""
-
-
-@dataclass(frozen=True)
-class SimulateOptions:
-    """What to simulate. ``motion`` is a recording's path, or empty for random postures."""
-
-    glove: str = ""  # empty: the usual one of that side
-    hand: str = ""
-    motion: str = ""
-    seed: int = 0
-    duration: float = 60.0
-    fps: float = 60.0
-    images: bool = True
-    jpeg_quality: int = 90
-    scene: str = "plain"  # behind the hand: or painted, photo, desk
-    photo: str = ""  # the image of the scene photo
-    light: str = ""  # over the desk: window (if not said), lamp, led or dim
-    hands: str = "right"  # or left, or both
-    person: int | None = None  # another seed for whose hand it is
-    guided: str = ""  # "well" or "badly": guided poses are held first, and told of
-    right_late: float = 0.0  # s that the right camera exposes after the left one
-    lenses: str = "both"  # or one, or none: a glove without a camera
-    camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
 
 def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
