@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QFileDialog
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
-from app.window.start import _parser
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import kept_name
+from tracker.cli import build_parser
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.calibration.profile_file import WearerFile, write_wearer
@@ -136,7 +136,7 @@ def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
     file = tmp_path / "anna.toml"
     panel.profiles.export(file)
     qtbot.waitUntil(file.exists, timeout=30_000)
-    args = _parser().parse_args(["--demo", "--wearer", str(file)])
+    args = build_parser(["window"]).parse_args(["window", "--demo", "--wearer", str(file)])
     window.close()
     again, fresh = MainWindow(store), Commanded()
     qtbot.addWidget(again)

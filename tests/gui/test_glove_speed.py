@@ -7,9 +7,9 @@ import pytest
 from app.engines import found_gloves
 from app.engines.found_gloves import find_worn
 from app.storage.settings import AppSettings
-from app.window.start import _parser
 from app.wizards.glove.choice import ChoicePage
 from tracker.base.errors import DeviceError
+from tracker.cli import build_parser
 from tracker.sensors.discovery import PortReport
 from tracker.sensors.protocol import BAUDS, Hello
 
@@ -58,10 +58,10 @@ def test_the_page_offers_both_and_knows_at_which_a_glove_answered(qtbot):
 
 
 def test_the_command_line_chooses_for_one_run(window, store, monkeypatch):
-    args = _parser().parse_args(["--devices", "--baud", "115200"])
+    args = build_parser(["window"]).parse_args(["window", "--devices", "--baud", "115200"])
     assert args.devices and args.baud == 115_200
     with pytest.raises(SystemExit):
-        _parser().parse_args(["--baud", "9600"])
+        build_parser(["window"]).parse_args(["window", "--baud", "9600"])
     used = []
     monkeypatch.setattr(
         "app.window.sources.hardware_factory", lambda s: used.append(s) or (lambda p: 1 / 0)

@@ -76,9 +76,11 @@ def test_no_words_are_handed_to_qt_untranslated():
 PARTS = ("viewmodels", "jobs", "engines", "storage", "panels", "window", "wizards")
 SPOKEN_TO_PROGRAMS = {
     "jobs/remote_answers.py",  # answers of the remote control, which other programs read
+    "window/command_line.py",
     "window/headless_report.py",  # the terminal speaks English, as does its help
     "window/remote_command.py",
     "window/start.py",
+    "window/window_options.py",
     "window/theme.py",  # style sheets
     "extensions/robot/window/command_latency.py",  # a measurement, run in a terminal
 }

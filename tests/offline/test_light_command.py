@@ -6,21 +6,20 @@ import json
 import pytest
 
 from tracker.base.errors import FileError
-from tracker.offline.commands import add_commands
+from tracker.cli import build_parser
 from tracker.offline.simulate import SimulateOptions, simulate
 
 
 def light(*words: str) -> argparse.Namespace:
-    parser = argparse.ArgumentParser()
-    add_commands(parser.add_subparsers())
-    return parser.parse_args(["light", *words])
+    line = ["light", *words]
+    return build_parser(line).parse_args(line)
 
 
 def test_a_dim_room_is_told(tmp_path, capsys):
     path = tmp_path / "dim.mcap"
     simulate(path, SimulateOptions(scene="desk", light="dim", seed=2, duration=1.5, fps=5))
     args = light(str(path), "--json", str(tmp_path / "light.json"))
-    assert args.func(args) == 0
+    assert args.command.start(args) == 0
     said = json.loads((tmp_path / "light.json").read_text())
     assert said["images"] == 2
     assert 0 < said["found"] <= said["markers"]
@@ -34,4 +33,4 @@ def test_a_session_without_images_has_no_light(tmp_path):
     simulate(path, SimulateOptions(images=False, duration=1.0, fps=10))
     args = light(str(path))
     with pytest.raises(FileError, match="holds no images"):
-        args.func(args)
+        args.command.start(args)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 from pathlib import Path
 
@@ -13,7 +12,6 @@ from scipy.spatial.transform import Rotation
 from extensions.evaluation.inertial import broad as inertial_broad
 from extensions.evaluation.inertial import goals as inertial_goals
 from extensions.evaluation.inertial.broad import BroadTrial, score
-from extensions.evaluation.inertial.commands import add_evaluate_inertial
 from extensions.evaluation.inertial.errors import MPU9250, draw
 from extensions.evaluation.inertial.experiment import ErrorRow, Plan, crossover, run
 from extensions.evaluation.inertial.motion import (
@@ -29,6 +27,7 @@ from extensions.evaluation.inertial.peers import available, peer_angles
 from tests.fixtures import DATA
 from tracker import GRAVITY
 from tracker.base.errors import FileError
+from tracker.cli import build_parser
 from tracker.inertial.finger import Finger, phalanx_angles
 
 FINGER = Finger()
@@ -167,12 +166,20 @@ def test_inclination_on_an_undisturbed_recording_is_as_good_as_vqfs() -> None:
 def test_the_command_writes_what_the_contract_names(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    parser = argparse.ArgumentParser()
-    add_evaluate_inertial(parser.add_subparsers())
     out, saved = tmp_path / "figures", tmp_path / "r.json"
-    words = ["inertial", "--quick", "--seeds", "1", "--json", str(saved), "--out", str(out)]
-    args = parser.parse_args(words)
-    assert args.func(args) == 0
+    words = [
+        "evaluate",
+        "inertial",
+        "--quick",
+        "--seeds",
+        "1",
+        "--json",
+        str(saved),
+        "--out",
+        str(out),
+    ]
+    args = build_parser(words).parse_args(words)
+    assert args.command.start(args) == 0
     data = json.loads(saved.read_text())
     assert {"series", "rate_hz", "t_m", "estimator", "rms_deg"} <= data["rows"][0].keys()
     names = {r["estimator"] for r in data["rows"]}
@@ -188,8 +195,7 @@ def test_the_command_writes_what_the_contract_names(
 
 
 def test_a_missing_folder_of_recordings_is_said_before_the_work(tmp_path: Path) -> None:
-    parser = argparse.ArgumentParser()
-    add_evaluate_inertial(parser.add_subparsers())
-    args = parser.parse_args(["inertial", "--broad", str(tmp_path / "none")])
+    words = ["evaluate", "inertial", "--broad", str(tmp_path / "none")]
+    args = build_parser(words).parse_args(words)
     with pytest.raises(FileError, match="no BROAD recordings"):
-        args.func(args)
+        args.command.start(args)

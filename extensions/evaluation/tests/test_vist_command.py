@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from extensions.evaluation.commands import add_commands
 from extensions.evaluation.vist.cases import (
     ABLATIONS,
     GUIDED,
@@ -26,6 +25,7 @@ from extensions.evaluation.vist.scenes import motion_of, simulation_of
 from extensions.evaluation.vist.table import line_of, row_of
 from extensions.evaluation.vist.trial import meet_again, models, owners
 from tracker.base.errors import ConfigError, FileError
+from tracker.cli import build_parser
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.hand.poses import POSES
@@ -39,9 +39,8 @@ ROW_KEYS = {
 
 
 def parse(*words: str) -> argparse.Namespace:
-    parser = argparse.ArgumentParser()
-    add_commands(parser.add_subparsers())
-    return parser.parse_args(["evaluate", "vist", *words])
+    line = ["evaluate", "vist", *words]
+    return build_parser(line).parse_args(line)
 
 
 def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
@@ -50,7 +49,7 @@ def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
         "--engines", "chain,vist", "--experiments", "free", "--participants", "1",
         "--minutes", "0.12", "--fps", "30", "--json", str(target), "--out", str(out),
     )  # fmt: skip
-    assert args.func(args) == 0
+    assert args.command.start(args) == 0
     rows = json.loads(target.read_text())["rows"]
     assert [r["engine"] for r in rows] == ["chain", "vist"]
     for row in rows:
@@ -69,7 +68,7 @@ def test_json_on_standard_output_is_json_alone(monkeypatch, capsys):
     monkeypatch.setattr("extensions.evaluation.vist.run.run_cases", lambda *a, **k: [])
     monkeypatch.setattr("extensions.evaluation.vist.command.cases_of", lambda args: [])
     args = parse("--json", "-")
-    assert args.func(args) == 0
+    assert args.command.start(args) == 0
     assert json.loads(capsys.readouterr().out) == {"rows": []}
 
 
@@ -82,7 +81,7 @@ def test_ctrl_c_keeps_what_is_finished(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr("extensions.evaluation.vist.run._results", interrupted)
     target = tmp_path / "rows.json"
     args = parse("--participants", "3", "--json", str(target), "--out", str(tmp_path))
-    assert args.func(args) == 1
+    assert args.command.start(args) == 1
     (row,) = json.loads(target.read_text())["rows"]
     assert row["participants"] == 1
     assert row["mean_mm"] == pytest.approx(4.0)
@@ -134,7 +133,7 @@ def test_a_glove_without_a_camera_is_judged_by_its_joints(capsys):
         "0.12",
     )
     args = parse(*words, "--json", "-")
-    assert args.func(args) == 0
+    assert args.command.start(args) == 0
     (row,) = json.loads(capsys.readouterr().out)["rows"]
     assert 0.5 < row["angles_deg"] < 10 and row["lost"] == 0.0
     assert row["nees_per_dof"] is None  # there is no place to be sure of
