@@ -19,9 +19,9 @@ Units are SI and radians; another unit stands in the name (``_deg``, ``_mm``). R
 points are (N, 3). Positions are in the global frame G (z up). Quaternions are Hamilton, unit, x, y,
 z, w. Errors are `GlovetrackError` with a sentence for the user.
 
-`glovetrack.applications` and `glovetrack.cameras` have what plug-ins need, `glovetrack.streams` the
-outputs and `glovetrack.engine` the synchronous engine. `tracker` and `app` are internal and change
-without notice.
+`glovetrack.applications`, `glovetrack.cameras` and `glovetrack.commands` have what plug-ins need,
+`glovetrack.streams` the outputs and `glovetrack.engine` the synchronous engine. `tracker` and `app`
+are internal and change without notice.
 """
 
 from importlib import import_module

@@ -4,148 +4,28 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TextIO
 
+from extensions.evaluation.vist.options import ENGINES_OF, VistOptions
+from tracker.base.arguments import add_options, options_of
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_folder_target
 from tracker.base.terminal import add_json, check_json, write_json
 
 QUICK_PARTICIPANTS = 2
 QUICK_MINUTES = 0.35
-ENGINES_OF = {"both": ("chain", "vist"), "one": ("chain",), "none": ("inertial",)}
-"""What is judged with so many lenses if no engine is named."""
 
 
-def add_vist(p: argparse.ArgumentParser) -> None:
+def add_vist(parser: argparse.ArgumentParser) -> None:
     """Its arguments."""
-    p.add_argument(
-        "--participants",
-        type=_count,
-        default=15,
-        metavar="N",
-        help="number of simulated participants (default: 15)",
+    add_options(parser, VistOptions)
+    add_json(parser)
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="folder for figures and an HTML report"
     )
-    p.add_argument(
-        "--minutes",
-        type=_positive,
-        metavar="M",
-        help="duration of each trial (default: 3, 2 and 2)",
-    )
-    p.add_argument(
-        "--engines",
-        type=_words,
-        metavar="A,B",
-        help="engines to evaluate (default: chain and vist; with one lens, chain; without a "
-        "camera, inertial)",
-    )
-    p.add_argument(
-        "--lenses",
-        choices=tuple(ENGINES_OF),
-        default="both",
-        help="lenses of the camera; without a camera, errors are those of joint angles and of "
-        "joint positions relative to the dorsum",
-    )
-    p.add_argument(
-        "--measured",
-        action="store_true",
-        help="the hand lengths are known from a ruler (sd 2 mm)",
-    )
-    p.add_argument(
-        "--experiments",
-        type=_words,
-        default=("free", "object", "device"),
-        metavar="A,B",
-        help="free, object, device (from the paper) and head, a camera worn on the head "
-        "(default: free,object,device)",
-    )
-    p.add_argument(
-        "--level",
-        choices=("points", "images"),
-        default="points",
-        help="simulate marker positions in the images, or whole images",
-    )
-    p.add_argument(
-        "--lights",
-        type=_words,
-        default=("window", "lamp", "led", "dim"),
-        metavar="A,B|none",
-        help="with --level images: repeat each experiment over a desk in these lights (default: "
-        "all four)",
-    )
-    p.add_argument(
-        "--ablations",
-        type=_words,
-        default=(),
-        metavar="A,B|all",
-        help="variants of the engines to evaluate as well",
-    )
-    p.add_argument(
-        "--guided",
-        action="store_true",
-        help="add free motion after guided poses: not announced, announced, held badly, and from"
-        " another session; also with markers on the fingertips",
-    )
-    p.add_argument(
-        "--wearer",
-        type=Path,
-        metavar="FILE",
-        help="wearer's profile that every participant starts with",
-    )
-    p.add_argument(
-        "--fps", type=_positive, default=60.0, help="frame rate of the camera, Hz (default: 60)"
-    )
-    p.add_argument(
-        "--distractors", type=int, default=0, help="number of coloured balls in the room"
-    )
-    p.add_argument("--seed", type=int, default=0, help="random seed")
-    p.add_argument(
-        "--processes",
-        type=_count,
-        default=1,
-        metavar="N",
-        help="number of worker processes (default: 1)",
-    )
-    p.add_argument("--quick", action="store_true", help="two participants, 21 s each")
-    p.add_argument(
-        "--keep",
-        type=Path,
-        metavar="DIR",
-        help="save finished trials in this folder; an interrupted run resumes from them",
-    )
-    p.add_argument(
-        "--motion",
-        nargs="+",
-        type=Path,
-        default=(),
-        metavar="FILE",
-        help="recorded hand motion to use instead of simulated motion",
-    )
-    add_json(p)
-    p.add_argument("--out", type=Path, metavar="DIR", help="folder for figures and an HTML report")
-
-
-def _words(text: str) -> tuple[str, ...]:
-    return tuple(word for word in text.split(",") if word)
-
-
-def _number(kind: Callable[[str], float], low: float) -> Callable[[str], Any]:
-    def read(text: str) -> float:
-        try:
-            value = kind(text)
-        except ValueError:
-            raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
-        if not low <= value < float("inf"):
-            raise argparse.ArgumentTypeError(f"{text} is too small")
-        return value
-
-    return read
-
-
-_count = _number(int, 1)
-_positive = _number(float, 0.1)
 
 
 def run(args: argparse.Namespace) -> int:
@@ -157,7 +37,7 @@ def run(args: argparse.Namespace) -> int:
     check_json(args)
     if args.out:
         check_folder_target(args.out, args.force)
-    cases = cases_of(args)
+    cases = cases_of(options_of(VistOptions, args))
     participants = QUICK_PARTICIPANTS if args.quick else args.participants
     kept = KeptTrials(args.keep) if args.keep else None
     done_of = run_cases(cases, participants, args.processes, kept=kept)
@@ -193,7 +73,7 @@ def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
         print(line_of(case, summarise(trials)), file=table)
 
 
-def cases_of(args: argparse.Namespace) -> list[Any]:
+def cases_of(args: VistOptions) -> list[Any]:
     """The rows asked for, ablations last. Raises ConfigError for names that do not exist."""
     from extensions.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
     from tracker.engine.pipeline import ENGINES
@@ -248,7 +128,7 @@ def _check_wearer(path: Path, engines: Sequence[str]) -> None:
     read_wearer(path, ChainLayout(*models()))
 
 
-def _lit(args: argparse.Namespace, cases: Sequence[Any]) -> list[Any]:
+def _lit(args: VistOptions, cases: Sequence[Any]) -> list[Any]:
     """The cases again over a desk in each light, where images are asked for; a camera on a head
     has no desk."""
     from tracker.simulation.desk.lights import LIGHTS
