@@ -117,6 +117,12 @@ def add_kernels(source: Path, target: Path) -> None:
     (target / "setup.py").write_text(FOR_ONE_PLATFORM, "utf-8")
 
 
+def add_metadata(target: Path) -> None:
+    """Write the metadata of a staged copy, so that it finds its entry points without a wheel."""
+    with working_in(str(target)):
+        build_meta.prepare_metadata_for_build_wheel(str(target))
+
+
 def with_full_name(line: str) -> str:
     """A table's line: symbol, fingerprint, name of the kernel, types."""
     symbol, made_of, name, types = line.split(" ", 3)

@@ -26,6 +26,7 @@ sys.path.insert(0, "packaging")
 import backend
 backend.stage(Path.cwd(), Path(sys.argv[1]))
 backend.add_kernels(Path.cwd(), Path(sys.argv[1]))
+backend.add_metadata(Path(sys.argv[1]))
 """
 ALONE = """
 import sys

@@ -176,7 +176,8 @@ def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
         pytest.skip("the library of kernels was not built here")
     build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
     build += "from pathlib import Path; target = Path(sys.argv[1]); "
-    build += "backend.stage(Path.cwd(), target); backend.add_kernels(Path.cwd(), target)"
+    build += "backend.stage(Path.cwd(), target); backend.add_kernels(Path.cwd(), target); "
+    build += "backend.add_metadata(target)"
     subprocess.run([sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True)
     code = (
         "import glovetrack.tracker.engine.pipeline; from glovetrack.tracker import kernels; "
