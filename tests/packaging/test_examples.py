@@ -10,7 +10,6 @@ import socket
 import subprocess
 import sys
 import threading
-import tomllib
 from pathlib import Path
 
 import pytest
@@ -40,7 +39,6 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What a wheel installs, and the examples."""
     site = tmp_path_factory.mktemp("site")
     subprocess.run([sys.executable, "-c", STAGE, str(site)], cwd=ROOT, check=True)
-    declare(site)
     for project in sorted(EXAMPLES.glob("*/pyproject.toml")):
         if "lerobot" in project.parent.name:
             continue  # its own test runs it with the interface of LeRobot
@@ -50,19 +48,6 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
         command += ["--no-build-isolation", "--target", str(site), str(source)]
         subprocess.run(command, check=True, capture_output=True)
     return site
-
-
-def declare(site: Path) -> None:
-    """Metadata of the staged project, as pip writes it: its entry points."""
-    project = tomllib.loads((site / "pyproject.toml").read_text("utf-8"))["project"]
-    about = site / f"glovetrack-{project['version']}.dist-info"
-    about.mkdir()
-    head = f"Metadata-Version: 2.1\nName: glovetrack\nVersion: {project['version']}\n"
-    (about / "METADATA").write_text(head)
-    lines = []
-    for group, entries in project["entry-points"].items():
-        lines += [f"[{group}]", *(f"{name} = {value}" for name, value in entries.items())]
-    (about / "entry_points.txt").write_text("\n".join(lines) + "\n")
 
 
 def run(site: Path, code: str, **more: str) -> str:
