@@ -86,6 +86,7 @@ def test_a_command_is_listed_and_runs(site: Path, tmp_path: Path) -> None:
 from glovetrack.app.__main__ import main
 assert main(["simulate", "-o", {session!r}, "--duration", "3", "--blobs-only"]) == 0
 assert main(["track", {session!r}, "-o", {session!r} + ".t.mcap"]) == 0
+assert main(["pinches", {session!r} + ".t.mcap", "--closer-mm", "0.001"]) == 0
 assert main(["pinches", {session!r} + ".t.mcap", "--closer-mm", "1000"]) == 0
 try:
     main(["pinches", "x", "--closer-mm", "0"])
@@ -94,7 +95,8 @@ except SystemExit as ended:
 main(["--help"])
 """
     text = run(site, code)
-    assert "s.mcap.t.mcap: 0 pinches, " in text, "closed from the first to the last instant"
+    assert "s.mcap.t.mcap: 0 pinches, 0.0 s in total" in text
+    assert re.search(r"pinches, 2\.[5-9] s", text), "all but the first 0.1 s, when the hand is lost"
     assert re.search(r"pinches\s+count pinches of the thumb and a finger", text)
 
 
