@@ -242,8 +242,9 @@ def test_an_export_replaces_nothing_without_force(
     made, taken = tmp_path / "made", tmp_path / "taken"
     for folder in (made, taken):
         folder.mkdir()
-    more = ["--images", "none", "--task", "x"] if form == "lerobot" else ["--every", 30]
-    words = ["export", sessions.tracked, "--format", form, *more, "-o"]
+    drawn = {"mp4": ["--every", 30], "png": ["--every", 30]}
+    more = drawn | {"lerobot": ["--images", "none", "--task", "x"]}
+    words = ["export", sessions.tracked, "--format", form, *more.get(form, []), "-o"]
     run(*words, made / f"o.{form}")
     names = [p.name for p in made.iterdir()]
     assert len(names) > 1
