@@ -11,8 +11,9 @@
 The same messages in the same order give the same estimates, bit for bit.
 """
 
+from tracker.engine.kinds import ENGINES
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.settings import ENGINES, Settings
+from tracker.engine.settings import Settings
 from tracker.glove.library import load
 from tracker.messages import (
     BlobFrame,

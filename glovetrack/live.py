@@ -23,10 +23,10 @@ from glovetrack.devices import (
 from glovetrack.recording import RecordedEvent
 from tracker.base.channels import Backlog, Closed
 from tracker.base.clock import ClockAnchor, monotonic
-from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError
 from tracker.base.numeric_threads import one_blas_thread
 from tracker.engine.hands import Hands
+from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.glove import library
@@ -46,7 +46,6 @@ if TYPE_CHECKING:
 
 QUEUED = 500
 """Estimates that wait to be read; beyond that the oldest are discarded and counted."""
-INERTIAL = "inertial"  # the engine without a camera
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +105,7 @@ class LiveTracker:
         name or path of a colour profile. Raises ConfigError and FileError in words."""
         self._devices = devices
         profile = parse_profile(library.text("colours", colours or library.DEFAULT_COLOURS))
-        engine = engine or ("chain" if devices.rig is not None else INERTIAL)
+        engine = engine or ("chain" if devices.rig is not None else WITHOUT_CAMERA)
         settings = Settings(engine=engine)
         self._anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
         infos = [self._about(worn, settings, profile) for worn in devices.worn]
@@ -269,7 +268,7 @@ class LiveTracker:
             self._anchor,
             rig=self._devices.rig,
             colours_text=profile_to_toml(profile),
-            settings_text=to_toml(settings),
+            settings_text=settings_text(settings),
             engine=settings.engine,
             simulated=self._devices.simulated,
         )

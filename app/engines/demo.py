@@ -18,9 +18,9 @@ from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.words import tr
 from tracker.base.clock import ClockAnchor
-from tracker.base.config import to_toml
 from tracker.base.errors import DeviceError
 from tracker.engine.hands import Hands
+from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.glove import library
@@ -180,7 +180,7 @@ def _seen_from(
 
 
 def _hands(wearers: Mapping[str, Simulation], has_camera: bool) -> Hands:
-    settings = Settings() if has_camera else Settings(engine="inertial")
+    settings = Settings() if has_camera else Settings(engine=WITHOUT_CAMERA)
     make = {
         side: partial(Pipeline, s.hand, s.glove, s.rig if has_camera else None, settings)
         for side, s in wearers.items()
@@ -200,7 +200,7 @@ def _info(
             anchor,
             rig=rig,
             colours_text=colours_text,
-            settings_text=to_toml(settings),
+            settings_text=settings_text(settings),
             engine=settings.engine,
             simulated=True,
         )

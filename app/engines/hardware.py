@@ -19,10 +19,10 @@ from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings
 from app.words import told, tr
 from tracker.base.clock import ClockAnchor
-from tracker.base.config import to_toml
 from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.engine.hands import Hands
+from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.firmware.versions import advice
@@ -39,7 +39,7 @@ from tracker.vision.rig import StereoRig
 
 WIDTH, HEIGHT, FPS = 1280, 720, 60.0
 T = TypeVar("T")
-INERTIAL = Settings(engine="inertial")
+INERTIAL = Settings(engine=WITHOUT_CAMERA)
 
 
 @dataclass(frozen=True)
@@ -192,7 +192,7 @@ def _info(worn: Sequence[WornGlove], pipeline: Pipeline, colours_text: str) -> S
                 anchor=anchor,
                 rig=pipeline.calibrated_rig,
                 colours_text=colours_text,
-                settings_text=to_toml(pipeline.settings),
+                settings_text=settings_text(pipeline.settings),
                 engine=pipeline.settings.engine,
             )
             for w in worn

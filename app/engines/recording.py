@@ -15,8 +15,8 @@ from PySide6.QtCore import QObject, Signal
 from app.engines.engine import EngineSetup, RecordingRequest
 from app.words import tr
 from tracker.base.clock import monotonic
-from tracker.base.config import to_toml
 from tracker.base.errors import GlovetrackError
+from tracker.engine.kinds import settings_text
 from tracker.live.recording import Recorder
 from tracker.messages import Calibration, EngineState, Event, Message, Status
 from tracker.session.description import SessionInfo
@@ -233,7 +233,7 @@ def recorder_maker(
             participant=request.participant,
             notes=request.task,
             engine=tracker.settings.engine,
-            settings_text=to_toml(tracker.settings),
+            settings_text=settings_text(tracker.settings),
             colours_text=profile_to_toml(tracker.profile),
         )
         return record(request.path, named)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -13,21 +12,16 @@ from app.words import tr
 from tracker.base.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.measured import measured_profile
-from tracker.fusion.chain.calibration.profile_file import WearerFile
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.engine import Engine
-
-if TYPE_CHECKING:
-    from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.worn import LearnsWearer, learned, learner_of
 
 
-def chain_of(engine: Engine) -> ChainEngine:
-    """The engine, if it is one whose calibration can be worked on. Raises ConfigError."""
-    from tracker.fusion.chain.engine import ChainEngine  # by now it is loaded; a start does without
-
-    if isinstance(engine, ChainEngine):
-        return engine
+def learning_part(engine: Engine) -> LearnsWearer:
+    """The engine, if it learns the wearer. Raises ConfigError for another one."""
+    if (learner := learner_of(engine)) is not None:
+        return learner
     raise ConfigError(
         tr("Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.")
     )
@@ -68,8 +62,8 @@ class CalibrationCommands(QObject):
         """A profile of an earlier session, and of an earlier fit of the glove, on that hand."""
 
         def work(engine: Engine) -> None:
-            chain = chain_of(engine)
-            chain.put_on(renewed(profile, chain.layout))
+            learner = learning_part(engine)
+            learner.put_on(renewed(profile, learner.layout))
 
         return self._host.command(work, side)
 
@@ -80,12 +74,10 @@ class CalibrationCommands(QObject):
     def ask(self) -> bool:
         """Have what has been learned sent by `learned`."""
         setup = self._host.setup
-        return setup is not None and self._command(lambda engine: self._answer(engine))
+        return setup is not None and self._command(self._answer)
 
-    def _answer(self, engine: ChainEngine) -> None:
-        calibration = engine.calibration()
-        wearer = WearerFile(engine.layout, engine.profile(), calibration)
-        self.learned.emit(wearer)
+    def _answer(self, learner: LearnsWearer) -> None:
+        self.learned.emit(learned(learner))
 
-    def _command(self, work: Callable[[ChainEngine], None]) -> bool:
-        return self._host.command(lambda engine: work(chain_of(engine)))
+    def _command(self, work: Callable[[LearnsWearer], None]) -> bool:
+        return self._host.command(lambda engine: work(learning_part(engine)))

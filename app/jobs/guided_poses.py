@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine_host import EngineHost
-from app.jobs.calibration_commands import chain_of
+from app.jobs.calibration_commands import learning_part
 from app.viewmodels.guided_result import WearerNow
 from tracker.fusion.engine import Engine
 
@@ -27,15 +27,15 @@ class GuidedCommands(QObject):
         return self._host.command(self._answer, self._side)
 
     def _answer(self, engine: Engine) -> None:
-        chain = chain_of(engine)
-        wearer = chain.wearer
+        learner = learning_part(engine)
+        wearer = learner.wearer
         gains, aside = wearer.synergies
         ends = {digit: P.copy() for digit, P in wearer.end_joints.items()}
         frozen, learning = wearer.calibration.is_frozen, wearer.is_learning
         known = wearer.remembered()
         self.known.emit(
             WearerNow(
-                gains.copy(), aside.copy(), ends, chain.calibration(), known, frozen, learning
+                gains.copy(), aside.copy(), ends, learner.calibration(), known, frozen, learning
             )
         )
 
@@ -43,5 +43,5 @@ class GuidedCommands(QObject):
         """The wearer is known as he was ``before``."""
         known = before.remembered
         return self._host.command(
-            lambda engine: chain_of(engine).wearer.take_back(known), self._side
+            lambda engine: learning_part(engine).wearer.take_back(known), self._side
         )

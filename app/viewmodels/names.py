@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from app.words import mark, tr
+from tracker.base.errors import ConfigError
+from tracker.engine.kinds import ENGINES
 
 WORDS = {
     "wrist": mark("wrist"),
@@ -48,13 +50,6 @@ BONES = {
     "dorsum": mark("back of the hand"),
 }
 """Segments that a glove has IMUs on, in a sentence."""
-ENGINES = {
-    "chain": mark("Chain"),
-    "vist": mark("VIST"),
-    "switching": mark("Switching"),
-    "madgwick": mark("Madgwick"),
-    "inertial": mark("IMUs only"),
-}
 
 
 def bone(segment: str) -> str:
@@ -63,8 +58,12 @@ def bone(segment: str) -> str:
 
 
 def engine_name(name: str) -> str:
-    """``vist`` as ``VIST``: where its whole title is too long."""
-    return tr(ENGINES[name]) if name in ENGINES else name
+    """``vist`` as ``VIST``: where its whole title is too long. The name itself for an engine that
+    is not installed, as recordings may have it."""
+    try:
+        return tr(ENGINES.get(name).short) or name
+    except ConfigError:
+        return name
 
 
 def spoken(name: str) -> str:

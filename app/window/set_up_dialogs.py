@@ -17,8 +17,8 @@ from app.window import theme
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.still import StillPose
-from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
-from tracker.fusion.engine import Engine
+from tracker.engine.kinds import learns_wearer
+from tracker.fusion.worn import take_gyro_bias
 from tracker.glove import library
 from tracker.sensors.camera_controls import Locks, locks_text
 from tracker.sensors.camera_plugins import all_cameras
@@ -26,10 +26,6 @@ from tracker.sensors.image_input import CameraName
 
 if TYPE_CHECKING:
     from app.wizards.stereo.wizard import StereoWizard
-
-
-LEARNS = "chain"
-"""The engine that guided poses teach."""
 
 
 class SetUpDialogs(QObject):
@@ -119,16 +115,9 @@ class SetUpDialogs(QObject):
 
     def take_bias(self, pose: StillPose) -> None:
         """The engine knows the gyros from now on, where it keeps what it knows of a wearer."""
-        from tracker.fusion.chain.engine import ChainEngine  # by now loaded; a start does without
-
         bias = np.array([i.gyro_bias for i in pose.imus])
         sd = np.array([i.gyro_bias_sd for i in pose.imus])
-
-        def tell(engine: Engine) -> None:
-            if isinstance(engine, ChainEngine):
-                engine.put_on(with_gyro_bias(engine.profile(), engine.layout, bias, sd))
-
-        self._host.command(tell)
+        self._host.command(lambda engine: take_gyro_bias(engine, bias, sd))
 
     # --- camera
 
@@ -158,7 +147,7 @@ class SetUpDialogs(QObject):
         setup = self._host.setup
         if self._raise("guided") or setup is None or setup.guide is None or not self._host.running:
             return
-        if self._store.value.engine != LEARNS:
+        if not learns_wearer(self._store.value.engine):
             self.error.emit(
                 self.tr("Only the engine chain learns from poses: choose it in the Tracking menu.")
             )

@@ -31,7 +31,7 @@ from app.window.sources import Sources
 from app.window.status_bar import StatusBar
 from app.window.takes import Takes
 from app.words import tr
-from tracker.engine.settings import ENGINES
+from tracker.engine.kinds import engine_kinds
 
 
 class Window(Protocol):
@@ -161,14 +161,15 @@ def _tracking(on: Targets) -> list[Command]:
 
 def _engines(on: Targets, menu: str) -> list[Command]:
     w = on.window
-    titles = {name: w.tr("Engine: {}").format(tr(title)) for name, title in ENGINES.items()}
+    kinds = engine_kinds()
+    titles = {name: w.tr("Engine: {}").format(tr(kind.title)) for name, kind in kinds.items()}
     return [
         Command(
             f"engine_{n}",
             menu,
             title,
             partial(on.sources.set_engine, n),
-            separator=n == "chain",
+            separator=n == next(iter(kinds)),
             ticked=_is_set(on, "engine", n),
         )
         for n, title in titles.items()

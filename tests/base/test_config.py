@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from tracker.base.config import UNKNOWN, from_dict, from_toml, to_toml
 from tracker.base.errors import ConfigError
-from tracker.engine.settings import ENGINES, Settings
+from tracker.engine.kinds import ENGINES
+from tracker.engine.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ def test_the_settings_of_a_session_read_back_equal():
     text = to_toml(settings)
     assert from_toml(Settings, text) == settings
     assert tomllib.loads(text)["engine"] == "vist"
-    assert Settings().engine in ENGINES
+    assert Settings().engine in ENGINES.names()
 
 
 @pytest.mark.parametrize(

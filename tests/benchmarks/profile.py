@@ -17,7 +17,7 @@ from pathlib import Path
 
 import tracker
 from tests.benchmarks.schedule import make_second, pipeline_call
-from tracker.engine.settings import ENGINES
+from tracker.engine.kinds import ENGINES
 
 ROOT = Path(tracker.__file__).parents[1]
 
@@ -77,7 +77,7 @@ def markdown(costs: Sequence[Cost], rows: int) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     """The command; returns the exit code."""
     p = argparse.ArgumentParser(prog="python -m tests.benchmarks.profile")
-    p.add_argument("--engine", choices=list(ENGINES), default="chain")
+    p.add_argument("--engine", choices=ENGINES.names(), default="chain")
     p.add_argument("--rows", type=int, default=20, help="functions to show")
     args = p.parse_args(arguments)
     print(markdown(profile(args.engine), args.rows))

@@ -18,7 +18,7 @@ from app.widgets.view3d.view_3d import View3D
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tracker.base.errors import ConfigError
-from tracker.engine.settings import ENGINES
+from tracker.engine.kinds import ENGINES
 from tracker.kernels import are_compiled
 from tracker.messages import Tracking
 
@@ -149,7 +149,7 @@ def test_a_replay_offers_no_second_engine(window):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     reference = window.hand.controls.reference
     able = [reference.model().item(i).isEnabled() for i in range(reference.count())]
-    assert able == [True, True] + [False] * len(ENGINES)
+    assert able == [True, True] + [False] * len(ENGINES.names())
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,7 @@ from app.widgets.image_shapes import Cross, Ellipse, ImageLine, Ring
 from app.widgets.view3d.orbit import Orbit
 from resources import folder
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
-from tracker.engine import settings
+from tracker.engine.kinds import engine_kinds
 from tracker.glove import library
 from tracker.messages import Status, Tracking, Validity
 from tracker.sensors.link_figures import LinkFigures
@@ -317,7 +317,9 @@ def test_a_length_and_a_position_agree_on_the_second(seconds):
 
 
 def test_engines_and_bones_have_names_for_people():
-    assert set(names.ENGINES) == set(settings.ENGINES)
+    assert names.engine_name("vist") == "VIST"
+    assert names.engine_name("not-installed") == "not-installed"
+    assert all(kind.short for kind in engine_kinds().values())
     segments = {imu for glove in library.names("gloves") for imu in imus_of(glove)}
     assert segments and segments <= set(names.BONES)
 

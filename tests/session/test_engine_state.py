@@ -21,8 +21,9 @@ from tests.session.engine_state_samples import (
 )
 from tracker.base.errors import FileError
 from tracker.base.records import RECORDS
+from tracker.engine.kinds import ENGINES
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.settings import ENGINES, Settings
+from tracker.engine.settings import Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraPose, Estimate, ImuSample
@@ -50,7 +51,7 @@ def feed(pipeline: Pipeline, messages: Iterable[ImuSample | BlobFrame]) -> list[
     return out
 
 
-@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("engine", ENGINES.names())
 def test_every_engine_goes_on_from_its_bytes(
     simulated: tuple[Simulation, Messages], engine: str
 ) -> None:

@@ -20,8 +20,9 @@ from hypothesis import strategies as st
 
 from tests.cloth_masks import cloth_of, looked_at
 from tracker.engine.hands import Hands, Sided
+from tracker.engine.kinds import ENGINES
 from tracker.engine.pipeline import Pipeline
-from tracker.engine.settings import ENGINES, Settings
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import began, ended
@@ -243,7 +244,7 @@ def test_one_hand_goes_on_from_any_instant(course: Course) -> None:
 
 @pytest.mark.timeout(600)
 @settings(QUIET, max_examples=10)
-@given(courses([e for e in ENGINES if e != "chain"], both=False))
+@given(courses([e for e in ENGINES.names() if e != "chain"], both=False))
 def test_every_other_engine_goes_on_from_any_instant(course: Course) -> None:
     check(course)
 

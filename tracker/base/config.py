@@ -29,8 +29,9 @@ class _Wrong(Exception):
 
 
 def to_toml(params: Any) -> str:
-    """TOML text of a tree of dataclasses; floats keep every digit."""
-    return tomli_w.dumps(dataclasses.asdict(params))
+    """TOML text of a tree of dataclasses; floats keep every digit. An empty dict is left out."""
+    values = dataclasses.asdict(params)
+    return tomli_w.dumps({name: value for name, value in values.items() if value != {}})
 
 
 def from_toml(kind: type[T], text: str, name: str = "settings.toml") -> T:

@@ -75,6 +75,12 @@ class Registry(Generic[D]):
         return out
 
 
+def names_of(kind: str) -> list[str]:
+    """The names of all parts of a kind, as `Registry.names`; for texts of the command line, which
+    must not import what a registry needs."""
+    return list(_entries(f"glovetrack.{kind}", tuple(sys.path)))
+
+
 @lru_cache(maxsize=64)
 def _entries(group: str, path: tuple[str, ...]) -> dict[str, EntryPoint]:
     """The entry points of a group while `sys.path` is ``path``, by name.

@@ -7,17 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from tracker.base.errors import ConfigError
 from tracker.base.records import record
 from tracker.engine.ahead import Ahead, GloveOnHand
-from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings
-from tracker.fusion.chain.engine import ChainEngine
+from tracker.engine.kinds import build_engine, capabilities_of
+from tracker.engine.settings import Settings
 from tracker.fusion.chain.guided.events import guided_of
-from tracker.fusion.chain.inertial import InertialEngine
 from tracker.fusion.chain.pose_reset import RESET_SAID, is_reset
-from tracker.fusion.engine import Engine
-from tracker.fusion.hybrid import HybridEngine
-from tracker.fusion.vist.engine import VistEngine
+from tracker.fusion.worn import learner_of
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -57,32 +53,6 @@ ANOTHER = (
 )
 
 
-def build_engine(
-    hand: HandModel, glove: GloveModel, rig: StereoRig | None, settings: Settings
-) -> Engine:
-    """The engine that ``settings`` name.
-
-    Raises ConfigError where there is none of that name, or it needs the rig and there is none.
-    """
-    if settings.engine not in ENGINES:
-        raise ConfigError(
-            f"There is no engine {settings.engine!r}; there are {', '.join(ENGINES)}."
-        )
-    if settings.engine in WITHOUT_IMAGES:
-        return InertialEngine(hand, glove, settings.chain)
-    if rig is None:
-        raise ConfigError(
-            f"The engine {settings.engine!r} needs a camera with a stereo calibration; without one "
-            "the engine 'inertial' shows the hand by its IMUs."
-        )
-    if settings.engine == "chain":
-        return ChainEngine(hand, glove, rig, settings.chain)
-    if settings.engine == "vist":
-        return VistEngine(hand, glove, rig, settings.vist)
-    variant = {"switching": "switching_offset", "madgwick": "madgwick_adaptive"}[settings.engine]
-    return HybridEngine(hand, glove, rig, settings.chain, settings.hybrid, variant)
-
-
 @record("pipeline")
 @dataclass(eq=False)
 class PipelineKept:
@@ -118,9 +88,9 @@ class Pipeline:
     ) -> None:
         self.hand, self.glove, self.calibrated_rig = hand, glove, rig
         self.settings = settings or Settings()
-        check_lenses(self.settings.lenses, self.settings.engine, rig)
+        check_lenses(self.settings.lenses, rig)
         self.engine = build_engine(hand, glove, rig, self.settings)
-        self._uses_images = self.settings.engine not in WITHOUT_IMAGES
+        self._uses_images = capabilities_of(self.settings.engine).images
         self.rig = rig = rig or ideal_rig()
         self._watch = RigWatch(rig)
         self._camera = CameraTilt(rig.pose)
@@ -215,18 +185,15 @@ class Pipeline:
             return
         if isinstance(said, str):
             self._words.append(said)
-        elif not isinstance(self.engine, ChainEngine):
-            if not self._told:
-                name, self._told = self.settings.engine, True
-                self._words.append(f"The engine {name} learns nothing from guided poses.")
-        else:
-            self.engine.hear(said, event.t)
+        elif (learner := learner_of(self.engine)) is not None:
+            learner.wearer.hear(said, event.t)
+        elif not self._told:
+            name, self._told = self.settings.engine, True
+            self._words.append(f"The engine {name} learns nothing from guided poses.")
 
     def _reset_pose(self) -> str:
         """A sentence that says what was done."""
-        if isinstance(self.engine, ChainEngine):
-            return self.engine.reset_pose()
-        return (
+        return self.engine.reset_pose() or (
             f"{RESET_SAID}: engine {self.settings.engine} has none. "
             "Choose engine chain or inertial."
         )

@@ -12,22 +12,14 @@ from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.vist.params import VistParams
 from tracker.online.frame_timing import TimingParams
 
-ENGINES = {
-    "chain": "chain (cameras and IMUs, our own)",
-    "vist": "vist (Lee et al. 2021)",
-    "switching": "switching (fingers by their IMUs alone)",
-    "madgwick": "Madgwick (fingers by their IMUs alone)",
-    "inertial": "inertial (IMUs alone, no place)",
-}
-"""Names and titles of the engines, the default one first; `tracker.engine.pipeline` builds them."""
-
-WITHOUT_IMAGES = frozenset({"inertial"})
-"""Engines that use no image, and need no camera."""
-
 
 @dataclass(frozen=True)
 class Settings:
-    """``engine`` is one of `ENGINES`, ``lenses`` of `tracker.vision.lenses`."""
+    """``engine`` is one of `tracker.engine.kinds.ENGINES`, ``lenses`` of `tracker.vision.lenses`.
+
+    ``engines`` are tables of settings, by the name of an engine of another package; a table is read
+    when its engine is made, so a recording opens without that package.
+    """
 
     engine: str = "chain"
     lenses: str = "both"
@@ -35,6 +27,7 @@ class Settings:
     hybrid: HybridParams = field(default_factory=HybridParams)
     vist: VistParams = field(default_factory=VistParams)
     timing: TimingParams = field(default_factory=TimingParams)
+    engines: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
 def settings_from(data: Mapping[str, Any], complain: Complain) -> Settings:

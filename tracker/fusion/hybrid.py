@@ -18,7 +18,7 @@ from tracker.base.records import record
 from tracker.fusion.chain.engine import ChainEngine, ChainKept
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.engine import ExpectedHand
+from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
@@ -71,7 +71,7 @@ class HybridKept:
     health: ImuHealthKept
 
 
-class HybridEngine:
+class HybridEngine(Engine):
     """The dorsum by the filter `chain`, the fingers by Lemak et al. 2020
     (doi:10.3390/computers9020040); ``variant`` names one of `tracker.inertial.finger3d`.
 
@@ -189,6 +189,8 @@ class HybridEngine:
         return out
 
     def feed_frame(self, frame: BlobFrame) -> None:
+        if frame.unhidden is not None:
+            frame = replace(frame, unhidden=frame.unhidden[:, self._markers])
         self._dorsum.feed_frame(frame)
 
     def take_results(self) -> list[FrameResult]:

@@ -1,36 +1,82 @@
-"""An engine takes a wearer's profile from a file, and writes what it has learned to one."""
+"""An engine that learns the wearer: its profile from a file, and what it has learned to one."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from tracker.base.errors import ConfigError
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
-from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.engine import Engine
+from tracker.messages import Array, Calibration
+
+if TYPE_CHECKING:
+    from tracker.fusion.chain.known import KnownWearer
+
+
+@runtime_checkable
+class LearnsWearer(Protocol):
+    """An engine whose knowledge of the wearer is that of the filter `chain`.
+
+    ``wearer`` takes guided poses and a user's commands.
+    """
+
+    @property
+    def wearer(self) -> KnownWearer: ...
+
+    @property
+    def layout(self) -> ChainLayout:
+        """Which row is what in profiles."""
+
+    def calibration(self) -> Calibration: ...
+
+    def profile(self) -> WearerProfile:
+        """What has been learned of the wearer."""
+
+    def put_on(self, profile: WearerProfile) -> None:
+        """Take what is known of the wearer, now and at each new start."""
+
+
+def learner_of(engine: Engine) -> LearnsWearer | None:
+    """The engine, if it learns the wearer."""
+    return engine if isinstance(engine, LearnsWearer) else None
 
 
 def put_on(engine: Engine, profile: Path) -> None:
     """Begin with what is known of the wearer. Raises ConfigError for an engine that takes no
-    profile, FileError for a file that is none."""
-    chain = _chain(engine)
-    chain.put_on(read_wearer(profile, chain.layout).profile)
+    profile, FileError for a file that is not one."""
+    learner = _learner(engine)
+    learner.put_on(read_wearer(profile, learner.layout).profile)
 
 
 def measure(engine: Engine, length: float) -> None:
-    """Begin with a hand that is ``length`` m long and anybody's otherwise. Raises as `put_on`."""
-    chain = _chain(engine)
-    chain.put_on(measured_profile(chain.layout, length))
+    """Begin with a hand that is ``length`` m long and average otherwise. Raises as `put_on`."""
+    learner = _learner(engine)
+    learner.put_on(measured_profile(learner.layout, length))
 
 
 def keep(engine: Engine, profile: Path) -> None:
     """Write what was learned of the wearer, and replace the file. Raises as `put_on`."""
-    chain = _chain(engine)
-    write_wearer(profile, WearerFile(chain.layout, chain.profile(), chain.calibration()))
+    write_wearer(profile, learned(_learner(engine)))
 
 
-def _chain(engine: Engine) -> ChainEngine:
-    if not isinstance(engine, ChainEngine):
-        raise ConfigError("Only the engine chain takes and learns a wearer's profile.")
-    return engine
+def learned(learner: LearnsWearer) -> WearerFile:
+    """What is known of the wearer now."""
+    return WearerFile(learner.layout, learner.profile(), learner.calibration())
+
+
+def take_gyro_bias(engine: Engine, bias: Array, sd: Array) -> None:
+    """Use gyro biases (n, 3) rad/s, with sd (n,), that were measured at rest; no effect on an
+    engine that does not learn the wearer."""
+    if (learner := learner_of(engine)) is not None:
+        learner.put_on(with_gyro_bias(learner.profile(), learner.layout, bias, sd))
+
+
+def _learner(engine: Engine) -> LearnsWearer:
+    if (learner := learner_of(engine)) is None:
+        raise ConfigError("This engine does not take or learn a wearer's profile; chain does.")
+    return learner

@@ -11,7 +11,6 @@ import numpy as np
 
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.side_watch import SideWatch
-from tracker.fusion.chain.engine import ChainEngine
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.live.frame_results import FrameResults, ShownFrame
 from tracker.live.history import History
@@ -183,9 +182,8 @@ def camera_figures(pipeline: Pipeline) -> dict[str, float]:
     if math.isfinite(late.value):
         out["right_camera_late_ms"] = 1e3 * late.value
         out["right_camera_late_applied_ms"] = 1e3 * pipeline.pair_offset.applied
-    engine = pipeline.engine
-    if isinstance(engine, ChainEngine) and engine.tracking == Tracking.LOST:
-        out["heading_sd_deg"] = math.degrees(engine.heading_sd)
+    if math.isfinite(drift := pipeline.engine.heading_drift_sd):
+        out["heading_sd_deg"] = math.degrees(drift)
     if math.isfinite(rig.row_shift_px):
         out["stereo_row_shift_px"] = rig.row_shift_px
     if math.isfinite(timing.offset.value):

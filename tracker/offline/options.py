@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from tracker.base.arguments import argument, thousandths
+from tracker.base.registry import names_of
 
 USUAL = "usual"  # in place of a settings file: those of this version
 LENSES_BY_NUMBER = {"2": "both", "1": "one", "0": "none"}
@@ -116,8 +117,8 @@ class TrackOptions:
     engine: str = field(
         default="",
         metadata=argument(
-            "chain, vist, switching, madgwick or inertial (needs no camera); default: the recorded "
-            "engine, or inertial for a session without a camera"
+            f"{', '.join(names_of('engines'))}; default: the recorded engine, or inertial "
+            "(needs no camera) for a session without a camera"
         ),
     )
     hand: str = field(

@@ -15,6 +15,7 @@ from typing import IO, Any
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.engine.kinds import capabilities_of
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.guided.events import GuidedSaid, guided_of
@@ -34,11 +35,11 @@ Fed = tuple[Message, Estimate | None]
 class Smoother:
     """Feed a session, then take its `results`.
 
-    Raises ConfigError for an engine other than the chain.
+    Raises ConfigError for an engine whose estimates cannot be smoothed.
     """
 
     def __init__(self, info: SessionInfo, settings: Settings) -> None:
-        if settings.engine != "chain":
+        if not capabilities_of(settings.engine).smoothing:
             raise ConfigError(f"Smoothing is for the engine chain, not for {settings.engine}.")
         assert info.rig is not None
         self.side = info.side

@@ -13,13 +13,19 @@ from typing import Any
 import numpy as np
 
 from tracker import __version__
-from tracker.base.config import to_toml
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.base.workers import usable_cores
 from tracker.engine.hands import Sided
-from tracker.engine.settings import ENGINES, WITHOUT_IMAGES, Settings, settings_from
+from tracker.engine.kinds import (
+    ENGINES,
+    WITHOUT_CAMERA,
+    capabilities_of,
+    load_states,
+    settings_text,
+)
+from tracker.engine.settings import Settings, settings_from
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.glove import library
 from tracker.messages import (
@@ -172,6 +178,7 @@ def _run(
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         return maker.smooth_run(outputs, CameraTilt(reader.rig().pose), colours)
     if _goes_on(reader, options):
+        load_states()
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
     return maker.live_run(outputs, changes, colours)
@@ -198,7 +205,7 @@ def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
 
 def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:
     """The session's camera; None where there is none and the engine needs none."""
-    return reader.info.rig if settings.engine in WITHOUT_IMAGES else reader.rig()
+    return reader.rig() if capabilities_of(settings.engine).images else reader.info.rig
 
 
 def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
@@ -214,7 +221,7 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
     else:
         settings = _recorded_settings(reader, options.settings == USUAL)
     blind = reader.info.rig is None and not any(_camera_topics(reader))
-    engine = options.engine or ("inertial" if blind else "")
+    engine = options.engine or (WITHOUT_CAMERA if blind else "")
     changes: dict[str, Any] = {"engine": engine, "lenses": options.lenses}
     return replace(settings, **{name: value for name, value in changes.items() if value})
 
@@ -237,7 +244,7 @@ def _recorded_settings(reader: SessionReader, engine_alone: bool) -> Settings:
     """Those of this version; where another version wrote them, without what this one cannot use."""
     text, engine = reader.info.settings_text, reader.info.engine
     if engine_alone or not text:
-        return replace(Settings(), engine=engine) if engine in ENGINES else Settings()
+        return replace(Settings(), engine=engine) if engine in ENGINES.names() else Settings()
     return _usable_settings(text)[0]
 
 
@@ -252,7 +259,7 @@ def _usable_settings(text: str) -> tuple[Settings, list[str]]:
     except FileError as error:
         raise ConfigError(f"{error} Use the default settings: --settings default.") from error
     found = settings_from(data, lambda path, why: unusable.append(path))
-    if found.engine not in ENGINES:
+    if found.engine not in ENGINES.names():
         unusable.append("engine")
         found = replace(found, engine=Settings().engine)
     return found, unusable
@@ -306,7 +313,7 @@ def _output_info(
     return replace(
         info,
         engine=settings.engine,
-        settings_text=to_toml(settings),
+        settings_text=settings_text(settings),
         arithmetic=arithmetic(),
         extra=extra,
     )

@@ -18,15 +18,12 @@ LENSES = ("both", "left", "right")
 UNUSED_BASELINE = 0.06  # m, of the camera that is not there
 
 
-def check_lenses(lenses: str, engine: str, rig: StereoRig | None = None) -> None:
-    """Raises ConfigError for a word that is none of `LENSES`, for `vist` with one camera, and for
-    the right camera where there is only one."""
+def check_lenses(lenses: str, rig: StereoRig | None = None) -> None:
+    """Raises ConfigError for a word that is none of `LENSES`, and for the right camera where there
+    is only one."""
     if lenses not in LENSES:
         raise ConfigError(f"lenses is {lenses!r}; it may be {', '.join(LENSES)}.")
-    one_camera = rig is not None and rig.one_camera
-    if (lenses != "both" or one_camera) and engine == "vist":
-        raise ConfigError("The engine vist needs both lenses; with one, use the engine chain.")
-    if lenses == "right" and one_camera:
+    if lenses == "right" and rig is not None and rig.one_camera:
         raise ConfigError("There is only one camera, which counts as the left one.")
 
 

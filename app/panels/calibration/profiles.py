@@ -19,8 +19,8 @@ from app.storage.wearers import WearerFile
 from app.viewmodels.wearers_of_hands import WearersOfHands
 from app.viewmodels.worn_calibration import WornCalibration
 from tracker.base.errors import GlovetrackError
+from tracker.engine.kinds import learns_wearer
 
-PROFILE_ENGINE = "chain"
 R = TypeVar("R")
 
 
@@ -100,7 +100,7 @@ class WearerProfiles(QObject):
 
     def _give_profile(self, engine: str, worn: WornCalibration, side: str) -> None:
         """What the wearer's profile holds, to an engine that can take it."""
-        if engine == PROFILE_ENGINE and worn.profile is not None:
+        if learns_wearer(engine) and worn.profile is not None:
             self.link.put_on(worn.profile, side)
 
     def _engine_changed(self, name: str) -> None:

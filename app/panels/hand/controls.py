@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 from app.viewmodels.hand_scene import ShownParts
 from app.viewmodels.names import engine_name, spoken
 from app.widgets.one_line import OneLine
-from tracker.engine.settings import ENGINES
+from tracker.engine.kinds import engine_kinds
 
 NO_REFERENCE, OTHER = "", "other"
 
@@ -85,7 +85,7 @@ class HandControls(OneLine):
         )
         choice.addItem(self.tr("No reference"), NO_REFERENCE)
         choice.addItem("", OTHER)
-        for name in ENGINES:
+        for name in engine_kinds():
             choice.addItem(self.tr("Reference: {}").format(engine_name(name)), name)
         choice.currentIndexChanged.connect(lambda _i: self.reference_chosen.emit(self.engine))
         return choice
@@ -104,7 +104,7 @@ class HandControls(OneLine):
     def engine(self) -> str:
         """The engine to be compared with; empty where none is chosen."""
         chosen = str(self.reference.currentData())
-        return chosen if chosen in ENGINES else ""
+        return "" if chosen == OTHER else chosen
 
     def shown(self) -> ShownParts:
         ticked = {name: box.isChecked() for name, box in self.boxes.items()}
@@ -136,5 +136,5 @@ class HandControls(OneLine):
             self.trail.addItem(self.tr("Trail: {}").format(spoken(name)), name)
         self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
         for i in range(self.reference.count()):
-            able = self.reference.itemData(i) not in ENGINES or engines
+            able = self.reference.itemData(i) in (NO_REFERENCE, OTHER) or engines
             self.reference.model().item(i).setEnabled(able)  # type: ignore[attr-defined]

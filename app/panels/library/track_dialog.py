@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.words import tr
-from tracker.engine.settings import ENGINES
+from tracker.engine.kinds import engine_kinds
 from tracker.glove import library
 from tracker.offline.options import USUAL, TrackOptions
 
@@ -36,8 +36,8 @@ class TrackDialog(QDialog):
         self.setWindowTitle(self.tr("Track {} again").format(source.name))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.engine = QComboBox()
-        for name, title in ENGINES.items():
-            self.engine.addItem(tr(title), name)
+        for name, kind in engine_kinds().items():
+            self.engine.addItem(tr(kind.title), name)
         self.hand = self._choice("hands")
         self.glove = self._choice("gloves")
         self.colours = self._choice("colours")

@@ -45,11 +45,10 @@ def evaluate_hands(args: argparse.Namespace) -> int:
     from extensions.evaluation.hands.trial import run_trial
     from tracker.base.terminal import check_json, finish, progress_line
     from tracker.base.workers import WorkItem, run_all, some_workers
-    from tracker.engine.settings import ENGINES
+    from tracker.engine.kinds import ENGINES
 
     check_json(args)
-    if args.engine not in ENGINES:
-        raise ConfigError(f"Unknown engine {args.engine!r}. Available: {', '.join(ENGINES)}.")
+    ENGINES.get(args.engine)  # raises ConfigError for an unknown name
     if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
         raise ConfigError("--pairs must be at least 1, --seconds at least 4, and --fps 5 to 240.")
     seeds = range(args.seed, args.seed + args.pairs)

@@ -76,10 +76,10 @@ def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
 def cases_of(args: VistOptions) -> list[Any]:
     """The rows asked for, ablations last. Raises ConfigError for names that do not exist."""
     from extensions.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
-    from tracker.engine.pipeline import ENGINES
+    from tracker.engine.kinds import ENGINES
 
     engines = args.engines or ENGINES_OF[args.lenses]
-    _known(engines, ENGINES, "engine")
+    _known(engines, ENGINES.names(), "engine")
     _check_lenses(args.lenses, engines)
     _known(args.experiments, EXPERIMENTS, "experiment")
     missing = [str(f) for f in args.motion if not f.is_file()]
@@ -106,15 +106,16 @@ def cases_of(args: VistOptions) -> list[Any]:
 
 def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
     """Raises ConfigError where an engine cannot do with so few, or looks through none."""
-    from tracker.engine.settings import WITHOUT_IMAGES
+    from tracker.engine.kinds import capabilities_of
 
-    blind = [e for e in engines if e in WITHOUT_IMAGES]
+    blind = [e for e in engines if not capabilities_of(e).images]
     if lenses == "none" and len(blind) < len(engines):
         raise ConfigError("Only the engine inertial can be evaluated without a camera.")
     if lenses != "none" and blind:
         raise ConfigError("The engine inertial does not use images: add --lenses none.")
-    if lenses == "one" and "vist" in engines:
-        raise ConfigError("The engine vist needs both lenses: add --engines chain.")
+    stereo = [e for e in engines if not capabilities_of(e).one_lens]
+    if lenses == "one" and stereo:
+        raise ConfigError(f"The engine {stereo[0]} needs both lenses: add --engines chain.")
 
 
 def _check_wearer(path: Path, engines: Sequence[str]) -> None:

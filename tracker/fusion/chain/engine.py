@@ -25,7 +25,7 @@ from tracker.fusion.chain.reports import with_unsure_size
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracker import ChainTracker, TrackerKept
-from tracker.fusion.engine import ExpectedHand
+from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
 from tracker.glove.model import GloveModel
@@ -53,7 +53,7 @@ class ChainKept:
     holds: list[Hold] = field(default_factory=list)
 
 
-class ChainEngine:
+class ChainEngine(Engine):
     """Visual-inertial filter on a chain of segments; an `Engine`. One instance per hand.
 
     docs/chain.md derives it; numbers such as ``eq. 12`` in its parts are that page's. It goes on
@@ -171,6 +171,11 @@ class ChainEngine:
         if self.tracking == Tracking.SEARCHING:
             return float("nan")
         return self._tracker.shown.heading_sd(self._tracker.state)
+
+    @property
+    def heading_drift_sd(self) -> float:
+        """As `heading_sd`, while the camera does not see the hand; NaN otherwise."""
+        return self.heading_sd if self.tracking == Tracking.LOST else float("nan")
 
     @property
     def newest(self) -> float | None:

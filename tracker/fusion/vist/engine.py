@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.shown import called_measured
-from tracker.fusion.engine import ExpectedHand
+from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.output.output import HandOutput
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
@@ -45,7 +45,7 @@ class VistKept:
     tracker: VistTrackerKept
 
 
-class VistEngine:
+class VistEngine(Engine):
     """The paper's filter for one hand; an `Engine`.
 
     Y. Lee et al.: Visual-inertial hand motion tracking with robustness against occlusion,

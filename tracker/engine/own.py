@@ -1,0 +1,110 @@
+"""The engines of this program, as pyproject.toml declares them; imported when they are made."""
+
+from __future__ import annotations
+
+from tracker.engine.kinds import Capabilities, EngineKind
+from tracker.engine.settings import Settings
+from tracker.fusion.engine import Engine
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.vision.rig import StereoRig
+
+
+def _chain(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.chain.engine import ChainEngine
+
+    return ChainEngine(hand, glove, rig, settings.chain)
+
+
+def _vist(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.vist.engine import VistEngine
+
+    return VistEngine(hand, glove, rig, settings.vist)
+
+
+def _switching(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.hybrid import HybridEngine
+
+    chain, hybrid = settings.chain, settings.hybrid
+    return HybridEngine(hand, glove, rig, chain, hybrid, "switching_offset")
+
+
+def _madgwick(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.hybrid import HybridEngine
+
+    chain, hybrid = settings.chain, settings.hybrid
+    return HybridEngine(hand, glove, rig, chain, hybrid, "madgwick_adaptive")
+
+
+def _inertial(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.chain.inertial import InertialEngine
+
+    return InertialEngine(hand, glove, settings.chain)
+
+
+def _chain_state() -> type:
+    from tracker.fusion.chain.engine import ChainKept
+
+    return ChainKept
+
+
+def _vist_state() -> type:
+    from tracker.fusion.vist.engine import VistKept
+
+    return VistKept
+
+
+def _hybrid_state() -> type:
+    from tracker.fusion.hybrid import HybridKept
+
+    return HybridKept
+
+
+CHAIN = EngineKind(
+    "chain",
+    "chain (cameras and IMUs, our own)",
+    _chain,
+    _chain_state,
+    Settings,
+    Capabilities(wearer=True, smoothing=True),
+    "Chain",
+    order=0,
+)
+VIST = EngineKind(
+    "vist",
+    "vist (Lee et al. 2021)",
+    _vist,
+    _vist_state,
+    Settings,
+    Capabilities(one_lens=False),
+    "VIST",
+    order=1,
+)
+SWITCHING = EngineKind(
+    "switching",
+    "switching (fingers by their IMUs alone)",
+    _switching,
+    _hybrid_state,
+    Settings,
+    short="Switching",
+    order=2,
+)
+MADGWICK = EngineKind(
+    "madgwick",
+    "Madgwick (fingers by their IMUs alone)",
+    _madgwick,
+    _hybrid_state,
+    Settings,
+    short="Madgwick",
+    order=3,
+)
+INERTIAL = EngineKind(
+    "inertial",
+    "inertial (IMUs alone, no place)",
+    _inertial,
+    _chain_state,
+    Settings,
+    Capabilities(images=False, wearer=True),
+    "IMUs only",
+    order=4,
+)
