@@ -8,7 +8,7 @@ writes to.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -289,6 +289,13 @@ class Calibration(_Frozen):
     accel_bias_sd: Array
     hand_length: float
     hand_length_sd: float
+
+    @staticmethod
+    def nothing(t: float, segments: Sequence[str]) -> Calibration:
+        """Of an engine that estimates no parameters."""
+        rows = np.full((len(segments), 3), np.nan)
+        eight = (rows, rows, rows, rows, rows, rows, rows, rows)
+        return Calibration(t, tuple(segments), *eight, math.nan, math.nan)
 
 
 @dataclass(frozen=True)

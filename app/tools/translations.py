@@ -17,7 +17,7 @@ from pathlib import Path
 
 from app.platform.engine_sentences import LEAST, is_engines, own
 from app.platform.translation import CONTEXT, place
-from tracker.engine.kinds import engine_kinds
+from tracker.engine.kinds import ENGINES, engine_kinds
 from tracker.session.export.formats import FORMATS, formats
 from tracker.streaming.registry import STREAMS, stream_kinds
 from tracker.streaming.remote.registry import DOORS, door_kinds
@@ -151,9 +151,9 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
         if path.name not in own and not (inside.startswith("extensions/") and is_engines(inside)):
             for text, _line in words_in(path.read_text("utf-8")):
                 found.setdefault(text, inside)
-    for kind in engine_kinds().values():
-        for text in (kind.title, kind.short):
-            found.setdefault(text, "tracker/engine/own.py")
+    for engine in engine_kinds().values():
+        for text in filter(None, (engine.title, engine.short)):
+            found.setdefault(text, ENGINES.group)
     for kind in stream_kinds().values():
         for text in filter(None, (kind.title, kind.note)):
             found.setdefault(text, STREAMS.group)

@@ -211,6 +211,45 @@ print([kind.name for kind in formats()][-1], "c3d" in [kind.name for kind in for
     assert run(site, code).splitlines()[-1] == "ply True"
 
 
+def test_an_engine_tracks_is_recorded_and_resumed(site: Path) -> None:
+    code = """
+import numpy as np
+import glovetrack
+from dataclasses import replace
+from glovetrack.engine import ENGINES, EngineState, Pipeline, SessionReader, Settings, load
+from glovetrack.engine import Estimate, ImuSample, SessionRecorder, settings_text
+from glovetrack.app.__main__ import main
+
+assert "tilt" in ENGINES.names()
+glovetrack.simulate("e.mcap", seed=1, duration=3.0, images=False, force=True)
+tilt = ["track", "e.mcap", "--engine", "tilt", "--force", "-o"]
+assert main([*tilt, "whole.mcap"]) == 0
+
+# a recording that begins in the middle of tracking, with a setting of its own
+settings = Settings(engine="tilt", engines={"tilt": {"gain": 2.0}})
+with SessionReader("e.mcap") as reader:
+    info = replace(reader.info, engine="tilt", settings_text=settings_text(settings))
+    packets = list(reader.messages((ImuSample,)))
+pipeline = Pipeline(info.hand, info.glove, None, settings)
+recorder = SessionRecorder("late.mcap", info)
+for k, packet in enumerate(packets):
+    if k == 100:
+        recorder.write(EngineState(packet.t_arrival, "tilt", pipeline.get_state()))
+    estimate = pipeline.feed_imu(packet)
+    if k >= 100:
+        recorder.write(packet)
+recorder.close()
+assert main(["track", "late.mcap", "--force", "-o", "again.mcap"]) == 0
+with SessionReader("again.mcap") as reader:
+    again = list(reader.messages((Estimate,)))
+    print(reader.info.engine, "gain = 2.0" in reader.info.settings_text)
+print(len(again) == len(packets) - 100, np.array_equal(again[-1].keypoints, estimate.keypoints))
+with SessionReader("whole.mcap") as reader:
+    print(np.array_equal(list(reader.messages((Estimate,)))[-1].keypoints, estimate.keypoints))
+"""
+    assert run(site, code).splitlines()[-3:] == ["tilt True", "True True", "False"]
+
+
 def test_the_public_api_works_from_the_wheel(site: Path) -> None:
     code = """
 import glovetrack

@@ -53,14 +53,6 @@ class Engine(Protocol):
         """The hand at any instant near now. Moves nothing."""
 
     @abstractmethod
-    def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching."""
-
-    @abstractmethod
-    def expected(self, t: float) -> ExpectedHand | None:
-        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
-
-    @abstractmethod
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty."""
 
@@ -73,6 +65,16 @@ class Engine(Protocol):
         """Go on from `get_state`."""
 
     # ---- what only some engines can do
+
+    def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
+        """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching, and
+        for an engine that does not follow images."""
+        return None
+
+    def expected(self, t: float) -> ExpectedHand | None:
+        """The hand in an image of ``t`` that was not used yet; None while its place is unknown,
+        and for an engine that does not follow images."""
+        return None
 
     def reset_pose(self) -> str | None:
         """Align joints with a flat hand that the wearer holds now. A sentence that says what was
