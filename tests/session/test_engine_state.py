@@ -27,6 +27,7 @@ from tracker.engine.settings import Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraPose, Estimate, ImuSample
+from tracker.session.engine_parts import register_all
 from tracker.session.engine_state import MOST_BYTES, MOST_TEXT, VERSION, pack, unpack
 from tracker.session.state_check import mismatch
 from tracker.simulation.random_postures import RandomPostures
@@ -49,6 +50,12 @@ def feed(pipeline: Pipeline, messages: Iterable[ImuSample | BlobFrame]) -> list[
         else:
             pipeline.feed_frame(m)
     return out
+
+
+@pytest.fixture(autouse=True)
+def _registered() -> None:
+    """As a reader of sessions does before it reads a state."""
+    register_all()
 
 
 @pytest.mark.parametrize("engine", ENGINES.names())

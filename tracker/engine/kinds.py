@@ -129,6 +129,6 @@ def settings_text(settings: Settings) -> str:
 
 
 def load_states() -> None:
-    """Import what recorded states are made of; `SessionReader.engine_states` needs it."""
+    """Import what recorded states are made of, of every engine that can be loaded."""
     for kind in engine_kinds().values():
         kind.state()

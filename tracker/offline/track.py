@@ -22,7 +22,6 @@ from tracker.engine.kinds import (
     ENGINES,
     WITHOUT_CAMERA,
     capabilities_of,
-    load_states,
     settings_text,
 )
 from tracker.engine.settings import Settings, settings_from
@@ -178,7 +177,6 @@ def _run(
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         return maker.smooth_run(outputs, CameraTilt(reader.rig().pose), colours)
     if _goes_on(reader, options):
-        load_states()
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
     return maker.live_run(outputs, changes, colours)

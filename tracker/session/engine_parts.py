@@ -7,16 +7,17 @@ engines are above this package.
 
 from __future__ import annotations
 
-from functools import cache
 from importlib import import_module
 
 MODULES = ("..engine.pipeline", "..engine.hands")
-"""They import every module with a ``@record``; a test compares that with the source. The names are
-relative because an installed program has these modules in another package."""
+"""With the states of all engines they import every module with a ``@record``; a test compares that
+with the source. The names are relative because an installed program has these modules in another
+package."""
 
 
-@cache
 def register_all() -> None:
-    """Import `MODULES`, so that every record of a state is known."""
+    """Import `MODULES` and what the states of all engines are made of, those of other packages
+    too."""
     for name in MODULES:
         import_module(name, __package__)
+    import_module("..engine.kinds", __package__).load_states()
