@@ -4340,31 +4340,6 @@ change {}: {}</source>
       <translation>Handrücken</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/names.py" />
-      <source>Chain</source>
-      <translation>Chain</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/names.py" />
-      <source>VIST</source>
-      <translation>VIST</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/names.py" />
-      <source>Switching</source>
-      <translation>Switching</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/names.py" />
-      <source>Madgwick</source>
-      <translation>Madgwick</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/names.py" />
-      <source>IMUs only</source>
-      <translation>nur IMUs</translation>
-    </message>
-    <message>
       <location filename="app/viewmodels/recent.py" />
       <source>just now</source>
       <translation>gerade eben</translation>
@@ -7600,29 +7575,54 @@ change {}: {}</source>
       <translation>{} ms zurück (99 %)</translation>
     </message>
     <message>
-      <location filename="tracker/engine/settings.py" />
+      <location filename="glovetrack.engines" />
       <source>chain (cameras and IMUs, our own)</source>
       <translation>chain (Kameras und IMUs, das eigene)</translation>
     </message>
     <message>
-      <location filename="tracker/engine/settings.py" />
+      <location filename="glovetrack.engines" />
+      <source>Chain</source>
+      <translation>Chain</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.engines" />
       <source>vist (Lee et al. 2021)</source>
       <translation>vist (Lee et al. 2021)</translation>
     </message>
     <message>
-      <location filename="tracker/engine/settings.py" />
+      <location filename="glovetrack.engines" />
+      <source>VIST</source>
+      <translation>VIST</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.engines" />
       <source>switching (fingers by their IMUs alone)</source>
       <translation>switching (Finger allein nach ihren IMUs)</translation>
     </message>
     <message>
-      <location filename="tracker/engine/settings.py" />
+      <location filename="glovetrack.engines" />
+      <source>Switching</source>
+      <translation>Switching</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.engines" />
       <source>Madgwick (fingers by their IMUs alone)</source>
       <translation>Madgwick (Finger allein nach ihren IMUs)</translation>
     </message>
     <message>
-      <location filename="tracker/engine/settings.py" />
+      <location filename="glovetrack.engines" />
+      <source>Madgwick</source>
+      <translation>Madgwick</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.engines" />
       <source>inertial (IMUs alone, no place)</source>
       <translation>inertial (nur IMUs, ohne Ort)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.engines" />
+      <source>IMUs only</source>
+      <translation>nur IMUs</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -8210,6 +8210,16 @@ change {}: {}</source>
       <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
     </message>
     <message>
+      <location filename="tracker/engine/kinds.py" />
+      <source>The engine {} needs a camera with a stereo calibration; without one the engine {} shows the hand by its IMUs.</source>
+      <translation>Das Verfahren {} braucht eine Kamera mit Stereokalibrierung; ohne sie zeigt das Verfahren {} die Hand anhand ihrer IMUs.</translation>
+    </message>
+    <message>
+      <location filename="tracker/engine/kinds.py" />
+      <source>The engine {} needs both lenses; with one, use the engine chain.</source>
+      <translation>Das Verfahren {} braucht beide Objektive; mit einem ist das Verfahren chain zu verwenden.</translation>
+    </message>
+    <message>
       <location filename="tracker/engine/pipeline.py" />
       <source>No packets from the {} glove: the hand follows the images alone.</source>
       <translation>Keine Pakete vom Handschuh ({}): Die Hand folgt nur den Bildern.</translation>
@@ -8233,16 +8243,6 @@ change {}: {}</source>
       <location filename="tracker/engine/pipeline.py" />
       <source>{}: engine {} has none. Choose engine chain or inertial.</source>
       <translation>{}: Das Verfahren {} hat das nicht. Wählen Sie chain oder inertial.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>There is no engine {}; there are {}.</source>
-      <translation>Es gibt kein Verfahren {}; es gibt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>The engine {} needs a camera with a stereo calibration; without one the engine 'inertial' shows the hand by its IMUs.</source>
-      <translation>Das Verfahren {} braucht eine Kamera mit Stereo-Kalibrierung; ohne eine zeigt das Verfahren „inertial“ die Hand nach ihren IMUs.</translation>
     </message>
     <message>
       <location filename="tracker/engine/pipeline.py" />
@@ -8336,8 +8336,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/fusion/worn.py" />
-      <source>Only the engine chain takes and learns a wearer's profile.</source>
-      <translation>Nur das Verfahren chain nimmt und lernt das Profil einer Person.</translation>
+      <source>This engine does not take or learn a wearer's profile; chain does.</source>
+      <translation>Dieses Verfahren verwendet und lernt kein Profil der Person; chain kann das.</translation>
     </message>
     <message>
       <location filename="tracker/glove/library.py" />
@@ -9118,11 +9118,6 @@ change {}: {}</source>
       <location filename="tracker/vision/hue_table.py" />
       <source>The colour profile {} has {} hues; at most {} can be told apart.</source>
       <translation>Das Farbprofil {} hat {} Farbtöne; höchstens {} lassen sich unterscheiden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/vision/lenses.py" />
-      <source>The engine vist needs both lenses; with one, use the engine chain.</source>
-      <translation>Das Verfahren vist braucht beide Objektive; mit einem das Verfahren chain benutzen.</translation>
     </message>
     <message>
       <location filename="tracker/vision/lenses.py" />
