@@ -157,8 +157,10 @@ def test_both_hands(live_recordings: LiveRecordings) -> None:
 
 
 def test_events_are_notes_and_what_happened(live: glovetrack.Recording) -> None:
-    assert any(e.kind == "recording" for e in live.events)
-    assert all(-1.0 < e.t < live.duration + 1.0 for e in live.events)
+    (begun,) = [e for e in live.events if e.kind == "recording"]
+    assert abs(begun.t) < 1.0
+    # an event of an image has the image's time: a loaded computer reports it seconds later
+    assert all(-30.0 < e.t < live.duration + 1.0 for e in live.events)
 
 
 def test_what_is_not_a_session_is_refused_in_words(tmp_path: Path) -> None:
