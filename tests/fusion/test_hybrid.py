@@ -45,5 +45,5 @@ def test_goes_on_identically_from_a_saved_state(sim: Simulation) -> None:
 
 
 def test_an_unknown_engine_is_refused_in_words(sim: Simulation) -> None:
-    with pytest.raises(ConfigError, match="no engine 'magic'; there are chain"):
+    with pytest.raises(ConfigError, match="no engine 'magic'; available: chain"):
         Pipeline(sim.hand, sim.glove, sim.rig, Settings(engine="magic"))
