@@ -31,6 +31,7 @@ def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
     """Raises FileError where it cannot be read."""
     from tracker.session.glance import HandShare, quality
     from tracker.session.reader import SessionReader
+    from tracker.session.recover import needs_recovery
     from tracker.session.verify import verify
 
     findings = verify(path, progress)
@@ -44,4 +45,5 @@ def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
     hands = tuple(
         HandTake(hand.side, hand.tracked, silent.get(f"/glove/{hand.side}", 0.0)) for hand in shares
     )
-    return TakeReport(path, problem, duration, q.packets_lost, q.by_imus, camera, hands)
+    cut_off = needs_recovery(path)
+    return TakeReport(path, problem, duration, q.packets_lost, q.by_imus, camera, hands, cut_off)

@@ -232,7 +232,8 @@ class RecordingPanel(Panel):
         rate = self._show_growth(request.path) if request is not None else 0.0
         if request is not None:
             self.losses_label.setText(losses_text(self.host.recording.figures))
-        room = disk(free_bytes(self._plan.folder), rate)
+        folder = request.path.parent if request is not None else self._plan.folder
+        room = disk(free_bytes(folder), rate)
         self.disk_label.setText(room.text)
         self.warning.setText(room.warning)
         self.warning.setVisible(bool(room.warning))

@@ -34,7 +34,7 @@ class HandTake(NamedTuple):
 class TakeReport:
     """``problem``: the worst that is wrong with the file, empty where it is whole. ``duration`` s;
     ``by_imus``: without a place, so that how long it was tracked says nothing. ``camera_silent``:
-    s for which no image came.
+    s for which no image came; ``cut_off``: it has no end, and `recover` makes a whole file of it.
     """
 
     path: Path
@@ -44,11 +44,15 @@ class TakeReport:
     by_imus: bool = False
     camera_silent: float = 0.0
     hands: tuple[HandTake, ...] = ()  # that it holds, the left one first
+    cut_off: bool = False
 
 
 def report_text(report: TakeReport) -> str:
     """One line: whole, so long, so much lost, tracked so much of the time, of two hands each."""
     name = report.path.stem
+    if report.cut_off:
+        text = tr("{} was cut off after {}. What it contains can be recovered.")
+        return text.format(name, duration_text(report.duration))
     if report.problem:
         return tr("{} is not whole: {}").format(name, report.problem)
     parts = [duration_text(report.duration)]

@@ -29,6 +29,7 @@ from tracker.base.errors import FileError, GlovetrackError
 from tracker.base.files import write_whole
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, Event, Tracking
+from tracker.session.recover import needs_recovery
 from tracker.streaming.registry import StreamSettings
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
@@ -108,13 +109,23 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     view = window.host.snapshot()
     window.host.stop()
     window.host.recording.wait()
-    try:
-        export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
-    except GlovetrackError as error:  # devices that gave nothing
-        problems.append(str(error))
+    problems += _ended_early(window.host.recording.ended_by, path)
+    if path.exists():
+        try:
+            export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
+        except GlovetrackError as error:  # devices that gave nothing
+            problems.append(str(error))
     print(_report(gathered, view, rate, path))
     print("\n".join(problems), end="\n" if problems else "", file=sys.stderr)
     return 1 if problems else 0
+
+
+def _ended_early(why: str, path: Path) -> list[str]:
+    """What to report of a recording that was ended by ``why`` (empty: by nothing)."""
+    if not why:
+        return []
+    again = f"`glovetrack recover {path}` makes a whole file of what was recorded."
+    return [f"{why} {again}" if path.exists() and needs_recovery(path) else why]
 
 
 class _Teller:

@@ -209,6 +209,7 @@ class MainWindow(QMainWindow):
         host.recording.changed.connect(lambda _on: self._enable())
         host.error.connect(lambda text: self.messages.say(text))
         host.happened.connect(self._heard)
+        self.takes.recover.connect(self.recent.recover)
         self.set_up.error.connect(lambda text: self.messages.say(text))
         self.tasks.failed.connect(self._failed)
         self.tasks.noted.connect(lambda text: self.messages.say(text))

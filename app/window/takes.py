@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QElapsedTimer, QObject, QTimer
+from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from app.engines.engine import EngineSetup
@@ -35,6 +35,8 @@ LOOK_MS = 500  # between two looks at what arrives
 
 class Takes(QObject):
     """Checks each recording in the background and offers what one does with it next."""
+
+    recover = Signal(object)  # Path of a recording that was cut off
 
     def __init__(
         self,
@@ -106,8 +108,10 @@ class Takes(QObject):
         if self._host.recording.request is not None:
             return  # the next one is under way
         path, ended_by = report.path, self._host.recording.ended_by
+        recover = (self.tr("Recover"), partial(self.recover.emit, path))
         self._messages.say(
             " ".join(filter(None, (told(ended_by), report_text(report)))),
+            *([recover] if report.cut_off else []),
             (self.tr("Show it"), partial(self._show, path)),
             (self.tr("Export…"), partial(self._library.ask_export_of, [path])),
             (self.tr("Rename…"), partial(self._ask_name, report)),

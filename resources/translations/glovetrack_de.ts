@@ -5156,6 +5156,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
+      <source>{} was cut off after {}. What it contains can be recovered.</source>
+      <translation>Die Aufnahme {} ist nach {} abgebrochen. Was sie enthält, lässt sich retten.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
       <source>left hand: {}</source>
       <translation>linke Hand: {}</translation>
     </message>

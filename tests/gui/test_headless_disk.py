@@ -10,7 +10,15 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QImage, QPixmap
 
+from app.engines import demo
+from app.engines.demo_camera import DemoChoice
 from app.window import headless_report as report
+from tests.session.recording.spoilers import FullDisk, SmallFiles
+from tracker.messages import Estimate
+from tracker.offline.track import track
+from tracker.session.reader import SessionReader
+from tracker.session.recording.process import RecorderProcesses
+from tracker.streaming.registry import StreamSettings
 
 resource = pytest.importorskip("resource")
 
@@ -53,3 +61,32 @@ def test_a_session_that_could_not_be_recorded_is_called_that(tmp_path: Path) -> 
     (tmp_path / "session_left.csv").touch()
     (tmp_path / "session_right.csv").touch()
     assert report._session_text(path).endswith("MB), session_left.csv, session_right.csv")
+
+
+@pytest.mark.parametrize(
+    ("spoiler", "why"),
+    [
+        (FullDisk(600_000), "the disk is full"),
+        (SmallFiles(600_000), "the disk allows no file this large"),
+    ],
+)
+def test_a_disk_that_fills_up_during_the_report_is_an_error(
+    qapp, tmp_path: Path, monkeypatch, capsys, spoiler, why
+) -> None:
+    monkeypatch.setattr(demo, "RecorderProcesses", lambda _: RecorderProcesses(spoiler))
+    choice = DemoChoice(scene="plain", lenses="none")
+    watched = report.Watched("demo", lambda progress: demo.demo_setup(progress, 1, choice))
+    out = tmp_path / "report"
+    assert report.headless_report(6.0, out, watched, report.Connected(StreamSettings())) == 1
+    session = out / "session.mcap"
+    printed = capsys.readouterr()
+    assert printed.err.splitlines()[-1] == (
+        f"{session} cannot be written: {why}. "
+        f"`glovetrack recover {session}` makes a whole file of what was recorded."
+    )
+    assert "Traceback" not in printed.err
+    assert "session.csv" in printed.out
+    again = tmp_path / "again.mcap"
+    track(session, again)
+    with SessionReader(again) as reader:
+        assert sum(isinstance(m, Estimate) for m in reader.messages()) > 50

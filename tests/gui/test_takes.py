@@ -16,6 +16,7 @@ from app.engines.recording import recorder_maker
 from app.engines.replay.engine import open_replay
 from app.jobs.take_check import check_job
 from app.viewmodels.library import quality_text
+from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, GOOD
 from app.viewmodels.takes import (
     HandNow,
@@ -393,8 +394,25 @@ def test_a_name_that_is_taken_leaves_both_files(tmp_path):
 def test_a_file_cut_off_is_not_called_whole(take, tmp_path):
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(take.read_bytes()[: take.stat().st_size * 2 // 3])
-    text = report_text(check_job(cut)(lambda *_: None))
-    assert text.startswith("cut is not whole: byte ")
+    report = check_job(cut)(lambda *_: None)
+    assert report.problem and 0 < report.duration < LENGTH
+    length = duration_text(report.duration)
+    assert report_text(report) == (
+        f"cut was cut off after {length}. What it contains can be recovered."
+    )
+
+
+def test_a_recording_that_its_disk_cut_off_is_recovered_from_its_message(
+    recorded, take, tmp_path, qtbot
+):
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(take.read_bytes()[: take.stat().st_size * 2 // 3])
+    recorded.host.recording.finished.emit(cut)
+    qtbot.waitUntil(lambda: "cut was cut off" in recorded.banner.text(), timeout=30_000)
+    button(recorded, "Recover").click()
+    whole = tmp_path / "cut_recovered.mcap"
+    qtbot.waitUntil(lambda: whole.name in recorded.banner.text(), timeout=30_000)
+    assert is_ok(verify(whole))
 
 
 def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
