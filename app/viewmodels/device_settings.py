@@ -30,6 +30,13 @@ CONTROLS = {
 }
 RATE_TOLERANCE = 0.05  # share by which a measured rate may differ from what was asked for
 NOT_REPORTED = mark("not reported")
+LINK_STATES = {
+    "unplugged": mark("unplugged"),
+    "greeting": mark("waiting for the glove's description"),
+    "streaming": mark("receiving packets"),
+    "silent": mark("no packets"),
+}
+"""By the value of a `LinkState`."""
 
 
 class Confirmed(Enum):
@@ -125,7 +132,7 @@ def _link(prefix: str, device: str, r: GloveReport) -> list[DeviceValue]:
     latency = "" if r.latency_ms is not None else tr("Only FTDI adapters on Linux report it.")
     rows: list[tuple[str, str, Value, str]] = [
         ("port", tr("Port"), r.port, ""),
-        ("state", tr("State"), r.state, ""),
+        ("state", tr("State"), tr(LINK_STATES[r.state]), ""),
         ("baud", tr("Speed"), r.baud, "baud"),
         ("adapter", tr("USB adapter"), f"{usb.vid:04x}:{usb.pid:04x}" if usb else None, ""),
         ("adapter_serial", tr("Adapter's serial number"), usb.serial_number if usb else None, ""),

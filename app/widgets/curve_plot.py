@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QFontMetricsF, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 
 from app.widgets.thinning import thinned
@@ -58,6 +59,7 @@ class CurvePlot(QWidget):
         super().__init__(parent)
         self.plot = pg.PlotWidget(enableMenu=False)
         self.plot.setMinimumHeight(80)
+        self._title = title
         if title:
             self.plot.setLabel("left", title)
         self.plot.setMouseEnabled(x=False, y=False)
@@ -77,6 +79,15 @@ class CurvePlot(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.plot)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Elide the title in the middle where the axis is shorter; its unit is at the end."""
+        super().resizeEvent(event)
+        if self._title:
+            axis = self.plot.getAxis("left")
+            room = max(self.height() - self.plot.getAxis("bottom").height(), 1)
+            metrics = QFontMetricsF(axis.label.font())
+            axis.setLabel(metrics.elidedText(self._title, Qt.TextElideMode.ElideMiddle, room))
 
     def set_colours(self, background: str, text: str) -> None:
         """Dress the plot; pyqtgraph does not follow the palette by itself."""

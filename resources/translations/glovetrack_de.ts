@@ -1029,6 +1029,11 @@
     </message>
     <message>
       <location filename="app/panels/devices/tree.py" />
+      <source>Current value</source>
+      <translation>Aktueller Wert</translation>
+    </message>
+    <message>
+      <location filename="app/panels/devices/tree.py" />
       <source>State</source>
       <translation>Zustand</translation>
     </message>
@@ -3348,6 +3353,26 @@ change {}: {}</source>
       <location filename="app/viewmodels/device_settings.py" />
       <source>White balance</source>
       <translation>Weißabgleich</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>unplugged</source>
+      <translation>nicht angeschlossen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>waiting for the glove's description</source>
+      <translation>wartet auf die Beschreibung des Handschuhs</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>receiving packets</source>
+      <translation>empfängt Pakete</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>no packets</source>
+      <translation>keine Pakete</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />

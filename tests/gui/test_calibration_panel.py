@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
+from app.panels.calibration.table import CalibrationTable
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
@@ -268,3 +269,17 @@ def test_a_profile_that_is_taken_in_replaces_no_other_one(tmp_path):
     assert second != first and store.take_in(elsewhere, layout) == second
     assert store.path(first).read_bytes() == kept
     assert store.names() == sorted([first, second])
+
+
+def test_no_heading_of_the_table_is_cut_in_a_narrow_panel(qtbot):
+    table = CalibrationTable()
+    qtbot.addWidget(table)
+    table.resize(320, 200)
+    table.show()
+    table.show_rows(calibration_view(ScriptedEngine().calibration()).rows)
+    header = table.horizontalHeader()
+    for column in range(table.columnCount()):
+        wanted = max(header.sectionSizeHint(column), table.sizeHintForColumn(column))
+        assert header.sectionSize(column) >= wanted
+    assert header.length() > table.viewport().width()
+    qtbot.waitUntil(lambda: table.horizontalScrollBar().maximum() > 0, timeout=10_000)

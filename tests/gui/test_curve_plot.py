@@ -50,3 +50,17 @@ def test_thinned_curves_keep_their_peaks_and_interruptions_while_they_scroll():
     first, second = (thinned(t, values, 10.0 + shift, 50.0 + shift, 400) for shift in (0, 0.1))
     shared = np.intersect1d(first[0], second[0])
     assert len(shared) > 390, "columns do not wander while a curve scrolls"
+
+
+def test_a_title_longer_than_its_axis_keeps_its_unit(qtbot):
+    title = "Beschleunigung mit langem Namen / g"
+    plot = ScrollPlot(title, 8.0, (-2.0, 2.0))
+    qtbot.addWidget(plot)
+    axis = plot.plot.getAxis("left")
+    for height, whole in ((400, True), (110, False), (400, True)):
+        plot.resize(300, height)
+        plot.show()
+        qtbot.waitUntil(lambda h=height: plot.height() == h)
+        assert (axis.labelText == title) is whole
+        assert axis.labelText.endswith("g")
+        assert axis.label.boundingRect().width() <= height

@@ -80,6 +80,13 @@ class CalibrationTable(QTableWidget):
             self._item(i, 0).setText(row.segment)
             for j, cell in enumerate(row.cells, start=1):
                 _show_cell(self._item(i, j), cell)
+        self._widen()
+
+    def _widen(self) -> None:
+        """Make room for all headings and figures; never shrinks, so that columns do not jitter."""
+        header = self.horizontalHeader()
+        wanted = (max(header.sectionSizeHint(j), self.sizeHintForColumn(j)) for j in range(1, 5))
+        header.setMinimumSectionSize(max(header.minimumSectionSize(), *wanted))
 
     def _item(self, row: int, column: int) -> QTableWidgetItem:
         """The item of a cell, made where there is none yet."""

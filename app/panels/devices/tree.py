@@ -30,7 +30,7 @@ class DeviceTree(QTreeWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setHeaderLabels([self.tr("Setting"), self.tr("Value"), self.tr("State")])
+        self.setHeaderLabels([self.tr("Setting"), self.tr("Current value"), self.tr("State")])
         self.setAccessibleName(self.tr("Device settings"))
         self.setUniformRowHeights(False)
         self.setSelectionMode(QTreeWidget.SelectionMode.NoSelection)
