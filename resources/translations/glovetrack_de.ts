@@ -1659,6 +1659,21 @@
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
+      <source>The gaps of a recording are listed while it is replayed.</source>
+      <translation>Die Lücken einer Aufnahme werden aufgelistet, während sie wiedergegeben wird.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>No gap matches these filters.</source>
+      <translation>Keine Lücke entspricht diesen Filtern.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>This recording has no gaps.</source>
+      <translation>Diese Aufnahme hat keine Lücken.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
       <source>Fill {} gaps</source>
       <translation>{} Lücken füllen</translation>
     </message>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import pytest
@@ -168,3 +169,18 @@ def in_gap(window):
     view, start = window.host.snapshot(), window.host.setup.engine.start_t
     e = view.estimate
     return e is not None and CUTS[1][0] < e.t - start < CUTS[1][1]
+
+
+def test_a_list_without_rows_says_why(review, window):
+    page = review.library.gaps.page
+    assert not page.empty.isVisible() and page.table.isVisible()
+    found = page.found
+    page.show_gaps(dataclasses.replace(found, gaps=()))
+    assert page.empty.text() == "This recording has no gaps." and not page.table.isVisible()
+    page.show_gaps(None)
+    assert "while it is replayed" in page.empty.text()
+    page.show_gaps(found)
+    assert not page.empty.isVisible() and page.table.isVisible()
+    page.part.addItem("no part", "no part")
+    page.part.setCurrentIndex(page.part.count() - 1)
+    assert page.empty.text() == "No gap matches these filters." and page.empty.isVisible()

@@ -68,6 +68,10 @@ class GapPage(QWidget):
         self._make_controls()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, TIGHT, 0, 0)
+        self.empty = QLabel()
+        self.empty.setWordWrap(True)
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+        column.addWidget(self.empty)
         column.addWidget(self.table)
         self.show_gaps(None)
 
@@ -188,9 +192,21 @@ class GapPage(QWidget):
                 cell.setData(NUMBER, gap.number)
                 self.table.setItem(row, column, cell)
         self.table.setSortingEnabled(True)
+        self._explain_empty(bool(shown))
         spans = stretches(found, shown) if found is not None else []
         self.shown_changed.emit([TimelineSpan(s.start, s.stop, s.colour, s.text) for s in spans])
         self._enable()
+
+    def _explain_empty(self, has_rows: bool) -> None:
+        """A sentence in place of a table without rows."""
+        if self.found is None:
+            self.empty.setText(self.tr("The gaps of a recording are listed while it is replayed."))
+        elif self.found.gaps:
+            self.empty.setText(self.tr("No gap matches these filters."))
+        else:
+            self.empty.setText(self.tr("This recording has no gaps."))
+        self.table.setVisible(has_rows)
+        self.empty.setVisible(not has_rows)
 
     def _number_of(self, row: int) -> int:
         item = self.table.item(row, START)
