@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
@@ -221,6 +220,8 @@ def series_of(info: SessionInfo, found: Sequence[Estimate]) -> EstimateSeries:
 
 def _quaternions(R: Array) -> Array:
     """(..., 4) xyzw of (..., 3, 3); NaN where lost."""
+    from scipy.spatial.transform import Rotation  # the window starts without it
+
     q = np.full((*R.shape[:-2], 4), np.nan)
     known = np.isfinite(R).all(axis=(-1, -2))
     if known.any():
