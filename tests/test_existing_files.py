@@ -156,7 +156,7 @@ def text_options() -> set[tuple[str, tuple[str, ...]]]:
     for name, parser in parsers():
         for action in parser._actions:
             if "--log-file" in action.option_strings:
-                continue  # tests/test_completion.py: every command has it
+                continue  # tests/test_shell_completion.py: every command has it
             if action.nargs != 0 and action.choices is None and _takes_text(action):
                 found.add((name, tuple(action.option_strings) or (action.dest,)))
     return found

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 import sys
 
 import pytest
 
-from extensions.evaluation.commands import add_commands
+import extensions
 from extensions.robot.pick_and_place import pick_and_place
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import Teleop
 from extensions.robot.tests.hands import shadow
-from tracker.base.errors import ConfigError
 from tracker.cli import main
 
 
@@ -43,11 +41,9 @@ def test_the_command_tells_how_near_tips_come(capsys: pytest.CaptureFixture[str]
 
 
 def test_without_the_robot_extension_this_protocol_alone_is_missing(
-    monkeypatch: pytest.MonkeyPatch,
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "extensions.robot", None)  # as if the folder were removed
-    parser = argparse.ArgumentParser()
-    add_commands(parser.add_subparsers())
-    args = parser.parse_args(["evaluate", "robot"])
-    with pytest.raises(ConfigError, match="requires the extension extensions/robot"):
-        args.func(args)
+    monkeypatch.delattr(extensions, "robot", raising=False)
+    assert main(["evaluate", "robot"]) == 1
+    assert "requires the extension extensions/robot" in capsys.readouterr().err
