@@ -179,7 +179,7 @@ def _settings_from(data: dict[str, Any]) -> AppSettings:
 
 
 def wearer_of(settings: AppSettings, side: str, of_demo: bool = False) -> str:
-    """The name of who wears the glove of a hand, "left" or "right"; empty for nobody."""
+    """The wearer of the glove on one side ("left" or "right"); empty if none is chosen."""
     return str((settings.demo_wearers if of_demo else settings.wearers).get(side, ""))
 
 

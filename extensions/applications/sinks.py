@@ -109,6 +109,7 @@ def network_sinks() -> list[CommandSink]:
 
 
 def all_sinks(vibrate: Vibrate | None, tell: Callable[[Event], None]) -> list[CommandSink]:
-    """And the glove's motors, where it has some; ``tell`` gets an event of what they are told."""
+    """All of a hand: those on the network and, if the glove has motors, these; ``tell`` receives an
+    event for each motor command."""
     motors: list[CommandSink] = [MotorSink(vibrate, monotonic, tell)] if vibrate is not None else []
     return [*motors, *network_sinks()]

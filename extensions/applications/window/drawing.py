@@ -143,7 +143,7 @@ class ApplicationBodies:
 
     @property
     def worn_out(self) -> bool:
-        """Whether it has made so many bodies that the scene is better made anew."""
+        """Whether so many bodies were made that the scene should be rebuilt."""
         return len(self._surfaces) + len(self._lines) > MOST
 
     def update(self, surfaces: list[SurfaceForm], lines: list[LineForm]) -> None:

@@ -46,12 +46,11 @@ def add_robot(parser: argparse.ArgumentParser) -> None:
 def evaluate_robot(args: argparse.Namespace) -> int:
     """Run the trials and print the figures."""
     try:
-        from extensions import robot as _extension  # noqa: F401
+        from extensions.robot.library import need_mujoco
     except ImportError as error:
         raise ConfigError("This protocol requires the extension extensions/robot.") from error
     from extensions.evaluation.robot.score import tip_score
     from extensions.robot.hand import load_hand
-    from extensions.robot.library import need_mujoco
     from extensions.robot.pick_and_place import pick_and_place
     from extensions.robot.settings import RobotSettings
     from extensions.robot.teleop import Teleop

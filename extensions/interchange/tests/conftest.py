@@ -1,7 +1,5 @@
 """Fixtures of the session's tests."""
 
-from tests.session.conftest import (  # noqa: F401
-    maker,
-    record,
-    session_info,
-)
+from tests.session.conftest import maker, record, session_info
+
+__all__ = ["maker", "record", "session_info"]

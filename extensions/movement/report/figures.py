@@ -48,9 +48,9 @@ def png(figure: Figure) -> bytes:
     return out.getvalue()
 
 
-def flexion_names(told: MeasuredTake) -> list[str]:
+def flexion_names(measured: MeasuredTake) -> list[str]:
     """Flexions of fingers and thumb."""
-    names = told.take.angle_names
+    names = measured.take.angle_names
     return [n for n in names if n.endswith("_flexion") and n.split("_")[0] in CHAINS]
 
 
@@ -67,15 +67,15 @@ def figure_names(takes: Sequence[MeasuredTake]) -> list[str]:
 
 def _drawn(takes: Sequence[MeasuredTake]) -> Iterator[tuple[str, Callable[[], Figure]]]:
     yield "ranges", partial(ranges, takes)
-    for number, told in enumerate(takes, 1):
-        yield f"{number}_flexion", partial(courses, told, flexion_names(told))
-        if aperture_names(told):
-            yield f"{number}_aperture", partial(apertures, told)
+    for number, measured in enumerate(takes, 1):
+        yield f"{number}_flexion", partial(courses, measured, flexion_names(measured))
+        if aperture_names(measured):
+            yield f"{number}_aperture", partial(apertures, measured)
 
 
-def aperture_names(told: MeasuredTake) -> list[str]:
+def aperture_names(measured: MeasuredTake) -> list[str]:
     """Of the distances between the thumb's tip and the fingers'."""
-    return [r.measure.name for r in told.rows if not r.measure.is_angle]
+    return [r.measure.name for r in measured.rows if not r.measure.is_angle]
 
 
 def ranges(takes: Sequence[MeasuredTake]) -> Figure:
@@ -84,9 +84,9 @@ def ranges(takes: Sequence[MeasuredTake]) -> Figure:
     names = [r.measure.name for r in takes[0].rows if r.measure.is_angle and not r.isb]
     figure = Figure(figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
     axes = figure.add_subplot()
-    for k, told in enumerate(takes):
+    for k, measured in enumerate(takes):
         for i, name in enumerate(names):
-            row = told.row(name)
+            row = measured.row(name)
             if row is None or not np.isfinite(row.measure.range):
                 continue
             low, high, sd = np.rad2deg(
@@ -106,9 +106,9 @@ def ranges(takes: Sequence[MeasuredTake]) -> Figure:
     return figure
 
 
-def courses(told: MeasuredTake, names: Sequence[str]) -> Figure:
+def courses(measured: MeasuredTake, names: Sequence[str]) -> Figure:
     """Angles (deg) over time, each in a row of its own, over what was inferred and lost."""
-    take = told.take
+    take = measured.take
     figure = Figure(figsize=(9, 0.6 + 1.05 * len(names)))
     for k, name in enumerate(names):
         axes = figure.add_subplot(len(names), 1, k + 1)
@@ -125,19 +125,19 @@ def courses(told: MeasuredTake, names: Sequence[str]) -> Figure:
     return figure
 
 
-def apertures(told: MeasuredTake) -> Figure:
+def apertures(measured: MeasuredTake) -> Figure:
     """Distances (mm) between the thumb's tip and the fingers' over time, their greatest marked."""
     figure = Figure(figsize=(9, 2.6))
     axes = figure.add_subplot()
-    for k, name in enumerate(aperture_names(told)):
-        away, _, state = distance(told.take, pair_of(name))
+    for k, name in enumerate(aperture_names(measured)):
+        away, _, state = distance(measured.take, pair_of(name))
         kept = 1e3 * np.where(state == Validity.LOST, np.nan, away)
         colour = _COLOURS[k % len(_COLOURS)]
-        _curve(axes, told.take.t, kept, colour, name.split(" - ")[1].removesuffix("_tip"))
+        _curve(axes, measured.take.t, kept, colour, name.split(" - ")[1].removesuffix("_tip"))
         if np.isfinite(kept).any():
             top = int(np.nanargmax(kept))
-            axes.plot(told.take.t[top], kept[top], "v", color=colour, ms=5)
-    axes.set_xlim(told.take.t[0], told.take.t[-1])
+            axes.plot(measured.take.t[top], kept[top], "v", color=colour, ms=5)
+    axes.set_xlim(measured.take.t[0], measured.take.t[-1])
     axes.set_xlabel("s")
     axes.set_ylabel("mm")
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)

@@ -1,4 +1,4 @@
-"""All that is told of one take."""
+"""What a report says of one take."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class MeasuredTake:
-    """A take with its rows. ``wearer`` empty where it is not known or not told; ``session``: which
+    """A take with its rows. ``wearer`` empty where it is not known or left out; ``session``: which
     one of a report's sessions it is of, from 0."""
 
     name: str

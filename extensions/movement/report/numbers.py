@@ -14,21 +14,21 @@ from extensions.movement.report.table import scaled
 def as_json(takes: Sequence[MeasuredTake]) -> dict[str, Any]:
     """``hand`` by side of one session; of several ``sessions``, a list of such objects."""
     sessions: dict[int, dict[str, Any]] = {}
-    for told in takes:
-        found = sessions.setdefault(told.session, {"hand": {}})
-        found["hand"][told.side] = _hand(told)
+    for measured in takes:
+        found = sessions.setdefault(measured.session, {"hand": {}})
+        found["hand"][measured.side] = _hand(measured)
     if len(sessions) == 1:
         return next(iter(sessions.values()))
     return {"sessions": list(sessions.values())}
 
 
-def _hand(told: MeasuredTake) -> dict[str, Any]:
-    recorded = [r for r in told.rows if r.measure.is_angle and not r.isb]
-    isb = [r for r in told.rows if r.isb]
-    apart = [r for r in told.rows if not r.measure.is_angle]
+def _hand(measured: MeasuredTake) -> dict[str, Any]:
+    recorded = [r for r in measured.rows if r.measure.is_angle and not r.isb]
+    isb = [r for r in measured.rows if r.isb]
+    apart = [r for r in measured.rows if not r.measure.is_angle]
     return {
-        "take": told.name,
-        "duration_s": told.seconds,
+        "take": measured.name,
+        "duration_s": measured.seconds,
         "angles": {r.measure.name: _row(r, "deg") for r in recorded},
         "isb_angles": {r.measure.name: _row(r, "deg") for r in isb},
         "aperture_mm": {r.measure.name: _row(r, "mm") for r in apart},

@@ -48,8 +48,8 @@ def page(takes: Sequence[MeasuredTake], drawn: Mapping[str, str]) -> str:
     ]
     if len(takes) > 1:
         parts += [_compared(takes), _wearers(takes)]
-    for number, told in enumerate(takes, 1):
-        parts += _one(told, number, drawn)
+    for number, measured in enumerate(takes, 1):
+        parts += _one(measured, number, drawn)
     parts.append(_words())
     body = "\n".join(parts)
     return (
@@ -59,8 +59,8 @@ def page(takes: Sequence[MeasuredTake], drawn: Mapping[str, str]) -> str:
     )
 
 
-def name_of(told: MeasuredTake, number: int) -> str:
-    return told.name or f"take {number}"
+def name_of(measured: MeasuredTake, number: int) -> str:
+    return measured.name or f"take {number}"
 
 
 def _takes(takes: Sequence[MeasuredTake]) -> str:
@@ -72,18 +72,18 @@ def _takes(takes: Sequence[MeasuredTake]) -> str:
     return _table(("take", "wearer", "hand", "s", "tracked by", ""), rows)
 
 
-def _one(told: MeasuredTake, number: int, drawn: Mapping[str, str]) -> list[str]:
-    recorded = [r for r in told.rows if r.measure.is_angle and not r.isb]
-    isb = [r for r in told.rows if r.isb]
-    apart = [r for r in told.rows if not r.measure.is_angle]
+def _one(measured: MeasuredTake, number: int, drawn: Mapping[str, str]) -> list[str]:
+    recorded = [r for r in measured.rows if r.measure.is_angle and not r.isb]
+    isb = [r for r in measured.rows if r.isb]
+    apart = [r for r in measured.rows if not r.measure.is_angle]
     legend = (
         '<p class="note">Behind the curves: <span class="key" style="background:#f4e3b2"></span> '
         'inferred, <span class="key" style="background:#c9d7ef"></span> interpolated, '
         '<span class="key" style="background:#e3c5c5"></span> lost.</p>'
     )
-    edited = "".join(f'<p class="note">{escape(line)}.</p>' for line in edit_lines(told.edits))
+    edited = "".join(f'<p class="note">{escape(line)}.</p>' for line in edit_lines(measured.edits))
     return [
-        f"<h2>{escape(name_of(told, number))}</h2>",
+        f"<h2>{escape(name_of(measured, number))}</h2>",
         edited,
         "<h3>Flexion over time (deg)</h3>",
         legend,
@@ -134,8 +134,8 @@ def _compared(takes: Sequence[MeasuredTake]) -> str:
 def _wearers(takes: Sequence[MeasuredTake]) -> str:
     """Mean range ± sd of each wearer, where there are several."""
     of: dict[str, list[MeasuredTake]] = defaultdict(list)
-    for told in takes:
-        of[told.wearer].append(told)
+    for measured in takes:
+        of[measured.wearer].append(measured)
     if len(of) < 2 or "" in of:
         return ""
     rows = []

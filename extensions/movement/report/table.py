@@ -27,9 +27,9 @@ def table(takes: Sequence[MeasuredTake]) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(COLUMNS)
-    for told in takes:
-        for row in told.rows:
-            writer.writerow([told.name, told.wearer, told.side, *_cells(row)])
+    for measured in takes:
+        for row in measured.rows:
+            writer.writerow([measured.name, measured.wearer, measured.side, *_cells(row)])
     return out.getvalue()
 
 

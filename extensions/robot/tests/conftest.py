@@ -1,10 +1,5 @@
 """Fixtures of the window's tests."""
 
-from tests.gui.conftest import (  # noqa: F401
-    engine,
-    live,
-    no_leaks,
-    qtbot,
-    store,
-    window,
-)
+from tests.gui.conftest import engine, live, no_leaks, qtbot, store, window
+
+__all__ = ["engine", "live", "no_leaks", "qtbot", "store", "window"]
