@@ -2,7 +2,7 @@
 # make test         linters and all tests, with the type checker and import contracts in parallel (their
 #                   output is printed last); tests on real recordings read data/ or the folder in
 #                   GLOVETRACK_DATA, and are skipped if it does not exist
-# make lint         linters, type checker and import contracts, without the tests
+# make lint         linters, spelling, type checker and import contracts, without the tests
 # make firmware     build the glove's firmware and its simulator; prints their sizes
 # make screenshots  images of the window for the documentation
 # make translations list the window's texts for translators (resources/translations)
@@ -46,6 +46,7 @@ endif
 test: $(READY_FOR_TESTS)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	packaging/prose.sh $(VENV)
 	@mkdir -p build
 	{ $(TYPES); } >build/types.txt 2>&1 & types=$$!; \
 	$(KEPT) $(OFFSCREEN) $(BIN)/pytest -n $(WORKERS) --dist worksteal --durations=30; tests=$$?; \
@@ -54,6 +55,7 @@ test: $(READY_FOR_TESTS)
 lint: $(READY_FOR_TESTS)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	packaging/prose.sh $(VENV)
 	$(TYPES)
 
 firmware:

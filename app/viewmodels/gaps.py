@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.viewmodels.names import spoken
 from app.viewmodels.recording import position_text
-from app.viewmodels.states import BLUE, GREY, ORANGE, VERMILLION, StateLook
+from app.viewmodels.states import BLUE, GREY, ORANGE, VERMILION, StateLook
 from app.words import mark, tr
 from tracker.base.clock import NS
 from tracker.session.edits import Filled
@@ -29,7 +29,7 @@ from tracker.session.gaps.methods import CUBIC, LINEAR, SMOOTH
 
 KINDS = {
     HOLE: StateLook(GREY, "○", mark("hole")),
-    LOST: StateLook(VERMILLION, "▲", mark("lost")),
+    LOST: StateLook(VERMILION, "▲", mark("lost")),
     INFERRED: StateLook(ORANGE, "◐", mark("inferred")),
 }
 INTERPOLATED = StateLook(BLUE, "≈", mark("interpolated"))

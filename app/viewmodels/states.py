@@ -12,7 +12,7 @@ from tracker.messages import Tracking, Validity
 
 BLUISH_GREEN = "#009E73"
 ORANGE = "#E69F00"
-VERMILLION = "#D55E00"
+VERMILION = "#D55E00"
 BLUE = "#0072B2"
 SKY = "#56B4E9"
 PURPLE = "#CC79A7"
@@ -33,7 +33,7 @@ class StateLook:
 
 GOOD = StateLook(BLUISH_GREEN, "●", mark("good"))
 WARN = StateLook(ORANGE, "◐", mark("attention"))
-BAD = StateLook(VERMILLION, "▲", mark("problem"))
+BAD = StateLook(VERMILION, "▲", mark("problem"))
 IDLE = StateLook(GREY, "○", mark("idle"))
 
 VALIDITY: dict[int, StateLook] = {
@@ -46,5 +46,5 @@ TRACKING: dict[int, StateLook] = {
     Tracking.SEARCHING: StateLook(SKY, "◌", mark("Searching for the hand")),
     Tracking.TRACKING: StateLook(BLUISH_GREEN, "●", mark("Tracking")),
     Tracking.COASTING: StateLook(ORANGE, "◐", mark("Coasting on the glove alone")),
-    Tracking.LOST: StateLook(VERMILLION, "▲", mark("Position lost")),
+    Tracking.LOST: StateLook(VERMILION, "▲", mark("Position lost")),
 }

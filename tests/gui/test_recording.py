@@ -275,7 +275,7 @@ def test_a_note_is_of_the_instant_its_key_was_pressed_not_of_its_last_word(recor
 
 def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, recorders):
     listed = recording.recording.notes
-    for text in ("gripped", "droped", "sneezed"):
+    for text in ("gripped", "let fall", "sneezed"):
         recording.host.notes.add(text)
     assert listed.rowCount() == 3 and not listed.isHidden()
     listed.item(1, 1).setText("dropped")

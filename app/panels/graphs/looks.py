@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
 
-from app.viewmodels.states import BLUISH_GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
+from app.viewmodels.states import BLUISH_GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW
 from app.widgets.curve_plot import CurveLook
 
-COLOURS = (ORANGE, SKY, BLUISH_GREEN, PURPLE, VERMILLION, YELLOW)
+COLOURS = (ORANGE, SKY, BLUISH_GREEN, PURPLE, VERMILION, YELLOW)
 STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
 
 
