@@ -1,7 +1,8 @@
 # make demo         run the application with a simulated glove and camera
 # make test         linters and all tests, with the type checker and import contracts in parallel (their
 #                   output is printed last); tests on real recordings read data/ or the folder in
-#                   GLOVETRACK_DATA, and are skipped if it does not exist
+#                   GLOVETRACK_DATA, and are skipped if it does not exist; those of the firmware need
+#                   its compiler and a chip simulator (system packages), and are skipped without them
 # make lint         linters, spelling, type checker and import contracts, without the tests
 # make firmware     build the glove's firmware and its simulator; prints their sizes
 # make screenshots  images of the window for the documentation
@@ -44,6 +45,7 @@ else
 endif
 
 test: $(READY_FOR_TESTS)
+	packaging/system_libraries.sh firmware-tests
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	packaging/prose.sh $(VENV)

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Checks for the system packages that Glovetrack needs and that pip cannot install.
 #
-#   packaging/system_libraries.sh [app] [firmware]
+#   packaging/system_libraries.sh [app] [firmware] [firmware-tests]
 #
 # As root on Debian or Ubuntu, it installs missing packages; otherwise it prints the command to run.
 # It fails only if an essential package is still missing: without the packages marked "display", the
-# application still runs off-screen.
+# application still runs off-screen, and without those marked "tests", the firmware's tests are skipped.
 set -euo pipefail
 PATH=$PATH:/usr/sbin:/sbin # location of ldconfig, which is not on every user's PATH
 
@@ -41,6 +41,9 @@ file:/usr/include/libelf.h         libelf-dev           essential
 command:cc                         gcc                  essential
 file:/usr/include/stdio.h          libc6-dev            essential
 '
+firmware_test_needs="${firmware_needs//essential/tests}
+command:avrdude                    avrdude              tests
+"
 
 libraries=$(ldconfig -p 2>/dev/null || true)
 
@@ -62,6 +65,11 @@ missing() { # table, level: prints one package per line
     done <<<"$(grep . <<<"$1")"
 }
 
+missing_of_any_level() {
+    local level
+    for level in essential display tests; do missing "$needs" $level; done | sort -u
+}
+
 install() { # packages
     export DEBIAN_FRONTEND=noninteractive
     apt-get update -qq && apt-get install -y -qq --no-install-recommends "$@"
@@ -72,26 +80,29 @@ for group in "${@:-app}"; do
     case $group in
     app) needs+=$app_needs ;;
     firmware) needs+=$firmware_needs ;;
-    *) echo "unknown group $group: use app or firmware" >&2 && exit 2 ;;
+    firmware-tests) needs+=$firmware_test_needs ;;
+    *) echo "unknown group $group: use app, firmware or firmware-tests" >&2 && exit 2 ;;
     esac
 done
 
-mapfile -t lacking < <({ missing "$needs" essential; missing "$needs" display; } | sort -u)
+mapfile -t lacking < <(missing_of_any_level)
 [ ${#lacking[@]} -eq 0 ] && exit 0
 
 if [ "$(id -u)" -eq 0 ] && command -v apt-get >/dev/null; then
     echo "Installing system packages: ${lacking[*]}"
     install "${lacking[@]}" >/dev/null || echo "apt-get could not install the packages." >&2
     libraries=$(ldconfig -p 2>/dev/null || true)
-    mapfile -t lacking < <({ missing "$needs" essential; missing "$needs" display; } | sort -u)
+    mapfile -t lacking < <(missing_of_any_level)
     [ ${#lacking[@]} -eq 0 ] && exit 0
 fi
 
 essential=$(missing "$needs" essential)
 if [ -n "$essential" ]; then
     echo "System packages are missing. Run this command, then run make again:" >&2
-else
+elif [ -n "$(missing "$needs" display)" ]; then
     echo "The window needs more system packages (not needed off-screen):" >&2
+else
+    echo "The firmware's tests need more system packages and are skipped without them:" >&2
 fi
 echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends ${lacking[*]}" >&2
 [ -z "$essential" ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -17,13 +18,14 @@ ESSENTIAL = (
 
 
 class Machine:
-    """Stand-ins for ldconfig, id and apt-get, first in PATH; apt-get notes what it is told."""
+    """Stand-ins for ldconfig, id and apt-get, first in PATH; apt-get logs its arguments."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.asked = folder / "asked"
         self.command("apt-get", f'echo "$@" >>{self.asked}')
-        # A font, so that the pages of this machine's own do not matter.
+        self.rest: str | Path = os.environ["PATH"]
+        # A font, so that this machine's own fonts do not matter.
         (folder / ".fonts").mkdir()
         (folder / ".fonts" / "some.ttf").touch()
 
@@ -32,12 +34,19 @@ class Machine:
         path.write_text(f"#!/bin/sh\n{body}\n")
         path.chmod(0o755)
 
+    def without_compilers(self) -> None:
+        """Reduces PATH to the tools that the script itself uses."""
+        self.rest = self.folder / "tools"
+        self.rest.mkdir()
+        for tool in ("bash", "find", "grep", "sh", "sort"):
+            (self.rest / tool).symlink_to(shutil.which(tool) or tool)
+
     def run(
         self, libraries: tuple[str, ...], user: int, *groups: str
     ) -> subprocess.CompletedProcess[str]:
         self.command("ldconfig", "\n".join(f"echo '\t{name} (libc6) => x'" for name in libraries))
         self.command("id", f"echo {user}")
-        environment = {"PATH": f"{self.folder}:{os.environ['PATH']}", "HOME": str(self.folder)}
+        environment = {"PATH": f"{self.folder}:{self.rest}", "HOME": str(self.folder)}
         return subprocess.run(
             [SCRIPT, *groups], env=environment, capture_output=True, text=True, check=False
         )
@@ -79,6 +88,21 @@ def test_an_installation_in_vain_is_a_failure(machine: Machine) -> None:
     done = machine.run((), 0)
     assert done.returncode == 1
     assert "libegl1" in done.stderr
+
+
+def test_the_firmware_tests_name_their_packages_and_do_not_stop_a_user(machine: Machine) -> None:
+    machine.without_compilers()
+    done = machine.run(ESSENTIAL, 1000, "firmware-tests")
+    assert done.returncode == 0
+    assert "are skipped without them" in done.stderr
+    assert {"gcc-avr", "avrdude", "gcc"} <= set(done.stderr.splitlines()[-1].split())
+
+
+def test_root_gets_the_packages_of_the_firmware_tests(machine: Machine) -> None:
+    machine.without_compilers()
+    machine.run(ESSENTIAL, 0, "app", "firmware-tests")
+    packages = machine.asked.read_text().splitlines()[-1].split()
+    assert {"gcc-avr", "avrdude", "gcc"} <= set(packages)
 
 
 def test_an_unknown_group_is_wrong_usage(machine: Machine) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -25,7 +26,9 @@ def build_firmware(tmp_path_factory: pytest.TempPathFactory) -> Callable[[int], 
     """baud -> the folder of that build."""
     missing = [package for package, there in NEEDED.items() if not there()]
     if missing:
-        pytest.skip(f"needs {', '.join(missing)}: `make firmware` installs them")
+        reason = f"needs {', '.join(missing)}: `make test` as root installs them"
+        # A continuous-integration run that skips these tests would not show that they fail.
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)(reason)
     built: dict[int, Path] = {}
 
     def build(baud: int) -> Path:
