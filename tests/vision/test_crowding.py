@@ -85,5 +85,5 @@ def test_900_markers_in_one_place_cost_less_than_real_time(session: Path) -> Non
     assert used < SECONDS
     assert tracking[-1] == Tracking.TRACKING
     frames = sum(isinstance(m, BlobFrame) for m in messages)
-    assert pipeline.ignored_blobs >= frames * 2 * (900 - MOST_BLOBS)
+    assert pipeline.blob_limit.ignored >= frames * 2 * (900 - MOST_BLOBS)
     assert [w.split(":")[0] for w in words] == ["More than 256 coloured patches in an image"]

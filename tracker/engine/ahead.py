@@ -56,6 +56,16 @@ class Ahead:
             right_late=self._pair.applied,
         ).after(before)
 
+    def synchronised(self, frame: BlobFrame) -> BlobFrame:
+        """Returns the frame as if both cameras had exposed at the left one's instant."""
+        late, t = self._pair.applied, frame.t - self._timing.applied
+        if late == 0.0:
+            return frame
+        then, after = (self._engine.expected(at) for at in (t, t + late))
+        if then is None or after is None:
+            return frame
+        return self._pair.moved_back(frame, then.p_G, after.p_G)
+
     def in_view(self, frame: BlobFrame) -> HandInView | None:
         """The hand as it is expected in an image that was not fed yet, hues numbered as the
         image's; None while its place is unknown."""

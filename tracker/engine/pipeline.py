@@ -34,7 +34,7 @@ from tracker.online.frame_timing import FrameTiming, FrameTimingKept
 from tracker.online.pair_offset import PairOffset, PairOffsetKept
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
-from tracker.vision.crowding import MOST_BLOBS, thinned
+from tracker.vision.crowding import MOST_BLOBS, BlobLimit
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -44,9 +44,7 @@ of the computer or the USB line is mostly shorter; its packets still arrive."""
 NO_PACKETS = "No packets from the {} glove: the hand follows the images alone."
 PACKETS_AGAIN = "Packets from the {} glove arrive again."
 CROWDED = "More than {} coloured patches in an image: {} were ignored so far."
-CROWDED_EVERY = 10.0
-"""s between two sentences about ignored blobs."""
-
+NO_RESET = f"{RESET_SAID}: engine {{}} has none. Choose engine chain or inertial."
 ANOTHER = (
     "The hand was given up: patches on it are not where the glove's markers of their hues would "
     "be. Fit the colours, or look whether two of their hues are exchanged."
@@ -101,8 +99,7 @@ class Pipeline:
         self._words: list[str] = []
         self._source_words: list[str] = []
         self._told = False
-        self.ignored_blobs = 0  # so far, of images with more than `MOST_BLOBS`
-        self._crowded_due = -np.inf  # t of images, s
+        self.blob_limit = BlobLimit()
         self._packet = -np.inf  # arrival of the last packet, s
         self._by_images = False
         self.ahead = Ahead(GloveOnHand(hand, glove), self.engine, self.timing, self.pair_offset)
@@ -136,24 +133,17 @@ class Pipeline:
             self.engine.feed_frame(frame)
             self._results += self.engine.take_results()
             return
-        frame = self._bounded(through(frame, self.settings.lenses))
+        frame, is_report_due = self.blob_limit.limit(through(frame, self.settings.lenses))
+        if is_report_due:
+            self._source_words.append(CROWDED.format(MOST_BLOBS, self.blob_limit.ignored))
         self.pair_offset.remember(frame)
-        frame = self._in_step(frame)
+        frame = self.ahead.synchronised(frame)
         if self._watch.usable(frame):
-            self.engine.feed_frame(self._posed(self.timing.corrected(frame)))
+            self.engine.feed_frame(self._camera.posed(self.timing.corrected(frame)))
             self._collect()
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
             self._results.append(nothing)
-
-    def _bounded(self, frame: BlobFrame) -> BlobFrame:
-        """With at most `MOST_BLOBS` in each image; what is ignored is counted and reported."""
-        frame, ignored = thinned(frame)
-        self.ignored_blobs += ignored
-        if ignored and frame.t >= self._crowded_due:
-            self._crowded_due = frame.t + CROWDED_EVERY
-            self._source_words.append(CROWDED.format(MOST_BLOBS, self.ignored_blobs))
-        return frame
 
     def without_packets(self, frame: BlobFrame) -> Estimate | None:
         """The hand at the instant of an image that was just fed, where packets have been missing
@@ -178,7 +168,7 @@ class Pipeline:
     def feed_event(self, event: Event) -> None:
         """Take what was said: guided poses, which some engines learn from, and pose resets."""
         if is_reset(event):
-            self._words.append(self._reset_pose())
+            self._words.append(self.engine.reset_pose() or NO_RESET.format(self.settings.engine))
             return
         said = guided_of(event)
         if said is None:
@@ -191,13 +181,6 @@ class Pipeline:
             name, self._told = self.settings.engine, True
             self._words.append(f"The engine {name} learns nothing from guided poses.")
 
-    def _reset_pose(self) -> str:
-        """A sentence that says what was done."""
-        return self.engine.reset_pose() or (
-            f"{RESET_SAID}: engine {self.settings.engine} has none. "
-            "Choose engine chain or inertial."
-        )
-
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
         """Take a sample of the camera's own IMU: images without a pose get one of it."""
         self._camera.feed(sample)
@@ -205,20 +188,6 @@ class Pipeline:
     def camera_pose(self, t: float) -> CameraPose:
         """Where the camera is taken to be in an image of ``t`` that brings no pose."""
         return self._camera.pose(t) or self.rig.pose
-
-    def _posed(self, frame: BlobFrame) -> BlobFrame:
-        pose = frame.pose or self._camera.pose(frame.t)
-        return frame if pose is frame.pose else replace(frame, pose=pose)
-
-    def _in_step(self, frame: BlobFrame) -> BlobFrame:
-        """The image as if both cameras had exposed when the left one did."""
-        late, t = self.pair_offset.applied, frame.t - self.timing.applied
-        if late == 0.0:
-            return frame
-        then, after = (self.engine.expected(at) for at in (t, t + late))
-        if then is None or after is None:
-            return frame
-        return self.pair_offset.moved_back(frame, then.p_G, after.p_G)
 
     def _collect(self) -> None:
         """Learn from results as they come, so that it does not matter when they are taken."""

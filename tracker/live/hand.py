@@ -9,16 +9,16 @@ from functools import partial
 
 import numpy as np
 
-from tracker.engine.pipeline import Pipeline
+from tracker.engine.pipeline import SILENCE, Pipeline
 from tracker.engine.side_watch import SideWatch
-from tracker.gestures.recogniser import GestureRecogniser
+from tracker.gestures.recogniser import GestureRecogniser, gesture_event
 from tracker.live.frame_results import FrameResults, ShownFrame
 from tracker.live.history import History
 from tracker.live.imu_history import ImuHistory
 from tracker.live.journal import Journal
 from tracker.live.listeners import Listeners
 from tracker.live.telemetry import Telemetry
-from tracker.messages import Calibration, Estimate, FrameResult, Status, Tracking
+from tracker.messages import BlobFrame, Calibration, Estimate, FrameResult, Status, Tracking
 from tracker.vision.region_prediction import RegionPrediction
 
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
@@ -59,7 +59,7 @@ class LiveHand:
         alone: bool,
     ) -> None:
         self.side, self._alone = pipeline.glove.side, alone
-        self._clock = clock
+        self._journal, self._clock = journal, clock
         self.telemetry = Telemetry()
         self.estimate: Estimate | None = None
         self._said: Tracking | None = None
@@ -113,11 +113,39 @@ class LiveHand:
         """Whether it is of a later instant than the one that is shown."""
         return self.estimate is None or estimate.t > self.estimate.t
 
-    def show(self, estimate: Estimate, by_packet: bool) -> bool:
-        """Take over the newest estimate; whether the state of tracking is another one.
+    def publish(self, estimate: Estimate, t_arrival: float) -> None:
+        """Passes an estimate to listeners and followers, records and shows it.
 
-        An estimate of an instant before the last one is not shown: time never goes back on the
-        screen and in streams. Before the first packet nothing is looked for, whatever images come.
+        ``t_arrival``: s, of the packet, or of the image while packets are missing.
+        """
+        self.listeners.feed(estimate, t_arrival)
+        for follow in self.followers if self.is_newer(estimate) else ():
+            follow(estimate, t_arrival)
+        is_news = self._show(estimate, by_packet=True)
+        self._journal.record(estimate, self.side)
+        for phase in self.gestures.feed(estimate):
+            self._journal.record(gesture_event(phase, self.side))
+        if is_news:
+            self._journal.say("tracking", self.words)
+
+    def follow_images(self, pipeline: Pipeline, blobs: BlobFrame) -> None:
+        """While the glove's packets are missing: what is shown is also recorded.
+
+        Before the first packet the hand is shown as not found, which is not recorded.
+        """
+        estimate = pipeline.without_packets(blobs)
+        if estimate is not None:
+            self.publish(estimate, blobs.t_arrival)
+        elif self.history.silent(blobs.t, SILENCE):
+            unfound = pipeline.predict(blobs.t)
+            if unfound.tracking == Tracking.SEARCHING and self._show(unfound, by_packet=False):
+                self._journal.say("tracking", self.words)
+
+    def _show(self, estimate: Estimate, by_packet: bool) -> bool:
+        """Takes over the newest estimate; returns whether the state of tracking has changed.
+
+        Ignores an estimate of an instant before the last one: time never runs backwards on the
+        screen and in streams. Before the first packet, images alone do not start a search.
         """
         if not self.is_newer(estimate):
             return False

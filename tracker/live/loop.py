@@ -14,10 +14,8 @@ from functools import partial
 from tracker.base.clock import nanoseconds, next_instant, seconds
 from tracker.base.errors import GlovetrackError
 from tracker.engine.hands import Hands, Sided
-from tracker.engine.pipeline import SILENCE
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
-from tracker.gestures.recogniser import gesture_event
 from tracker.live.exchange_watch import ExchangeWatch
 from tracker.live.hand import LiveHand, camera_figures
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item, ResetCommand
@@ -151,7 +149,7 @@ class LiveLoop:
             hand.history.add(sample)
             self.journal.record(sample, side)
             estimate = self.hands.feed_imu(side, sample)
-            self._publish(hand, estimate, sample.t_arrival)
+            hand.publish(estimate, sample.t_arrival)
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
         if self._exchange is not None:
@@ -168,8 +166,8 @@ class LiveLoop:
                 hand.frames.wait_for(DetectedFrame(found.frame, blobs))
             self.journal.record(blobs)
             self.hands.feed_frame(blobs)
-            for hand in self.seen.values():
-                self._follow_images(hand, blobs)
+            for side, hand in self.seen.items():
+                hand.follow_images(self.hands.pipelines[side], blobs)
         self._feed_reference(blobs)
         if self._exchange is not None:
             self._exchange.frame(blobs)
@@ -180,27 +178,6 @@ class LiveLoop:
             self.colours.look(blobs, _best(hand.tracking for hand in self.seen.values()))
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
-
-    def _follow_images(self, hand: LiveHand, blobs: BlobFrame) -> None:
-        """While a glove's packets are missing: what is shown is what is recorded.
-
-        Before its first packet the hand is shown as not found, of which a file needs no record.
-        """
-        pipeline = self.hands.pipelines[hand.side]
-        estimate = pipeline.without_packets(blobs)
-        if estimate is not None:
-            self._publish(hand, estimate, blobs.t_arrival)
-        elif hand.history.silent(blobs.t, SILENCE):
-            unfound = pipeline.predict(blobs.t)
-            if unfound.tracking == Tracking.SEARCHING:
-                self._show(hand, unfound, record=False)
-
-    def _publish(self, hand: LiveHand, estimate: Estimate, t_arrival: float) -> None:
-        """Hand an estimate to all that it is for."""
-        hand.listeners.feed(estimate, t_arrival)
-        for follow in hand.followers if hand.is_newer(estimate) else ():
-            follow(estimate, t_arrival)
-        self._show(hand, estimate, record=True)
 
     def _feed_reference(self, message: Sided | BlobFrame) -> None:
         reference = self._reference
@@ -232,15 +209,6 @@ class LiveLoop:
             event = replace(event, data={**event.data, "hand": side})
         self.journal.add(event)
         self.hands.feed_event(event)
-
-    def _show(self, hand: LiveHand, estimate: Estimate, record: bool) -> None:
-        is_news = hand.show(estimate, by_packet=record)
-        if record:
-            self.journal.record(estimate, hand.side)
-            for phase in hand.gestures.feed(estimate):
-                self.journal.record(gesture_event(phase, hand.side))
-        if is_news:
-            self.journal.say("tracking", hand.words)
 
     def _take_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():

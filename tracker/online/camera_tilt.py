@@ -10,14 +10,14 @@ position is taken to be fixed; what a head sways is small against what a hand do
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tracker import GRAVITY
 from tracker.base.records import record
 from tracker.geometry import so3
-from tracker.messages import Array, CameraImuSample, CameraPose
+from tracker.messages import Array, BlobFrame, CameraImuSample, CameraPose
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -103,6 +103,12 @@ class CameraTilt:
                 break
         ahead = min(max(t - last.t, 0.0), self._params.ahead)
         return CameraPose(last.R_GC @ so3.exp(last.rate * ahead), self._nominal.p_GC)
+
+    def posed(self, frame: BlobFrame) -> BlobFrame:
+        """Returns the frame with the camera's pose at its exposure, unless it already has one."""
+        if frame.pose is not None or not self._rotations:
+            return frame
+        return replace(frame, pose=self.pose(frame.t))
 
     def get_state(self) -> CameraTiltKept:
         """All that changes."""

@@ -11,6 +11,8 @@ from tracker.messages import Array, BlobFrame, Blobs, IntArray
 MOST_BLOBS = 256
 """In one image. Two gloves have 74 markers, and a cluttered desk adds some tens; matching and the
 search for a hand compare pairs of blobs, so that 900 took 1.5 s for each second of a session."""
+REPORT_INTERVAL = 10.0
+"""s, of the images' stamps, between two reports of ignored blobs."""
 CELL = 32.0
 """px; where blobs are ignored those that share a cell of this size with many others go first."""
 
@@ -22,6 +24,23 @@ def thinned(frame: BlobFrame) -> tuple[BlobFrame, int]:
         return frame, 0
     count = _count(frame.left) + _count(frame.right) - _count(left) - _count(right)
     return replace(frame, left=left, right=right), count
+
+
+class BlobLimit:
+    """Limits the blobs of each image to `MOST_BLOBS` and counts those that it ignored."""
+
+    def __init__(self) -> None:
+        self.ignored = 0
+        self._report_due = -np.inf  # s
+
+    def limit(self, frame: BlobFrame) -> tuple[BlobFrame, bool]:
+        """Returns the limited frame, and whether the ignored blobs are to be reported now."""
+        frame, ignored = thinned(frame)
+        self.ignored += ignored
+        if not ignored or frame.t < self._report_due:
+            return frame, False
+        self._report_due = frame.t + REPORT_INTERVAL
+        return frame, True
 
 
 def _count(blobs: Blobs | None) -> int:
