@@ -1,7 +1,8 @@
-"""Where a robot hand has its palm, its fingers and their tips: read off any MJCF's own tree.
+"""Finds the palm, fingers and fingertips of a robot hand in the body tree of an MJCF model.
 
-Fingers are told by the names that hands have (Shadow's ff, mf, rf, lf, th; index, middle, …), the
-palm is where they part, its axes come from the knuckles and from the way that fingers bend.
+Fingers are recognised by the usual names (Shadow's ff, mf, rf, lf, th; index, middle, …). The palm
+is the last body that all fingers share; its axes follow from the knuckles and from the direction in
+which the fingers bend.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from extensions.robot.worn import FINGERS
+from extensions.robot.wearer_hand import FINGERS
 from tracker.base.errors import ConfigError
 from tracker.messages import Array
 
@@ -24,15 +25,16 @@ NAMES = {
     "little": r"little|pink|^lf",
 }
 PREFIX = re.compile(r"^([a-z]*\d*[:/]|[rl]h_|left_|right_|robot0_)+", re.IGNORECASE)
-JOINTS_OF_A_FINGER = 2  # at least: a leaf with fewer is no finger
-COUPLED = 0.1  # of the joints' ranges: a tendon held within this share couples its joints
+JOINTS_OF_A_FINGER = 2  # minimum: a leaf with fewer is not a finger
+COUPLED = 0.1  # of the joints' ranges: a tendon with a smaller range couples its joints
 SAME_PLACE = 1e-4  # m
 
 
 @dataclass(frozen=True, eq=False)
 class RobotFinger:
-    """``body`` is its last; tip (3,) m in that; knuckle (3,) m in the palm's frame P, where its
-    bones begin; ``length`` m from there to the tip; ``joints`` rows of the model; ``radius`` m."""
+    """``body`` is the finger's last body; tip (3,) m in its frame; knuckle (3,) m in the palm's
+    frame P, where the bones begin; ``length`` m from the knuckle to the tip; ``joints`` are rows of
+    the model; ``radius`` m."""
 
     name: str
     body: int
@@ -45,10 +47,10 @@ class RobotFinger:
 
 @dataclass(frozen=True, eq=False)
 class RobotAnatomy:
-    """Of a model whose palm does not move: R_WP (3, 3), p_WP (3,) m of the palm's frame P (x to the
-    fingertips, z out of its back, origin at the middle knuckle), rows of bodies and joints.
+    """Anatomy of a model whose palm is fixed: R_WP (3, 3), p_WP (3,) m of the palm's frame P (x to
+    the fingertips, z out of its back, origin at the middle knuckle), rows of bodies and joints.
 
-    couplings (k, nq) and their middle (k,): sums of joint angles that tendons hold.
+    couplings (k, nq) and coupled_to (k,): weighted sums of joint angles that tendons keep constant.
     """
 
     side: str
@@ -62,30 +64,30 @@ class RobotAnatomy:
 
     @property
     def joints(self) -> tuple[int, ...]:
-        """Of all fingers, in the model's order, also what moves several."""
+        """Joints of all fingers, in the model's order, shared ones included."""
         return tuple(sorted({j for finger in self.fingers for j in finger.joints}))
 
 
 def plain(name: str) -> str:
-    """A model's name without what tells robots apart: ``robot0:FFJ3`` is FFJ3."""
+    """A name without the model's prefix: ``robot0:FFJ3`` is FFJ3."""
     return PREFIX.sub("", name)
 
 
 def find_palm(model: mujoco.MjModel) -> tuple[int, int, dict[str, int]]:
-    """Rows of the palm, of the body on the ground that carries it, and of each finger's last body.
+    """Rows of the palm, of the root body that carries it, and of each finger's last body.
 
-    Raises ConfigError where there is no hand in the model.
+    Raises ConfigError if the model does not contain a hand.
     """
     leaves = _leaves(model)
     if "thumb" not in leaves or "middle" not in leaves or "index" not in leaves:
         raise ConfigError(
-            "The robot hand's fingers are not found: their bodies are to be named thumb (or th), "
-            "index (ff), middle (mf), ring (rf) and little (lf)."
+            "The robot hand's fingers were not found. Name their bodies thumb (or th), index (ff), "
+            "middle (mf), ring (rf) and little (lf)."
         )
     paths = [_path(model, body) for body in leaves.values()]
     common = [b for b in paths[0] if all(b in path for path in paths)]
     if len(common) < 2:
-        raise ConfigError("The robot hand's fingers have no palm in common.")
+        raise ConfigError("The robot hand's fingers do not share a palm.")
     return common[-1], common[1], leaves
 
 
@@ -104,7 +106,7 @@ def _leaves(model: mujoco.MjModel) -> dict[str, int]:
 
 
 def _path(model: mujoco.MjModel, body: int) -> list[int]:
-    """From the world to a body."""
+    """Bodies from the world to ``body``."""
     out = [body]
     while out[0] != 0:
         out.insert(0, int(model.body_parentid[out[0]]))
@@ -112,7 +114,7 @@ def _path(model: mujoco.MjModel, body: int) -> list[int]:
 
 
 def _joints(model: mujoco.MjModel, body: int, after: int = 0) -> list[int]:
-    """Hinges on the way from the body ``after`` to ``body``."""
+    """Hinges between the body ``after`` and ``body``."""
     out: list[int] = []
     for b in _path(model, body):
         first = int(model.body_jntadr[b])
@@ -123,7 +125,7 @@ def _joints(model: mujoco.MjModel, body: int, after: int = 0) -> list[int]:
 
 
 def read_anatomy(model: mujoco.MjModel) -> RobotAnatomy:
-    """Of a model whose only joints are the fingers'. Raises ConfigError."""
+    """Anatomy of a model whose only joints are those of the fingers. Raises ConfigError."""
     palm, base, leaves = find_palm(model)
     data = mujoco.MjData(model)
     data.qpos[:] = np.clip(0.0, *_ranges(model).T)
@@ -146,14 +148,14 @@ def read_anatomy(model: mujoco.MjModel) -> RobotAnatomy:
 
 
 def _ranges(model: mujoco.MjModel) -> Array:
-    """(nq, 2) rad; a joint without limits may turn once each way."""
+    """(nq, 2) rad; ±π for a joint without limits."""
     out = np.array(model.jnt_range, float)
     out[model.jnt_limited == 0] = -np.pi, np.pi
     return out
 
 
 def _chain(model: mujoco.MjModel, data: mujoco.MjData, joints: list[int]) -> Array:
-    """(≤ 3, 3) m: where a finger's last three joints are, those at one place taken as one."""
+    """(≤ 3, 3) m: positions of a finger's last three joints; coincident joints count once."""
     out: list[Array] = []
     for j in joints:
         at = np.array(data.xanchor[j])
@@ -163,7 +165,7 @@ def _chain(model: mujoco.MjModel, data: mujoco.MjData, joints: list[int]) -> Arr
 
 
 def _tip(model: mujoco.MjModel, data: mujoco.MjData, finger: str, body: int) -> Array:
-    """(3,) m in the last body: its site named tip, else the end of what it collides with."""
+    """(3,) m in the last body's frame: its site named tip, or the end of its collision geoms."""
     for site in range(model.nsite):
         name = plain(model.site(site).name).lower()
         if model.site_bodyid[site] == body and "tip" in name and "tch" not in name:
@@ -172,7 +174,9 @@ def _tip(model: mujoco.MjModel, data: mujoco.MjData, finger: str, body: int) -> 
     geoms = [g for g in range(start, start + int(model.body_geomnum[body])) if start >= 0]
     solid = [g for g in geoms if model.geom_contype[g] or model.geom_conaffinity[g]] or geoms
     if not solid:
-        raise ConfigError(f"The robot hand's {finger} has no tip: a site named tip, or a geom.")
+        raise ConfigError(
+            f"The robot hand's {finger} has no tip. Add a site named tip to its last body."
+        )
     far = max(solid, key=lambda g: float(np.linalg.norm(model.geom_pos[g])))
     at = np.array(model.geom_pos[far])
     reach = float(np.linalg.norm(at))
@@ -204,16 +208,16 @@ def _palm_frame(
     bent = mujoco.MjData(model)
     bent.qpos[:] = ranges.mean(axis=1)
     mujoco.mj_kinematics(model, bent)
-    way = np.mean([_at(bent, leaves[f], tips[f]) - straight[f] for f in others], axis=0)
+    bending = np.mean([_at(bent, leaves[f], tips[f]) - straight[f] for f in others], axis=0)
     z = np.cross(x, to_index / np.linalg.norm(to_index))
-    z = -z if z @ way > 0 else z
+    z = -z if z @ bending > 0 else z
     y = np.cross(z, x)
     side = "right" if y @ to_index > 0 else "left"
     return np.stack([x, y, z], axis=1), chains["middle"][0].copy(), side
 
 
 def _radius(model: mujoco.MjModel, body: int) -> float:
-    """m, of the last body's thinnest solid geom."""
+    """Radius in m of the last body's thinnest collision geom."""
     first = int(model.body_geomadr[body])
     geoms = range(first, first + int(model.body_geomnum[body])) if first >= 0 else range(0)
     sizes = [
@@ -225,7 +229,7 @@ def _radius(model: mujoco.MjModel, body: int) -> float:
 
 
 def _couplings(model: mujoco.MjModel) -> tuple[Array, Array]:
-    """Of tendons over several joints whose length hardly changes."""
+    """Couplings by tendons over several joints whose length is nearly constant."""
     rows, middle = [], []
     ranges = _ranges(model)
     for t in range(model.ntendon):

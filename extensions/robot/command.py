@@ -1,4 +1,4 @@
-"""What may be asked of a robot while it follows."""
+"""Commands to a robot while it runs."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ ENGAGE, RELEASE, RESET, SCALE = COMMANDS = ("engage", "release", "reset", "scale
 
 
 class RobotCommand(NamedTuple):
-    """What a user asks of a robot: one of `COMMANDS`; ``value`` is that of a scale."""
+    """A user's command: one of `COMMANDS`; ``value`` is the factor of a scale command."""
 
     word: str
     value: float = 1.0
 
     def check(self) -> None:
-        """Raises ConfigError for what is not known."""
+        """Raises ConfigError for an unknown command."""
         if self.word not in COMMANDS:
-            raise ConfigError(f"A robot is asked {', '.join(COMMANDS)}, not {self.word!r}.")
+            raise ConfigError(f"Unknown robot command {self.word!r}. Use {', '.join(COMMANDS)}.")
         if self.word == SCALE:
             RobotSettings(motion_scale=self.value)

@@ -1,4 +1,4 @@
-"""A robot hand made ready: an MJCF of which the palm is carried and the fingers move."""
+"""Loads a robot hand: an MJCF model with a fixed palm and moving fingers."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from extensions.robot.settings import RobotSettings
 from tracker.base.errors import ConfigError
 from tracker.messages import Array
 
-MOST_BYTES = 20_000_000  # of a hand's MJCF, without the meshes that it refers to
-USUAL_TORQUE = 1.0  # N m, of a joint whose file says none
+MOST_BYTES = 20_000_000  # of a hand's MJCF file, without the meshes
+USUAL_TORQUE = 1.0  # N m, for a joint without one in the file
 
 
 @dataclass(frozen=True, eq=False)
 class RobotHand:
-    """``mjcf`` is the text that ``model`` was made of: the hand alone, its palm fixed.
+    """``mjcf`` is the text of ``model``: the hand alone with a fixed palm.
 
-    limits (n, 2) rad, torque (n,) N m the most, of the n joints, all of them the fingers'.
+    limits (n, 2) rad and maximum torque (n,) N m of the n joints, all of which are finger joints.
     """
 
     name: str
@@ -36,7 +36,7 @@ class RobotHand:
 
 
 def load_hand(settings: RobotSettings) -> RobotHand:
-    """The hand that is chosen, on the wearer's side. Raises ConfigError in words."""
+    """The hand of the settings, mirrored if necessary to the wearer's side. Raises ConfigError."""
     need_mujoco()
     path = model_path(settings.model)
     try:
@@ -68,7 +68,7 @@ def load_hand(settings: RobotSettings) -> RobotHand:
 
 
 def _prepared(path: Path) -> tuple[str, dict[str, float]]:
-    """MJCF of the hand without what carries its palm, and the torque of each joint's motor."""
+    """MJCF of the hand without the bodies that carry its palm, and each joint's motor torque."""
     spec = mujoco.MjSpec.from_file(str(path))
     model = spec.compile()
     palm, base, _ = find_palm(model)
@@ -108,7 +108,7 @@ def _below(model: mujoco.MjModel, palm: int) -> set[str]:
 
 
 def _pulls(model: mujoco.MjModel, tendon: str, joints: set[str]) -> bool:
-    """Whether a tendon is wound about one of the joints."""
+    """Whether a tendon acts on one of the joints."""
     t = model.tendon(tendon).id
     wraps = range(int(model.tendon_adr[t]), int(model.tendon_adr[t] + model.tendon_num[t]))
     return any(
@@ -119,7 +119,8 @@ def _pulls(model: mujoco.MjModel, tendon: str, joints: set[str]) -> bool:
 
 
 def _torques(model: mujoco.MjModel) -> dict[str, float]:
-    """N m that the motor of a joint gives at the most, of motors that say so."""
+    """Maximum torque in N m per joint, for motors with a limit in the file."""
+
     out = {}
     for a in range(model.nu):
         if (

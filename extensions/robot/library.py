@@ -1,4 +1,4 @@
-"""Whether MuJoCo is there, and where the robot hands are that come with packages."""
+"""Availability of MuJoCo, and the robot hands that installed packages provide."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tracker.base.errors import ConfigError
 EXTRA = 'pip install "glovetrack[robot]"'
 SHADOW = "shadow"
 MODELS = {SHADOW: ("gymnasium_robotics", "envs/assets/hand/reach.xml")}
-"""Hands by name: the package that has each and its MJCF in there (Shadow hand, Apache-2.0)."""
+"""Hands by name: package and path of the MJCF file in it (Shadow hand, Apache-2.0)."""
 
 
 def is_there() -> bool:
@@ -19,23 +19,23 @@ def is_there() -> bool:
 
 
 def need_mujoco() -> None:
-    """Raises ConfigError in words where MuJoCo is not installed."""
+    """Raises ConfigError if MuJoCo is not installed."""
     if not is_there():
-        raise ConfigError(
-            f"A robot hand needs MuJoCo, an extra that is not installed. Run: {EXTRA}"
-        )
+        raise ConfigError(f"A robot hand requires MuJoCo, which is not installed. Run: {EXTRA}")
 
 
 def model_path(name: str) -> Path:
-    """The MJCF of a hand: one of `MODELS`, or a path. Raises ConfigError in words."""
+    """Path of a hand's MJCF file; ``name`` is one of `MODELS` or a path. Raises ConfigError."""
     if name not in MODELS:
         path = Path(name).expanduser()
         if not path.is_file():
             known = ", ".join(MODELS)
-            raise ConfigError(f"There is no robot hand {name}: it is {known} or a file of MJCF.")
+            raise ConfigError(
+                f"Robot hand {name} not found. Use {known} or the path of an MJCF file."
+            )
         return path
     package, inside = MODELS[name]
     found = find_spec(package)
     if found is None or not found.submodule_search_locations:
-        raise ConfigError(f"The robot hand {name} comes with an extra. Run: {EXTRA}")
+        raise ConfigError(f"The robot hand {name} is not installed. Run: {EXTRA}")
     return Path(next(iter(found.submodule_search_locations)), inside)

@@ -1,4 +1,4 @@
-"""What a robot and its scene look like: triangles, and where they are moved to."""
+"""Appearance of a robot and its scene: triangles and the poses of their bodies."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ NO_FINGER = -1
 
 @dataclass(frozen=True, eq=False)
 class RobotShape:
-    """points, normals (V, 3) in the frame of each point's body; body (V,) its row among those that
-    `poses` gives; faces (F, 3); part (F,), one for each body; colour (V, 3) shares of one; finger
-    (V,) whose tip a point is of, or `NO_FINGER`."""
+    """points, normals (V, 3) in the frame of each point's body; body (V,) the body's row in
+    `Placed`; faces (F, 3); part (F,), one number per body; colour (V, 3) from 0 to 1; finger (V,)
+    the finger whose tip a point belongs to, or `NO_FINGER`."""
 
     points: Array
     normals: Array
@@ -26,7 +26,7 @@ class RobotShape:
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """Where the shape's bodies are: R (B, 3, 3), p (B, 3) m in the robot's world."""
+    """Poses of the shape's bodies: R (B, 3, 3), p (B, 3) m in the robot's world."""
 
     R: Array
     p: Array

@@ -1,8 +1,8 @@
-"""The other side's hand: an MJCF seen in a mirror.
+"""Mirrors an MJCF hand for the other side.
 
-The mirror is the plane x = 0 of every frame. A point (x, y, z) goes to (-x, y, z); a rotation about
-n by a goes to one about M n by -a, so a quaternion (w, x, y, z) to (w, x, -y, -z), and a joint's
-axis n, at the same angle, to -M n. Expects what MuJoCo saves: quaternions alone, no Euler angles.
+The mirror is the plane x = 0 of every frame. A point (x, y, z) maps to (-x, y, z), a rotation about
+n by a to one about M n by -a, so a quaternion (w, x, y, z) to (w, x, -y, -z), and a joint's axis n,
+at the same angle, to -M n. Expects the form that MuJoCo saves: quaternions, no Euler angles.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
-"""A robot's state for other programs, as JSON: angles rad, places m, forces N."""
+"""A robot's state as JSON for other programs: angles in rad, positions in m, forces in N."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from extensions.robot.worn import FINGERS
+from extensions.robot.wearer_hand import FINGERS
 from tracker.messages import Array, RobotState
 
 SCHEMA = 1
@@ -14,7 +14,7 @@ SCHEMA = 1
 def state_payload(
     state: RobotState, joint_names: Sequence[str], objects: Sequence[str]
 ) -> dict[str, Any]:
-    """Ready for JSON. Palm and objects are in the robot's world, z up, its table at 0."""
+    """JSON-compatible values. Poses are in the robot's world: z up, the table at 0."""
     return {
         "schema": SCHEMA,
         "robot": state.name,

@@ -1,7 +1,7 @@
-"""A scripted wearer takes a cube with three fingers, carries it and puts it down elsewhere.
+"""A scripted wearer grasps a cube with three fingers, carries it and puts it down elsewhere.
 
-The hand is the hand file's own, at postures whose fingertips, as a robot maps them, are around the
-cube; it sways, and is off by some mm of where it means to be.
+The postures of the reference hand are solved so that the robot's fingertips surround the cube. The
+hand sways and misses its target by a few millimetres.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from extensions.robot.command import RESET, RobotCommand
 from extensions.robot.hand import RobotHand
 from extensions.robot.scene import CUBE
 from extensions.robot.teleop import Teleop
-from extensions.robot.worn import WornHand, worn_points
+from extensions.robot.wearer_hand import WearerHand, hand_from_keypoints
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.geometry import so3
@@ -30,19 +30,19 @@ from tracker.simulation.motion import Poses
 from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 
 CENTRE = np.array([0.02, 0.011, -0.06])
-"""m in the robot's P: the cube's middle while it is held (of a right hand)."""
-OPEN, CLOSED = CUBE + 0.025, CUBE - 0.012  # m from there to the tips
+"""m in the robot's P: centre of the grasped cube (right hand)."""
+OPEN, CLOSED = CUBE + 0.025, CUBE - 0.012  # m from the centre to the tips
 LIFT = 0.12  # m
 SWAY, SWAY_ANGLE = 0.001, 0.01  # m and rad
-OFF = 0.003  # m, sd of where the wearer takes the cube
+OFF = 0.003  # m, standard deviation of the grasp position
 START = np.array([0.05, 0.0, 0.30])
-"""m in G, where the wearer's palm is when the robot's is at home."""
+"""m in G: the wearer's palm while the robot's is at home."""
 PACKET = 0.01  # s
-NEAR = 0.03  # m from the goal: put down where it should be
+NEAR = 0.03  # m from the goal that count as placed
 Count = Callable[[RobotState, Array, float], None]
 
 
-class Way(NamedTuple):
+class Move(NamedTuple):
     """One move: ``seconds`` to the palm's p (3,) m in W, with fingers closed by ``grip`` 0 to 1."""
 
     seconds: float
@@ -51,15 +51,14 @@ class Way(NamedTuple):
 
 
 class Picking:
-    """The wearer's hand in time, for a cube at x, y m and ``yaw`` rad in W that is to go to
-    ``goal`` (2,) m."""
+    """Motion of the wearer's hand that moves a cube in W to ``goal`` (2,) m."""
 
     follows_synergies = True
 
     def __init__(
         self, hand: HandModel, robot: RobotHand, cube: Array, goal: Array, seed: int
     ) -> None:
-        """``cube`` (3,): x, y, yaw."""
+        """``cube`` (3,): x and y in m, yaw in rad."""
         self.hand = hand
         rng = rng_for(seed, "picking")
         off = rng.normal(0.0, OFF, 2)
@@ -67,19 +66,19 @@ class Picking:
         grasp = np.array([*(cube[:2] + off), CUBE]) - turn @ _centre(hand)
         put = np.array([*goal, CUBE + 0.002]) - turn @ _centre(hand)
         up = np.array([0.0, 0.0, LIFT])
-        self._ways = (
-            Way(1.2, grasp + up, 0.0),
-            Way(0.9, grasp, 0.0),
-            Way(0.5, grasp, 1.0),
-            Way(0.3, grasp, 1.0),
-            Way(0.8, grasp + up, 1.0),
-            Way(1.2, put + up, 1.0),
-            Way(0.9, put, 1.0),
-            Way(0.6, put, 0.0),
-            Way(0.8, put + up, 0.0),
-            Way(0.4, put + up, 0.0),
+        self._moves = (
+            Move(1.2, grasp + up, 0.0),
+            Move(0.9, grasp, 0.0),
+            Move(0.5, grasp, 1.0),
+            Move(0.3, grasp, 1.0),
+            Move(0.8, grasp + up, 1.0),
+            Move(1.2, put + up, 1.0),
+            Move(0.9, put, 1.0),
+            Move(0.6, put, 0.0),
+            Move(0.8, put + up, 0.0),
+            Move(0.4, put + up, 0.0),
         )
-        self._ends = list(accumulate(way.seconds for way in self._ways))
+        self._ends = list(accumulate(move.seconds for move in self._moves))
         self.duration = self._ends[-1]
         self._yaw = float(cube[2])
         self._open = grasp_posture(hand, robot, OPEN)
@@ -87,14 +86,14 @@ class Picking:
         self._sway = SmoothNoise(rng_for(seed, "sway"), (6,), 0.5)
 
     def poses(self, t: Array) -> Poses:
-        """The hand at t (n,) s."""
+        """Poses of the hand at t (n,) s."""
         p, grip, turned = np.tile(HOME, (len(t), 1)), np.zeros(len(t)), np.zeros(len(t))
         last, grip_before, start = HOME, 0.0, 0.0
-        for way, end in zip(self._ways, self._ends, strict=True):
+        for move, end in zip(self._moves, self._ends, strict=True):
             share = minimum_jerk((t - start) / (end - start))
-            p += share[:, None] * (way.p_W - last)
-            grip += share * (way.grip - grip_before)
-            last, grip_before, start = way.p_W, way.grip, end
+            p += share[:, None] * (move.p_W - last)
+            grip += share * (move.grip - grip_before)
+            last, grip_before, start = move.p_W, move.grip, end
         turned = self._yaw * minimum_jerk(t / self._ends[0])
         sway = self._sway(t)
         R = so3.exp(np.outer(turned, [0.0, 0.0, 1.0]) + SWAY_ANGLE * sway[:, :3])
@@ -103,26 +102,26 @@ class Picking:
         p_G = START + (p - HOME) + SWAY * sway[:, 3:]
         return Poses(angles, R, p_G - R @ middle)
 
-    def worn(self, t: Array) -> list[WornHand]:
-        """What a robot is fed with at t (n,) s."""
+    def hands(self, t: Array) -> list[WearerHand]:
+        """The wearer's hand at t (n,) s, as input of a robot."""
         poses = self.poses(t)
         return [
-            worn_at(self.hand, Poses(*(part[k] for part in poses)), float(t[k]))
+            hand_at(self.hand, Poses(*(part[k] for part in poses)), float(t[k]))
             for k in range(len(t))
         ]
 
 
-def worn_at(hand: HandModel, pose: Poses, t: float) -> WornHand:
-    """One instant of a motion as it truly is: ``pose`` without its axis of instants."""
+def hand_at(hand: HandModel, pose: Poses, t: float) -> WearerHand:
+    """The true hand at one instant of a motion; the arrays of ``pose`` have no time axis."""
     R, p = hand.forward(pose.angles, pose.R_GB, pose.p_GB)
     state = np.full(len(hand.keypoint_names), int(Validity.MEASURED), np.int64)
     q = so3.quat_from_matrix(pose.R_GB)
-    return worn_points(t, True, hand.keypoints(R, p), state, q)
+    return hand_from_keypoints(t, True, hand.keypoints(R, p), state, q)
 
 
 def grasp_posture(hand: HandModel, robot: RobotHand, half: float) -> Array:
-    """(J,) rad of a wearer whose thumb is ``half`` m behind the cube's middle, index and middle
-    finger as far before it, as the robot has it."""
+    """Joint angles (J,) rad of the wearer for which the robot's thumb is ``half`` m behind the
+    cube's centre and its index and middle fingers are as far in front of it."""
     free = [i for i, n in enumerate(hand.joint_names) if n.startswith(("thumb", "index", "middle"))]
     limits = hand.angle_limits[free]
     wanted = _wanted(hand, robot, half)
@@ -136,8 +135,8 @@ def grasp_posture(hand: HandModel, robot: RobotHand, half: float) -> Array:
         return angles
 
     def residual(x: Array) -> Array:
-        worn = worn_at(hand, Poses(whole(x), np.eye(3), np.zeros(3)), 0.0)
-        miss = (worn.tip - worn.knuckle)[:3] / worn.length[:3, None] - wanted
+        wearer = hand_at(hand, Poses(whole(x), np.eye(3), np.zeros(3)), 0.0)
+        miss = (wearer.tip - wearer.knuckle)[:3] / wearer.length[:3, None] - wanted
         return np.concatenate([20.0 * miss.ravel(), 0.05 * (x - start)])
 
     start = np.clip(np.full(len(free), 0.4), *limits.T)
@@ -151,8 +150,8 @@ def _centre(hand: HandModel) -> Array:
 
 
 def _wanted(hand: HandModel, robot: RobotHand, half: float) -> Array:
-    """(3, 3) from the knuckles of thumb, index and middle finger to their tips, in lengths of the
-    finger."""
+    """(3, 3) from the knuckles of thumb, index and middle finger to their tips, in units of the
+    finger's length."""
     apart = 0.012 if hand.side == "right" else -0.012
     offsets = {"thumb": (-half, 0.0, 0.0), "index": (half, apart, 0), "middle": (half, -apart, 0)}
     rows = []
@@ -164,7 +163,7 @@ def _wanted(hand: HandModel, robot: RobotHand, half: float) -> Array:
 
 
 class PickTrial(NamedTuple):
-    """``placed``: it was lifted, and lies at rest within `NEAR` of its goal."""
+    """``placed``: the cube was lifted and is at rest within `NEAR` of its goal."""
 
     seed: int
     placed: bool
@@ -172,7 +171,7 @@ class PickTrial(NamedTuple):
     lifted_mm: float
 
 
-def worn_hand_of(side: str) -> HandModel:
+def wearer_model(side: str) -> HandModel:
     """The reference hand of a side."""
     name = f"reference-{side}"
     return parse_hand(text("hands", name), name)
@@ -184,25 +183,25 @@ def pick_and_place(
     count: Count = lambda state, errors, took: None,
     watch: Callable[[RobotState], None] = lambda state: None,
 ) -> PickTrial:
-    """Within the robot's own scene, which is begun anew. Raises ConfigError without a cube."""
+    """Run one trial in the robot's scene, which is reset. Raises ConfigError without a cube."""
     things = teleop.world.scene.objects
     if "cube" not in things:
-        raise ConfigError("To be picked up a cube must be among the objects.")
+        raise ConfigError("Add a cube to the objects: pick and place requires one.")
     rng = rng_for(seed, "pick and place")
     cube = np.array([rng.uniform(0.02, 0.08), rng.uniform(-0.13, -0.07), rng.uniform(-0.4, 0.4)])
     goal = np.array([rng.uniform(0.02, 0.08), rng.uniform(-0.32, -0.26)])
     teleop.command(RobotCommand(RESET))
     teleop.world.place("cube", np.array([cube[0], cube[1], CUBE]), float(cube[2]))
-    picking = Picking(worn_hand_of(teleop.settings.side), teleop.hand, cube, goal, seed)
+    picking = Picking(wearer_model(teleop.settings.side), teleop.hand, cube, goal, seed)
     row, highest = things.index("cube"), 0.0
-    for worn in picking.worn(np.arange(0.0, picking.duration, PACKET)):
+    for wearer in picking.hands(np.arange(0.0, picking.duration, PACKET)):
         began = monotonic()
-        state = teleop.feed(worn)
+        state = teleop.feed(wearer)
         count(state, teleop.fingers.error, monotonic() - began)
         watch(state)
         highest = max(highest, float(state.objects[row, 2]) - CUBE)
     place = state.objects[row, :3]
     off = float(np.linalg.norm(place[:2] - goal))
-    lies = abs(float(place[2]) - CUBE) < 0.01
-    done = off < NEAR and lies and highest > 0.5 * LIFT
+    on_table = abs(float(place[2]) - CUBE) < 0.01
+    done = off < NEAR and on_table and highest > 0.5 * LIFT
     return PickTrial(seed, done, 1e3 * off, 1e3 * highest)

@@ -1,4 +1,4 @@
-"""A robot in a process of its own, so that tracking and window never wait for it."""
+"""Runs the robot in a process of its own, so that tracking and the window never wait for it."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from tracker.hand.model import HandModel
 from tracker.messages import Estimate, RobotModel, RobotState
 
 if TYPE_CHECKING:
-    from extensions.robot.driver import Said
+    from extensions.robot.driver import RobotOutput
     from extensions.robot.look import Placed, RobotShape
 
 END_WAIT = 2.0  # s
-STARTING = 0.0  # in place of a time of arrival: the process is not there yet
+STARTING = 0.0  # instead of an arrival time while the process starts
 
 
 @dataclass(frozen=True)
 class RobotReady:
-    """The robot is there, and looks so."""
+    """The robot has started; its description and its shape."""
 
     model: RobotModel
     shape: RobotShape
@@ -36,22 +36,22 @@ class RobotReady:
 
 @dataclass(frozen=True)
 class RobotFailed:
-    """It is not, or no more; ``text`` says why."""
+    """The robot did not start or has stopped; ``text`` gives the reason."""
 
     text: str
 
 
 class RobotMoved(NamedTuple):
-    """What one hand brought: all that was said, and where everything is; the farthest tip's way to
-    its target, m."""
+    """The result of one hand: the driver's outputs, the poses of all bodies, and the largest
+    distance of a tip from its target in m."""
 
-    said: list[Said]
+    outputs: list[RobotOutput]
     placed: Placed
     error: float
 
 
 class RobotShown(NamedTuple):
-    """Where everything is in a recorded state."""
+    """The poses of all bodies in a recorded state."""
 
     state: RobotState
     placed: Placed
@@ -62,26 +62,29 @@ Item = Estimate | RobotCommand | RobotState | None
 
 
 class RobotProcess:
-    """Methods may be called from any thread and never wait; ``heard`` is called in a thread of its
-    own with each `Answer`, and with the s from a hand's arrival to it (0 where there is none)."""
+    """Methods may be called from any thread and do not block.
+
+    ``deliver`` is called in a separate thread with each `Answer` and the time in s since the
+    arrival of the hand that it answers (0 if it answers none).
+    """
 
     def __init__(
         self,
         settings: RobotSettings,
         hand: HandModel,
         keypoint_names: tuple[str, ...],
-        heard: Callable[[Answer, float], None],
+        deliver: Callable[[Answer, float], None],
     ) -> None:
-        self._heard = heard
+        self._deliver = deliver
         name = "glovetrack-robot"
         self._pipe, self._process = start_child(name, serve, settings, hand, keypoint_names)
         self._lock = threading.Lock()
         self._latest: tuple[Estimate | RobotState, float] | None = None
-        self._arrival: float | None = STARTING  # of what was sent and not answered
+        self._arrival: float | None = STARTING  # of the item that awaits an answer
         self._ending = False
         self.missed = 0
-        """Hands that were overtaken by a newer one."""
-        self._thread = threading.Thread(target=self._receive, name="glovetrack-robot", daemon=True)
+        """Number of hands that were replaced by a newer one before they were sent."""
+        self._thread = threading.Thread(target=self._read, name="glovetrack-robot", daemon=True)
         self._thread.start()
 
     @property
@@ -89,10 +92,10 @@ class RobotProcess:
         return self._process.pid or 0
 
     def feed(self, hand: Estimate | RobotState, t_arrival: float) -> None:
-        """The newest hand, or a recorded state to be shown; it came at ``t_arrival`` s.
+        """Send the newest hand, or a recorded state to show, which arrived at ``t_arrival`` s.
 
-        It is sent from here, not by a thread of its own that would wait for its turn. One is under
-        way at a time, which the pipe always has room for.
+        It is sent in the caller's thread, because another thread would have to wait for its turn.
+        Only one item awaits an answer at a time, so the pipe never blocks.
         """
         with self._lock:
             self.missed += self._latest is not None
@@ -100,17 +103,17 @@ class RobotProcess:
             self._send_latest()
 
     def ask(self, command: RobotCommand) -> None:
-        """Have a command done before the next hand."""
+        """Queue a command for execution before the next hand."""
         with self._lock:
             self._send(command)
 
     def close(self) -> None:
-        """End the process; waits until it has ended. May be called again."""
+        """Stop the process and wait until it has ended. Later calls do nothing."""
         with self._lock:
             if not self._ending:
                 self._ending = True
                 self._send(None)
-                if self._arrival == STARTING:  # it would hear that in some seconds
+                if self._arrival == STARTING:  # it would read the request only after its start
                     self._process.kill()
         if self._thread is not threading.current_thread():
             self._thread.join(END_WAIT)
@@ -126,22 +129,22 @@ class RobotProcess:
             self._send(hand)
 
     def _send(self, item: Item) -> None:
-        with suppress(OSError):  # it has gone: who receives tells
+        with suppress(OSError):  # the process has ended, which `_read` reports
             self._pipe.send(item)
 
-    def _receive(self) -> None:
+    def _read(self) -> None:
         run_soon()
         while True:
             try:
                 answer = self._pipe.recv()
             except (EOFError, OSError):
                 if not self._ending:
-                    self._heard(RobotFailed("The robot's process has ended."), 0.0)
+                    self._deliver(RobotFailed("The robot's process has ended."), 0.0)
                 return
-            self._heard(answer, self._answered(answer))
+            self._deliver(answer, self._answered(answer))
 
     def _answered(self, answer: Answer) -> float:
-        """s since the hand came that is answered; the next one may go."""
+        """s since the arrival of the answered hand; sends the next one."""
         if isinstance(answer, RobotFailed):
             return 0.0
         with self._lock:
@@ -153,7 +156,7 @@ class RobotProcess:
 def serve(
     pipe: Connection, settings: RobotSettings, hand: HandModel, keypoint_names: tuple[str, ...]
 ) -> None:
-    """Runs in the process until it is told to end, or who began it has gone."""
+    """Main function of the process: runs until it is asked to end or the pipe is closed."""
     run_soon()
     try:
         server = _Server(settings, hand, keypoint_names)
@@ -200,9 +203,9 @@ class _Server:
             try:
                 self._world.show(item.joints, item.palm, item.objects)
             except ValueError:
-                return RobotFailed("The recorded robot is another one than its model says.")
+                return RobotFailed("The recorded states do not match the recorded robot model.")
             return RobotShown(item, poses(self._world))
-        said = self._driver.feed(item)
+        outputs = self._driver.feed(item)
         errors = self._driver.teleop.fingers.error
         farthest = float(np.nanmax(errors)) if np.isfinite(errors).any() else float("nan")
-        return RobotMoved(said, poses(self._world), farthest)
+        return RobotMoved(outputs, poses(self._world), farthest)

@@ -1,8 +1,8 @@
-"""Joint angles of a robot hand whose fingertips are where they are asked to be.
+"""Inverse kinematics of a robot hand: joint angles for given fingertip positions.
 
 Damped Gauss-Newton on MuJoCo's Jacobians, within joint limits and speeds by an active set: a joint
-at its bound that is pushed out of it stays there and the others make up for it. Of the libraries
-for this, mink takes 13 ms for one step in a hundred where this takes one; see docs/robot.md.
+that is pushed beyond its bound stays at the bound and the others compensate. Of the libraries for
+this, mink takes 13 ms for one step in a hundred where this takes 1 ms; see docs/robot.md.
 """
 
 from __future__ import annotations
@@ -15,26 +15,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.robot.hand import RobotHand
-from extensions.robot.worn import FINGERS
+from extensions.robot.wearer_hand import FINGERS
 from tracker.messages import Array
 
-STEPS = 4  # of one hand: the next goes on from there
-SMALL = 1e-3  # rad: a step less than this is the last
-STUCK = 2e-3  # m: more than this is worth another beginning
-EVERY = 4  # hands for which fingers are stuck: one of them tries another beginning
-BETTER = 0.8  # of the error, to leave the way in which a finger is bent
+STEPS = 4  # iterations per hand; the next hand continues from the result
+SMALL = 1e-3  # rad: iteration ends with a step smaller than this
+STUCK = 2e-3  # m: with a larger error another initial pose is tried
+EVERY = 4  # hands between two tries of another initial pose
+BETTER = 0.8  # share of the error that another solution must stay below to be accepted
 STARTS = 0.1 + 0.8 * np.random.default_rng(1).random((8, 6))
-"""Shares of the joints' ranges at which a finger begins anew, one after another."""
-CLOSE = 2e-4  # m: no more steps are taken
+"""Initial poses that are tried in turn, as shares of the joints' ranges."""
+CLOSE = 2e-4  # m: iteration ends below this error
 TIP_SD = 1e-3  # m
 COUPLED_SD = 0.02  # rad
-REST_SD = 3.0  # rad: what a tip does not say is near the rest pose
+REST_SD = 3.0  # rad: joints that the tip does not determine stay near the rest pose
 DAMPING_SD = 0.5  # rad, of one step
 PASSES = 4  # of the active set
 
 
 class Retargeter:
-    """Remembers where the joints are; angles in the order of the hand's joint names."""
+    """Holds the joint angles, in the order of the hand's joint names."""
 
     def __init__(self, hand: RobotHand, joint_speed: float) -> None:
         """``joint_speed`` rad/s."""
@@ -51,15 +51,15 @@ class Retargeter:
         self.angles = self._rest.copy()
         self._goal, self._tries = self._rest.copy(), 0
         self.error = np.full(len(FINGERS), np.nan)
-        """(5,) m from each tip to its target where speed is no limit; NaN where it has none."""
+        """(5,) m from each tip to its target, speed limits ignored; NaN without a target."""
 
     def reset(self, angles: Array | None = None) -> None:
-        """To the rest pose, or to what was commanded last."""
+        """Start again from the rest pose or from the given angles."""
         self.angles = self._rest.copy() if angles is None else np.array(angles, float)
         self._goal, self._tries = self.angles.copy(), 0
 
     def step(self, targets: Array, known: NDArray[np.bool_], dt: float) -> Array:
-        """Angles ``dt`` s later; targets (5, 3) m in P. Fingers that are not known stay."""
+        """Angles ``dt`` s later; targets (5, 3) m in P. Fingers without a target do not move."""
         moved = self._moved(known)
         self._goal = np.where(moved, self._goal, self.angles)
         goal = self._solve(self._goal, targets, known, moved)
@@ -73,7 +73,7 @@ class Retargeter:
     def _solve(
         self, q: Array, targets: Array, known: NDArray[np.bool_], moved: NDArray[np.bool_]
     ) -> Array:
-        """The nearest best angles from ``q`` on; `error` is theirs."""
+        """The local optimum from ``q``; sets `error`."""
         low = np.where(moved, self._hand.limits[:, 0], q)
         high = np.where(moved, self._hand.limits[:, 1], q)
         for _ in range(STEPS):
@@ -94,8 +94,8 @@ class Retargeter:
     def _elsewhere(
         self, goal: Array, targets: Array, known: NDArray[np.bool_], moved: NDArray[np.bool_]
     ) -> Array:
-        """Try one other beginning for fingers that stay away from their targets: there may be
-        another way to bend. The one that is better counts."""
+        """Solve again from another initial pose for fingers that do not reach their targets, since
+        there may be another solution. The better of the two is returned."""
         errors = self.error.copy()
         share = STARTS[self._tries // EVERY % len(STARTS)]
         start = goal.copy()
@@ -124,17 +124,17 @@ class Retargeter:
 
     @property
     def memory(self) -> Array:
-        """(2 n + 1,) all that the next step depends on."""
+        """(2 n + 1,) everything that the next step depends on."""
         return np.concatenate([self.angles, self._goal, [float(self._tries)]])
 
     def remember(self, memory: Array) -> None:
-        """As it was when ``memory`` was asked for."""
+        """Restore a state returned by ``memory``."""
         n = len(self._rest)
         self.angles, self._goal = memory[:n].copy(), memory[n : 2 * n].copy()
         self._tries = int(memory[2 * n])
 
     def tips(self, angles: Array) -> Array:
-        """(5, 3) m in P; NaN where the robot has no such finger."""
+        """Fingertips (5, 3) m in P; NaN for fingers that the robot does not have."""
         self._pose(angles)
         out = np.full((len(FINGERS), 3), np.nan)
         anatomy = self._hand.anatomy
@@ -155,7 +155,7 @@ class Retargeter:
         return np.asarray(data.xpos[body] + data.xmat[body].reshape(3, 3) @ point)
 
     def _normal(self, q: Array, targets: Array, known: NDArray[np.bool_]) -> tuple[Array, Array]:
-        """Normal matrix (n, n) and right side (n,) at ``q``; `error` is that at ``q``."""
+        """Normal matrix (n, n) and right side (n,) at ``q``; sets `error`."""
         self._pose(q)
         anatomy, J = self._hand.anatomy, self._jacobian
         weight = 1.0 / TIP_SD**2
@@ -177,7 +177,7 @@ class Retargeter:
 
 
 def bounded_step(H: Array, g: Array, low: Array, high: Array) -> Array:
-    """(n,) the x in low..high that nearly minimises x'Hx/2 - g'x: bounds that are met are kept."""
+    """(n,) approximate minimiser of x'Hx/2 - g'x in low..high; a reached bound stays active."""
     x = np.zeros(len(g))
     free = ~((low >= 0) & (g < 0)) & ~((high <= 0) & (g > 0)) & (high > low)
     for _ in range(PASSES):

@@ -1,4 +1,4 @@
-"""The robot hand over a table with things to grasp, as one MuJoCo model."""
+"""The robot hand above a table with objects to grasp, as one MuJoCo model."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import mujoco
 import numpy as np
 
 from extensions.robot.hand import RobotHand
-from extensions.robot.worn import FINGERS
+from extensions.robot.wearer_hand import FINGERS
 from tracker.messages import Array
 
 TIMESTEP = 0.002  # s
-STIFF_AT = 0.2  # rad off at which a motor gives all it can
+STIFF_AT = 0.2  # rad of error at which a motor reaches its full torque
 PREFIX = "hand/"
 MOUNT = "palm_mount"
 FRICTION = (1.2, 0.01, 0.0005)
@@ -32,8 +32,8 @@ DENSITY = 400.0  # kg/m³: wood
 
 @dataclass(frozen=True, eq=False)
 class RobotScene:
-    """``model`` with the rows of what is asked of it: qpos of finger joints (n,) and of objects
-    (7 each), motors (n,), bodies of objects and of fingertips (5,), -1 for a finger not there."""
+    """``model`` and rows in it: qpos of finger joints (n,) and of objects (7 each), motors (n,),
+    bodies of objects and of fingertips (5,), -1 for a finger that the hand does not have."""
 
     model: mujoco.MjModel
     joint_rows: Array
@@ -46,7 +46,7 @@ class RobotScene:
 
 
 def build_scene(hand: RobotHand, objects: Sequence[str]) -> RobotScene:
-    """The hand at the origin, carried by a body that goes where it is told."""
+    """The scene with the hand at the origin, carried by a mocap body."""
     spec = mujoco.MjSpec()
     _set_options(spec)
     spec.worldbody.add_geom(
@@ -83,7 +83,7 @@ def _add_object(spec: Any, name: str) -> None:
 
 
 def _add_hand(spec: Any, hand: RobotHand) -> list[str]:
-    """Carried at its palm; returns the names of its joints in the scene."""
+    """Attach the hand by its palm; returns the names of its joints in the scene."""
     part = _without_options(hand.mjcf)
     anatomy = hand.anatomy
     spec.worldbody.add_body(name="carried", mocap=True)
@@ -107,7 +107,7 @@ def _add_hand(spec: Any, hand: RobotHand) -> list[str]:
 
 
 def _without_options(mjcf: str) -> Any:
-    """A hand's own options do not count in our scene."""
+    """The hand's specification without its options, which would replace those of the scene."""
     root = ET.fromstring(mjcf)
     for name in ("option", "size", "statistic", "visual"):
         for element in root.findall(name):
@@ -118,7 +118,7 @@ def _without_options(mjcf: str) -> Any:
 
 
 def _add_motor(spec: Any, joint: str, torque: float, limits: Array) -> None:
-    """Holds a joint where it is told, with all its torque `STIFF_AT` away from there."""
+    """Add a position servo that reaches its full torque at an error of `STIFF_AT`."""
     stiffness = torque / STIFF_AT
     motor = spec.add_actuator(name=joint, target=joint, trntype=mujoco.mjtTrn.mjTRN_JOINT)
     motor.gaintype, motor.biastype = mujoco.mjtGain.mjGAIN_FIXED, mujoco.mjtBias.mjBIAS_AFFINE
@@ -128,7 +128,7 @@ def _add_motor(spec: Any, joint: str, torque: float, limits: Array) -> None:
 
 
 def _free_forearm(spec: Any, hand: RobotHand) -> None:
-    """What lies behind the palm touches nothing: the table is not in its way."""
+    """Disable collisions of the bodies behind the palm, so that the table does not block them."""
     body = hand.model.body(hand.anatomy.palm).parentid[0]
     while body > 0:
         for geom in spec.body(PREFIX + hand.model.body(body).name).geoms:

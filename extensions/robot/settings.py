@@ -1,4 +1,4 @@
-"""What can be chosen of a robot hand."""
+"""Settings of a robot hand."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ CLUTCHES = ("none", "thumb_up", "point", "fist")
 
 @dataclass(frozen=True)
 class RobotSettings:
-    """``model`` is a name of `extensions.robot.library.MODELS` or a path of MJCF; ``side`` that of
-    the wearer's hand.
+    """``model`` is a name of `extensions.robot.library.MODELS` or the path of an MJCF file;
+    ``side`` is the side of the wearer's hand.
 
-    ``motion_scale``: m that the palm moves for each of the wearer's. ``reach_scale``: factor on the
-    fingers' reach, beside the ratio of their lengths. ``clutch``: the gesture that couples and
-    uncouples the palm; none: by command alone. Speeds are the most that is commanded.
+    ``motion_scale``: m that the robot's palm moves per m of the wearer's. ``reach_scale``: factor
+    on the fingers' reach, in addition to the ratio of their lengths. ``clutch``: the gesture that
+    couples and uncouples the palm; with none, only commands do. Speeds are upper limits.
     """
 
     model: str = SHADOW
     side: str = "right"
-    objects: str = ",".join(OBJECTS)  # those that are on the table
+    objects: str = ",".join(OBJECTS)  # on the table
     motion_scale: float = 1.0
     reach_scale: float = 1.0
     clutch: str = "none"
@@ -35,16 +35,18 @@ class RobotSettings:
 
     def __post_init__(self) -> None:
         if self.side not in ("right", "left"):
-            raise ConfigError(f"A hand is right or left, not {self.side!r}.")
+            raise ConfigError(f"The side must be right or left, not {self.side!r}.")
         if self.clutch not in CLUTCHES:
-            raise ConfigError(f"The clutch is {', '.join(CLUTCHES)}, not {self.clutch!r}.")
+            raise ConfigError(
+                f"The clutch must be one of {', '.join(CLUTCHES)}, not {self.clutch!r}."
+            )
         strange = [name for name in self.things if name not in OBJECTS]
         if strange:
-            raise ConfigError(f"Objects are {', '.join(OBJECTS)}, not {strange[0]!r}.")
+            raise ConfigError(f"Unknown object {strange[0]!r}. Use {', '.join(OBJECTS)}.")
         if not 0.1 <= self.motion_scale <= 10 or not 0.5 <= self.reach_scale <= 2:
-            raise ConfigError("The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.")
+            raise ConfigError("The motion scale must be 0.1 to 10, the reach scale 0.5 to 2.")
         if min(self.joint_speed, self.palm_speed, self.turn_speed) <= 0:
-            raise ConfigError("A robot's speeds are greater than zero.")
+            raise ConfigError("Robot speeds must be greater than zero.")
 
     @property
     def things(self) -> tuple[str, ...]:
@@ -53,9 +55,9 @@ class RobotSettings:
 
 
 def settings_of(text: str) -> RobotSettings:
-    """Settings from a recording's JSON. Raises FileError where it is none."""
+    """Settings from a recording's JSON. Raises FileError if it is not valid JSON."""
     try:
-        said = json.loads(text)
+        found = json.loads(text)
     except ValueError as error:
-        raise FileError("What the session says of its robot is damaged.") from error
-    return from_dict(RobotSettings, said if isinstance(said, dict) else {}, lambda key, why: None)
+        raise FileError("The session's robot settings are damaged.") from error
+    return from_dict(RobotSettings, found if isinstance(found, dict) else {}, lambda key, why: None)

@@ -1,4 +1,4 @@
-"""A robot and its scene as triangles, for views that know nothing of MuJoCo."""
+"""Triangle meshes of a robot and its scene, for views without MuJoCo."""
 
 from __future__ import annotations
 
@@ -7,28 +7,28 @@ import numpy as np
 
 from extensions.robot.look import NO_FINGER, Placed, RobotShape
 from extensions.robot.scene import COLOURS
+from extensions.robot.wearer_hand import FINGERS
 from extensions.robot.world import RobotWorld
-from extensions.robot.worn import FINGERS
 from tracker.messages import Array, IntArray
 
 SHOWN_GROUPS = 3  # MuJoCo's viewer shows the groups below
-FINE, CELLS = 0.0025, 24  # m, and parts of a mesh's size: what is smaller is drawn as one point
-ROUND = 16  # sides of what is round
-NO_AREA = 1e-14  # m²: triangles that face each other have no common normal
+FINE, CELLS = 0.0025, 24  # m, and fractions of a mesh's size: smaller details are merged
+ROUND = 16  # sides of round shapes
+NO_AREA = 1e-14  # m²: the normals of opposite triangles cancel
 HAND = "#AEB6C2"
 Mesh = tuple[Array, IntArray]
 """Points (V, 3) m and triangles (F, 3), counter-clockwise from outside."""
 
 
 def poses(world: RobotWorld) -> Placed:
-    """As the world is now."""
+    """Current poses of all geoms."""
     n = world.model.ngeom
     data = world.data
     return Placed(data.geom_xmat.reshape(n, 3, 3).copy(), data.geom_xpos.copy())
 
 
 def shape_of(world: RobotWorld) -> RobotShape:
-    """Of the hand and the things in a scene."""
+    """Mesh of the hand and the objects of a scene."""
     model = world.model
     shown = [g for g in range(model.ngeom) if _shown(model, g)]
     parts = [(g, _mesh(model, g)) for g in shown]
@@ -51,7 +51,7 @@ def shape_of(world: RobotWorld) -> RobotShape:
 
 
 def _shown(model: mujoco.MjModel, geom: int) -> bool:
-    """Not the table: views have a ground of their own, which covers no pixels."""
+    """Whether a geom is drawn. The table is not: views draw lines for it."""
     return model.geom_group[geom] < SHOWN_GROUPS and model.geom_bodyid[geom] != 0
 
 
@@ -70,7 +70,7 @@ def _colour(model: mujoco.MjModel, geom: int) -> Array:
 
 
 def _mesh(model: mujoco.MjModel, geom: int) -> Mesh:
-    """In the geom's own frame."""
+    """Mesh of a geom in its own frame."""
     kind, size = model.geom_type[geom], model.geom_size[geom]
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         return _clustered(*_stored(model, int(model.geom_dataid[geom])))
@@ -94,7 +94,7 @@ def _stored(model: mujoco.MjModel, mesh: int) -> Mesh:
 
 
 def _clustered(points: Array, faces: IntArray) -> Mesh:
-    """Points of one cell of a grid become their mean; what is left of a triangle then is none."""
+    """Merge the points in each cell of a grid into their mean; drop degenerate triangles."""
     cell = max(FINE, float(np.ptp(points, axis=0).max()) / CELLS)
     keys = np.floor(points / cell).astype(np.int64)
     _, row, count = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
@@ -107,7 +107,7 @@ def _clustered(points: Array, faces: IntArray) -> Mesh:
 
 
 def _normals(points: Array, faces: IntArray) -> Array:
-    """(V, 3) of length 1: of a point the mean of its triangles', by their area."""
+    """(V, 3) unit normals: the area-weighted mean over each point's triangles."""
     a, b, c = points[faces[:, 0]], points[faces[:, 1]], points[faces[:, 2]]
     across = np.cross(b - a, c - a)
     out = np.zeros_like(points)
@@ -119,7 +119,7 @@ def _normals(points: Array, faces: IntArray) -> Array:
 
 
 def _box(half: Array) -> Mesh:
-    """Each side has corners of its own, so that edges are sharp."""
+    """A box. Sides do not share corners, so that edges are sharp."""
     points: list[Array] = []
     faces: list[list[int]] = []
     for axis in range(3):
@@ -136,22 +136,25 @@ def _box(half: Array) -> Mesh:
 
 
 def _arc(radius: float, half: float) -> tuple[Array, Array]:
-    """Distances from the axis and heights of a ball's outline, pulled apart by twice ``half``."""
+    """Distances from the axis and heights of a capsule's outline; ``half`` of its cylinder's."""
     angle = np.linspace(-np.pi / 2, np.pi / 2, ROUND // 2 + 2)
     return radius * np.cos(angle), radius * np.sin(angle) + np.where(angle < 0, -half, half)
 
 
-def _turned(away: Array, height: Array) -> Mesh:
-    """An outline turned about z, from below upwards."""
+def _turned(distance: Array, height: Array) -> Mesh:
+    """Surface of revolution of an outline about z, from bottom to top."""
     angle = 2 * np.pi * np.arange(ROUND) / ROUND
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     points = np.concatenate(
-        [np.column_stack([a * ring, np.full(ROUND, h)]) for a, h in zip(away, height, strict=True)]
+        [
+            np.column_stack([d * ring, np.full(ROUND, h)])
+            for d, h in zip(distance, height, strict=True)
+        ]
     )
     here = np.arange(ROUND)
     after = (here + 1) % ROUND
     faces = []
-    for k in range(len(away) - 1):
+    for k in range(len(distance) - 1):
         low, high = k * ROUND, (k + 1) * ROUND
         faces.append(np.stack([low + here, low + after, high + after], axis=1))
         faces.append(np.stack([low + here, high + after, high + here], axis=1))

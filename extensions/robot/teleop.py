@@ -1,7 +1,7 @@
-"""A robot hand that follows a wearer's: hands in, joint commands, contacts and states out.
+"""Teleoperation of a robot hand: wearer's hands in; joint commands, contacts and states out.
 
-It knows neither clocks nor sockets: each hand brings its time, and the scene is stepped up to it.
-Fed with the same hands and commands from the same memory it does the same to the last bit.
+It uses neither clocks nor sockets: each hand carries its time, and the scene is stepped up to it.
+The same hands and commands from the same memory give the same states, bit for bit.
 """
 
 from __future__ import annotations
@@ -19,49 +19,49 @@ from extensions.robot.retarget import Retargeter
 from extensions.robot.scene import TIMESTEP
 from extensions.robot.settings import RobotSettings
 from extensions.robot.urdf import robot_urdf
+from extensions.robot.wearer_hand import FINGERS, WearerHand
 from extensions.robot.world import RobotWorld
-from extensions.robot.worn import FINGERS, WornHand
 from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError
 from tracker.messages import Array, RobotMemory, RobotModel, RobotState
 
-LONGEST = 0.05  # s that the scene goes on at most for one hand: after a gap it does not leap
-NEAR, FAR = 0.020, 0.060  # m between the wearer's tips: the pinch counts alone, and not at all
-TOUCH = 0.013  # m between a wearer's tips whose pads touch
-PRESS = 0.003  # m by which the robot's are then to be nearer than touching: a grip holds
+LONGEST = 0.05  # s simulated at most for one hand: after a gap in the input nothing jumps
+NEAR, FAR = 0.020, 0.060  # m between the wearer's tips: full and zero weight of the pinch
+TOUCH = 0.013  # m between the wearer's tips when their pads touch
+PRESS = 0.003  # m by which the robot's tips then overlap, so that a grip has force
 
 
 class TargetMap:
-    """Where a robot's fingertips are to go, from where the wearer's are.
+    """Maps the wearer's fingertips to targets of the robot's fingertips.
 
-    Each finger's reach from its knuckle is scaled by the ratio of the fingers' lengths. Where the
-    wearer's thumb comes near a finger, the vector between the two tips counts instead, so that a
-    pinch is one for every wearer (the vectors of DexPilot, Handa et al. 2020, section IV).
+    Each finger's reach from its knuckle is scaled by the ratio of the fingers' lengths. Near a
+    pinch, the vector between the two tips is matched instead, so that a pinch of any wearer is a
+    pinch of the robot (the vectors of DexPilot, Handa et al. 2020, section IV).
 
-    Made of the robot's knuckle (5, 3) m in P, length (5,) m and radius (5,) m of its fingers; NaN
-    where it has no such finger.
+    The robot's fingers are given by knuckle (5, 3) m in P, length (5,) m and radius (5,) m; NaN
+    for a finger that it does not have.
     """
 
     def __init__(self, knuckle: Array, length: Array, radius: Array, scale: float = 1.0) -> None:
         self._knuckle, self._length, self._radius = knuckle, length, radius
         self.scale = scale
 
-    def targets(self, worn: WornHand) -> tuple[Array, NDArray[np.bool_]]:
-        """(5, 3) m in P, and which of them are known (5,)."""
-        known = worn.known & np.isfinite(self._length)
-        share = self.scale * self._length / worn.length
-        tips = self._knuckle + share[:, None] * (worn.tip - worn.knuckle)
+    def targets(self, wearer: WearerHand) -> tuple[Array, NDArray[np.bool_]]:
+        """Targets (5, 3) m in P, and which of them are known (5,)."""
+        known = wearer.known & np.isfinite(self._length)
+        share = self.scale * self._length / wearer.length
+        tips = self._knuckle + share[:, None] * (wearer.tip - wearer.knuckle)
         if known[0]:
-            self._close(tips, worn, known)
+            self._close(tips, wearer, known)
         return tips, known
 
-    def _close(self, tips: Array, worn: WornHand, known: NDArray[np.bool_]) -> None:
-        """Let thumb and fingers that are near each other meet as the wearer's do."""
+    def _close(self, tips: Array, wearer: WearerHand, known: NDArray[np.bool_]) -> None:
+        """Match the distance of thumb and fingers that are near each other to the wearer's."""
         weights, errors = np.zeros(len(FINGERS)), np.zeros((len(FINGERS), 3))
         for f in range(1, len(FINGERS)):
             if not known[f]:
                 continue
-            gap = worn.tip[f] - worn.tip[0]
+            gap = wearer.tip[f] - wearer.tip[0]
             distance = float(np.linalg.norm(gap))
             weights[f] = np.clip((FAR - distance) / (FAR - NEAR), 0.0, 1.0)
             touch = self._radius[f] + self._radius[0] - PRESS
@@ -76,7 +76,7 @@ class Teleop:
     """One robot hand in its scene."""
 
     def __init__(self, settings: RobotSettings, hand: RobotHand | None = None) -> None:
-        """Raises ConfigError in words where there is no such hand."""
+        """Raises ConfigError if the hand does not exist."""
         self.settings = settings
         self.hand = hand or load_hand(settings)
         self.world = RobotWorld(self.hand, settings)
@@ -85,13 +85,13 @@ class Teleop:
         self._map = target_map(self.hand, settings.reach_scale)
         self._scale = settings.motion_scale
         self._engaged = True
-        self._stamp = -1  # ns, of the last hand: what recordings keep of a time
-        self._owed = 0.0  # s that the scene is behind
+        self._stamp = -1  # ns, time of the last hand, in the resolution of recordings
+        self._owed = 0.0  # s that the scene lags behind
         self.world.reset(self.carrier.R, self.carrier.p)
 
     @property
     def model(self) -> RobotModel:
-        """What it is, for recordings."""
+        """Description of the robot for recordings."""
         return RobotModel(
             seconds(self._stamp),
             self.hand.name,
@@ -102,7 +102,7 @@ class Teleop:
         )
 
     def command(self, command: RobotCommand) -> None:
-        """Do what is asked, before the next hand. Raises ConfigError for what is not known."""
+        """Execute a command before the next hand. Raises ConfigError if it is unknown."""
         command.check()
         if command.word == ENGAGE:
             self._engaged = True
@@ -119,27 +119,27 @@ class Teleop:
 
     @property
     def engaged(self) -> bool:
-        """Whether it follows; else it holds."""
+        """Whether the robot follows the wearer; otherwise it holds its pose."""
         return self._engaged
 
-    def feed(self, worn: WornHand) -> RobotState:
-        """One hand more, later than the one before. Lost or released, the robot holds as it is."""
-        dt = self._elapsed(worn.t)
-        holding = not (self._engaged and worn.located)
+    def feed(self, wearer: WearerHand) -> RobotState:
+        """Step to the time of the next hand. Lost or released, the robot holds its pose."""
+        dt = self._elapsed(wearer.t)
+        holding = not (self._engaged and wearer.located)
         if holding:
-            self.carrier.let_go()  # it goes on from where it stands, not with a leap
+            self.carrier.let_go()  # it continues from its position without a jump
         else:
-            self.carrier.step(worn, self._scale, dt)
-            targets, known = self._map.targets(worn)
+            self.carrier.step(wearer, self._scale, dt)
+            targets, known = self._map.targets(wearer)
             self.fingers.step(targets, known, dt)
         force = self._advance(dt)
         return RobotState(
-            worn.t, self.hand.name, self.fingers.angles.copy(), self.world.angles,
+            wearer.t, self.hand.name, self.fingers.angles.copy(), self.world.angles,
             self.world.palm(), self.world.objects(), force, self._engaged, holding,
         )  # fmt: skip
 
     def _elapsed(self, t: float) -> float:
-        """s since the last hand, 0 of the first; at most `LONGEST`."""
+        """s since the last hand, 0 for the first; at most `LONGEST`."""
         before, self._stamp = self._stamp, nanoseconds(t)
         return min(max(seconds(self._stamp - before), 0.0), LONGEST) if before >= 0 else 0.0
 
@@ -151,13 +151,13 @@ class Teleop:
 
     @property
     def memory(self) -> RobotMemory:
-        """All that the next step depends on."""
+        """Everything that the next step depends on."""
         own = [self._stamp, self._owed, self._scale, float(self._engaged)]
         parts = [np.array(own), self.carrier.memory, self.fingers.memory, self.world.memory]
         return RobotMemory(seconds(self._stamp), self.hand.name, np.concatenate(parts))
 
     def remember(self, memory: RobotMemory) -> None:
-        """Go on from there. Raises ConfigError where it is not this robot's."""
+        """Continue from a stored state. Raises ConfigError if it belongs to another robot."""
         values, k = memory.values, 4
         carrier, fingers = len(self.carrier.memory), len(self.fingers.memory)
         try:
@@ -165,14 +165,14 @@ class Teleop:
             self.fingers.remember(values[k + carrier : k + carrier + fingers])
             self.carrier.remember(values[k : k + carrier])
         except (ValueError, IndexError) as error:
-            raise ConfigError(f"The recorded robot is another one: {error}.") from error
+            raise ConfigError(f"The recording was made with another robot: {error}.") from error
         self._stamp = int(values[0])
         self._owed, self._scale = float(values[1]), float(values[2])
         self._engaged = bool(values[3])
 
 
 def target_map(hand: RobotHand, scale: float) -> TargetMap:
-    """Onto the fingers of a robot hand."""
+    """The map onto the fingers of a robot hand."""
     knuckle = np.full((len(FINGERS), 3), np.nan)
     length, radius = np.full(len(FINGERS), np.nan), np.full(len(FINGERS), np.nan)
     for finger in hand.anatomy.fingers:

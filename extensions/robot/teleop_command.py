@@ -127,11 +127,11 @@ def _session(args: argparse.Namespace) -> int:
     with SessionReader(args.source, watch=progress_line("driving")) as reader:
         driver = driver_of(reader, _settings(args, reader.info.side))
         with _StateSender(args.send, driver) as send:
-            said = drive(reader, driver, figures, send)
+            outputs = drive(reader, driver, figures, send)
             if args.out:
-                write_driven(reader, args.out, said, args.force)
+                write_driven(reader, args.out, outputs, args.force)
             else:
-                for _ in said:
+                for _ in outputs:
                     continue
     return _finish(args, driver, figures)
 
@@ -159,8 +159,8 @@ def _script(args: argparse.Namespace) -> int:
     figures = DriveFigures()
     with _StateSender(args.send, driver) as send:
         result = pick_and_place(driver.teleop, args.simulate, figures.count, send)
-    words = "Cube placed" if result.placed else "Cube not placed"
-    return _finish(args, driver, figures, [f"{words}, {result.off_mm:.0f} mm from its target."])
+    outcome = "Cube placed" if result.placed else "Cube not placed"
+    return _finish(args, driver, figures, [f"{outcome}, {result.off_mm:.0f} mm from its target."])
 
 
 def _finish(
@@ -180,7 +180,7 @@ def _shown(value: Any) -> str:
 
 
 class _StateSender:
-    """Sends each state to where the user wants it, if anywhere."""
+    """Sends each state to the address given by --send, if any."""
 
     def __init__(self, target: str, driver: RobotDriver) -> None:
         from tracker.streaming.datagram import DatagramSocket
@@ -201,12 +201,12 @@ class _StateSender:
             self._socket.close()
 
     def send(self, state: RobotState) -> None:
-        """One datagram; nobody needs to listen."""
+        """Send one datagram; a receiver is not required."""
         import json
 
         from extensions.robot.payload import state_payload
 
         if self._socket is not None:
             model = self._driver.model
-            said = state_payload(state, model.joint_names, model.objects)
-            self._socket.send(json.dumps(said, separators=(",", ":")).encode())
+            payload = state_payload(state, model.joint_names, model.objects)
+            self._socket.send(json.dumps(payload, separators=(",", ":")).encode())

@@ -1,4 +1,4 @@
-"""A robot hand that follows a live stream, by UDP or from a WebSocket."""
+"""Drives a robot hand from a live stream (UDP or WebSocket)."""
 
 from __future__ import annotations
 
@@ -9,41 +9,42 @@ from contextlib import contextmanager
 
 from extensions.robot.driver import RobotDriver
 from extensions.robot.teleop_run import DriveFigures, Watch
-from extensions.robot.worn import WornHand, from_payload
+from extensions.robot.wearer_hand import WearerHand, hand_from_message
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.messages import RobotState
 from tracker.streaming.publisher import LOOPBACK, StreamError
 
 MOST_BYTES = 65536
-LOOK_EVERY = 0.25  # s, whether it is over
+LOOK_EVERY = 0.25  # s between checks whether to stop
 
 Latest = Callable[[], str | bytes | None]
-"""The newest message of what waits, after `LOOK_EVERY` at most; None where there is none."""
+"""Returns the newest of the waiting messages, or None after `LOOK_EVERY` without one."""
 
 
 class StreamEnded(Exception):
-    """Nothing more will come."""
+    """The sender has closed the stream."""
 
 
 def follow_stream(
     driver: RobotDriver, address: str, seconds: float, figures: DriveFigures, watch: Watch
 ) -> None:
-    """Until ``seconds`` have passed since the first hand, 0: until it is stopped, or has ended.
+    """Drive the robot for ``seconds`` after the first hand (0: until the stream ends).
 
-    ``address``: a port that UDP comes to, or ws://HOST:PORT. Of hands that wait the latest counts.
-    Raises StreamError where nothing can be heard there, ConfigError for another address.
+    ``address``: the port of a UDP stream, or ws://HOST:PORT. Only the latest of several waiting
+    hands is used. Raises StreamError if nothing can be received there, ConfigError for an invalid
+    address.
     """
     began: float | None = None
     try:
         with _listening(address) as latest:
             while began is None or not seconds or monotonic() - began < seconds:
-                worn = _hand(latest())
-                if worn is None:
+                wearer = _hand(latest())
+                if wearer is None:
                     continue
                 start = monotonic()
                 began = start if began is None else began
-                for message in driver.feed_worn(worn):
+                for message in driver.feed_hand(wearer):
                     if isinstance(message, RobotState):
                         figures.count(message, driver.teleop.fingers.error, monotonic() - start)
                         watch(message)
@@ -60,7 +61,7 @@ def _listening(address: str) -> Iterator[Latest]:
         with _datagrams(int(address)) as latest:
             yield latest
     else:
-        raise ConfigError(f"A robot listens to a port or to ws://HOST:PORT, not to {address!r}.")
+        raise ConfigError(f"Invalid address {address!r}. Use a UDP port or ws://HOST:PORT.")
 
 
 @contextmanager
@@ -69,7 +70,7 @@ def _datagrams(port: int) -> Iterator[Latest]:
         receiving = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         receiving.bind((LOOPBACK, port))
     except (OSError, OverflowError) as error:
-        raise StreamError(f"Nothing can be received at port {port}: {error}.") from error
+        raise StreamError(f"Port {port} cannot be opened: {error}.") from error
 
     def latest() -> bytes | None:
         data: bytes | None = None
@@ -91,11 +92,13 @@ def _websocket(url: str) -> Iterator[Latest]:
         from websockets.exceptions import ConnectionClosed
         from websockets.sync.client import connect
     except ImportError as error:
-        raise ConfigError('A WebSocket needs: pip install "glovetrack[streams]".') from error
+        raise ConfigError(
+            'WebSocket streams require: pip install "glovetrack[streams]".'
+        ) from error
     try:
         connection = connect(url)
     except (OSError, ValueError) as error:
-        raise StreamError(f"Nothing answers at {url}: {error}.") from error
+        raise StreamError(f"No connection to {url}: {error}.") from error
 
     def latest() -> str | bytes | None:
         data: str | bytes | None = None
@@ -112,12 +115,12 @@ def _websocket(url: str) -> Iterator[Latest]:
         yield latest
 
 
-def _hand(data: str | bytes | None) -> WornHand | None:
-    """None where nothing came, or what came is no hand of ours."""
+def _hand(data: str | bytes | None) -> WearerHand | None:
+    """The hand in a message; None without a message or if it is not one of the live streams."""
     if data is None:
         return None
     try:
-        said = json.loads(data)
-        return from_payload(said) if isinstance(said, dict) else None
+        message = json.loads(data)
+        return hand_from_message(message) if isinstance(message, dict) else None
     except (ValueError, RecursionError):
-        return None  # somebody else's message
+        return None  # another program's message

@@ -1,4 +1,4 @@
-"""A robot hand driven by a recorded session, and driven again to see that it does the same."""
+"""Drives a robot hand from a recorded session, and repeats a recorded drive to compare them."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from extensions.robot.command import RobotCommand
-from extensions.robot.driver import RobotDriver, Said, command_of
+from extensions.robot.driver import RobotDriver, RobotOutput, command_of
 from extensions.robot.settings import RobotSettings, settings_of
 from extensions.robot.teleop import Teleop
-from extensions.robot.worn import worn_hand
+from extensions.robot.wearer_hand import hand_from_estimate
 from tracker.base.clock import monotonic, nanoseconds
 from tracker.base.errors import FileError
 from tracker.base.files import whole_file
@@ -30,23 +30,23 @@ from tracker.session.message_check import sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 
-WITHIN = 0.005  # m from its target: where a tip is to be
+WITHIN = 0.005  # m: largest distance of a tip from its target that counts as reached
 COMPARED = ("command", "joints", "palm", "objects", "force")
 
 
 @dataclass
 class DriveFigures:
-    """What is counted while a robot follows."""
+    """Statistics of a drive."""
 
-    times_ms: list[float] = field(default_factory=list)  # of a step
-    errors_mm: list[float] = field(default_factory=list)  # the farthest tip of each hand
+    times_ms: list[float] = field(default_factory=list)  # per step
+    errors_mm: list[float] = field(default_factory=list)  # largest tip error per hand
     holding: int = 0
     touches: int = 0
     largest_force: float = 0.0  # N
     _felt: np.ndarray = field(default_factory=lambda: np.zeros(5, bool))
 
     def count(self, state: RobotState, errors: np.ndarray, took: float) -> None:
-        """One hand more; errors (5,) m, took s."""
+        """Add one hand: ``errors`` (5,) m, and ``took`` s of computation."""
         self.times_ms.append(1e3 * took)
         self.holding += state.holding
         if not state.holding and np.isfinite(errors).any():
@@ -57,7 +57,7 @@ class DriveFigures:
         self.largest_force = max(self.largest_force, float(state.force.max()))
 
     def report(self) -> dict[str, Any]:
-        """In plain values; NaN where nothing was counted."""
+        """Plain values by name; NaN without data."""
 
         def at(values: list[float], percent: float) -> float:
             return float(np.percentile(values, percent)) if values else float("nan")
@@ -85,30 +85,30 @@ def drive(
     driver: RobotDriver,
     figures: DriveFigures,
     watch: Watch = lambda state: None,
-) -> Iterator[Said]:
-    """All that a robot says that follows a session's hand."""
+) -> Iterator[RobotOutput]:
+    """The outputs of a robot that follows a session's hand."""
     for estimate in reader.messages((Estimate,)):
         assert isinstance(estimate, Estimate)
         began = monotonic()
-        said = driver.feed(estimate)
+        outputs = driver.feed(estimate)
         took = monotonic() - began
-        for message in said:
+        for message in outputs:
             if isinstance(message, RobotState):
                 figures.count(message, driver.teleop.fingers.error, took)
                 watch(message)
-        yield from said
+        yield from outputs
 
 
 def driver_of(reader: SessionReader, settings: RobotSettings) -> RobotDriver:
-    """For a session's hand. Raises ConfigError."""
+    """A driver for a session's hand. Raises ConfigError."""
     info = reader.info
     return RobotDriver(Teleop(settings), info.hand, info.keypoint_names)
 
 
 def write_driven(
-    reader: SessionReader, out: Path, said: Iterator[Said], force: bool = False
+    reader: SessionReader, out: Path, outputs: Iterator[RobotOutput], force: bool = False
 ) -> None:
-    """The session with a robot in it, in place of any that it had. Raises FileError."""
+    """Write the session with this robot in place of any recorded one. Raises FileError."""
     with whole_file(out, force, [reader.path]) as part:
         output = McapOutput(part, sync=False)
         try:
@@ -116,7 +116,7 @@ def write_driven(
             copier, encoder = Copier(reader.source, output), Encoder(reader.info, ImageCoding())
             stored = sound(ordered(reader.source, None), reader.source.left_out)
             theirs = (m for m in stored if not topics.robot_of(m.topic)[0])
-            ours = itertools.chain.from_iterable(encoder.encoded(m) for m in said)
+            ours = itertools.chain.from_iterable(encoder.encoded(m) for m in outputs)
             both: list[Iterator[RawMessage | Out]] = [theirs, ours]
             for m in heapq.merge(*both, key=lambda m: m.log_time):
                 if isinstance(m, RawMessage):
@@ -131,23 +131,23 @@ def write_driven(
 
 @dataclass(frozen=True)
 class Repeated:
-    """How a robot did that was driven again: states compared, and those that differ in any bit."""
+    """Result of a repeated drive: states compared, and states that differ in any bit."""
 
     robot: str
     compared: int
     different: int
-    first_difference: float  # s of the host's clock; NaN where there is none
+    first_difference: float  # s of the host's clock; NaN without a difference
 
 
 def drive_again(path: Path, robot: str = "") -> Repeated:
-    """Drive a session's robot once more, from the first that it remembers of itself.
+    """Repeat the drive of a session's robot from its first stored state.
 
-    Raises FileError where the session has no robot, or does not say enough of it.
+    Raises FileError if the session has no such robot or no stored state.
     """
     with SessionReader(path) as reader:
         names = robot_names(reader)
         if not names or (robot and robot not in names):
-            raise FileError(f"{path} has no robot{' ' + robot if robot else ''} in it.")
+            raise FileError(f"{path} does not contain a robot{' ' + robot if robot else ''}.")
         name = robot or names[0]
         teleop = Teleop(settings_of(robot_model(reader, name).settings))
         recorded, memory = _recorded(reader, name)
@@ -156,7 +156,7 @@ def drive_again(path: Path, robot: str = "") -> Repeated:
 
 
 def _recorded(reader: SessionReader, name: str) -> tuple[dict[int, RobotState], RobotMemory]:
-    """States after the first memory, by the ns of their hands."""
+    """The first memory and the states after it, by the time of their hands in ns."""
     memory: RobotMemory | None = None
     states: dict[int, RobotState] = {}
     for message in read_robot(reader, name):
@@ -165,7 +165,7 @@ def _recorded(reader: SessionReader, name: str) -> tuple[dict[int, RobotState], 
         elif isinstance(message, RobotState) and memory is not None and message.t > memory.t:
             states[nanoseconds(message.t)] = message
     if memory is None:
-        raise FileError(f"{reader.path} does not say how its robot {name} began.")
+        raise FileError(f"{reader.path} does not contain the initial state of its robot {name}.")
     return states, memory
 
 
@@ -179,10 +179,10 @@ def _compare(
         assert isinstance(estimate, Estimate)
         expected = recorded.get(nanoseconds(estimate.t))
         if expected is None:
-            continue  # the robot did not see this one, or it was before
+            continue  # the robot skipped this hand, or it is before the first memory
         for command in commands.get(nanoseconds(estimate.t), ()):
             teleop.command(command)
-        state = teleop.feed(worn_hand(estimate, reader.info.keypoint_names))
+        state = teleop.feed(hand_from_estimate(estimate, reader.info.keypoint_names))
         compared += 1
         if not _same(state, expected):
             different += 1
@@ -195,7 +195,7 @@ def _same(a: RobotState, b: RobotState) -> bool:
 
 
 def _commands(reader: SessionReader, name: str) -> dict[int, list[RobotCommand]]:
-    """By the ns of the hand that they were done before."""
+    """Commands by the time in ns of the hand that they preceded."""
     out: dict[int, list[RobotCommand]] = {}
     for event in reader.messages((Event,)):
         assert isinstance(event, Event)

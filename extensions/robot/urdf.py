@@ -1,4 +1,4 @@
-"""A robot hand as URDF, as ROS wants it: its links and joints, without meshes."""
+"""Writes a robot hand as URDF for ROS: links and joints without meshes."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from extensions.robot.hand import RobotHand
 from tracker.messages import Array
 
 ROOT = "palm_frame"
-SPEED = 10.0  # rad/s: URDF asks for a limit
+SPEED = 10.0  # rad/s: URDF requires a limit
 
 
 def robot_urdf(hand: RobotHand) -> str:
-    """Its root is the palm's frame P; a body with several joints has a link between any two."""
+    """URDF text. The root link is the palm's frame P; successive joints of a body get links."""
     model, anatomy = hand.model, hand.anatomy
     robot = ET.Element("robot", name=hand.name)
     ET.SubElement(robot, "link", name=ROOT)
@@ -43,15 +43,15 @@ def _belongs(model: mujoco.MjModel, body: int, base: int) -> bool:
 
 
 def _matrix(quat: Array) -> Array:
-    """(3, 3) of MuJoCo's wxyz."""
+    """Rotation (3, 3) of MuJoCo's quaternion wxyz."""
     return np.asarray(Rotation.from_quat(np.roll(quat, -1)).as_matrix())
 
 
 def _body(
     robot: ET.Element, hand: RobotHand, body: int, parent: str, pose: tuple[Array, Array]
 ) -> None:
-    """The link of a body and the joints before it. A joint stands at its anchor: the link's frame
-    is shifted there and back."""
+    """Add the link of a body and its joints. A joint is at its anchor, so the link's frame is
+    shifted to the anchor and back."""
     model, name = hand.model, plain(hand.model.body(body).name)
     first, number = int(model.body_jntadr[body]), int(model.body_jntnum[body])
     at, turned = pose

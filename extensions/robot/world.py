@@ -1,4 +1,4 @@
-"""The scene in time: motors pull, things fall and are grasped, fingertips feel."""
+"""Simulation of the scene: servos, objects, grasps and contact forces."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from extensions.robot.hand import RobotHand
 from extensions.robot.scene import build_scene
 from extensions.robot.settings import RobotSettings
-from extensions.robot.worn import FINGERS
+from extensions.robot.wearer_hand import FINGERS
 from tracker.geometry import so3
 from tracker.messages import Array
 
@@ -16,7 +16,7 @@ _STATE = mujoco.mjtState.mjSTATE_INTEGRATION
 
 
 class RobotWorld:
-    """Steps of `TIMESTEP` s. The hand begins where `reset` puts it."""
+    """Simulates in steps of `TIMESTEP` s, starting from the pose given to `reset`."""
 
     def __init__(self, hand: RobotHand, settings: RobotSettings) -> None:
         self.scene = build_scene(hand, settings.things)
@@ -28,12 +28,12 @@ class RobotWorld:
         self._solid = [self._is_thing(g) for g in range(self.model.ngeom)]
 
     def _is_thing(self, geom: int) -> bool:
-        """Whether a geom is no part of the hand."""
+        """Whether a geom is the table or an object."""
         body = int(self.model.geom_bodyid[geom])
         return body == 0 or body in self.scene.object_bodies
 
     def reset(self, R: Array, p: Array) -> None:
-        """Everything at its beginning, the palm at R (3, 3), p (3,) m in W."""
+        """Return to the initial state with the palm at R (3, 3), p (3,) m in W."""
         mujoco.mj_resetData(self.model, self.data)
         self._carry(R, p)
         mount = self.scene.mount
@@ -49,9 +49,9 @@ class RobotWorld:
         self.data.mocap_quat[0] = w, x, y, z
 
     def step(self, R: Array, p: Array, angles: Array, steps: int) -> Array:
-        """``steps`` of `TIMESTEP` with the palm carried to R, p and motors told ``angles`` (n,).
+        """Simulate ``steps`` steps with the palm carried to R, p and joint targets ``angles`` (n,).
 
-        Returns (5,) N, the largest force on each fingertip by a thing meanwhile.
+        Returns (5,) N: the largest force of an object on each fingertip.
         """
         self._carry(R, p)
         self.data.ctrl[self.scene.motors] = angles
@@ -62,7 +62,7 @@ class RobotWorld:
         return most
 
     def tip_forces(self) -> Array:
-        """(5,) N by which things press on each fingertip now; other fingers do not count."""
+        """(5,) N: current force of the objects on each fingertip, without other fingers."""
         out = np.zeros(len(FINGERS))
         data = self.data
         for c in range(data.ncon):
@@ -77,20 +77,20 @@ class RobotWorld:
 
     @property
     def t(self) -> float:
-        """s that were stepped since the reset."""
+        """Simulated time in s since the reset."""
         return float(self.data.time)
 
     @property
     def angles(self) -> Array:
-        """(n,) rad of the finger joints."""
+        """Angles (n,) rad of the finger joints."""
         return np.array(self.data.qpos[self.scene.joint_rows])
 
     def palm(self) -> Array:
-        """(7,) where the palm frame is in W: m, and xyzw."""
+        """Pose (7,) of the palm frame in W: position in m and quaternion xyzw."""
         return self._pose(self.scene.mount)
 
     def objects(self) -> Array:
-        """(m, 7) where the things are, likewise."""
+        """Poses (m, 7) of the objects in W."""
         rows = [self._pose(row) for row in self.scene.object_rows]
         return np.array(rows).reshape(-1, 7)
 
@@ -99,15 +99,15 @@ class RobotWorld:
         return np.array([*q[:3], *q[4:7], q[3]])
 
     def place(self, name: str, p: Array, yaw: float = 0.0) -> None:
-        """Put a thing at p (3,) m, turned by ``yaw`` rad, at rest."""
+        """Put an object at p (3,) m, turned by ``yaw`` rad, at rest."""
         row = self.scene.object_rows[self.scene.objects.index(name)]
         self.data.qpos[row : row + 7] = [*p, np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)]
         mujoco.mj_forward(self.model, self.data)
 
     def show(self, angles: Array, palm: Array, objects: Array) -> None:
-        """As a recorded state has it, without a step: angles (n,), palm (7,), objects (m, 7).
+        """Set a recorded state without simulating: angles (n,), palm (7,), objects (m, 7).
 
-        Of another scene's things those are shown that there are.
+        Surplus objects of another scene are ignored.
         """
         data, mount = self.data, self.scene.mount
         data.qpos[self.scene.joint_rows] = angles
@@ -117,14 +117,14 @@ class RobotWorld:
 
     @property
     def memory(self) -> Array:
-        """All that the next step depends on."""
+        """Everything that the next step depends on."""
         out = np.zeros(mujoco.mj_stateSize(self.model, _STATE))
         mujoco.mj_getState(self.model, self.data, out, _STATE)
         return out
 
     def remember(self, memory: Array) -> None:
-        """As it was when ``memory`` was asked for. Raises ValueError for another scene's."""
+        """Restore a state returned by ``memory``. Raises ValueError if it is of another scene."""
         if memory.shape != (mujoco.mj_stateSize(self.model, _STATE),):
-            raise ValueError("the state is that of another robot")
+            raise ValueError("the state belongs to another robot")
         mujoco.mj_setState(self.model, self.data, memory, _STATE)
         mujoco.mj_forward(self.model, self.data)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.robot.hand import RobotHand
-from extensions.robot.pick_and_place import worn_at, worn_hand_of
+from extensions.robot.pick_and_place import hand_at, wearer_model
 from extensions.robot.retarget import Retargeter
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import target_map
@@ -37,14 +37,14 @@ class TipScore(NamedTuple):
 
 def tip_score(robot: RobotHand, settings: RobotSettings, seed: int, seconds: float) -> TipScore:
     """Of a wearer who moves at random for so long."""
-    hand = worn_hand_of(settings.side)
+    hand = wearer_model(settings.side)
     t = np.arange(0.0, seconds, PACKET)
     poses = RandomPostures(hand, seed, duration=seconds + 1.0).poses(t)
     fingers, mapped = Retargeter(robot, settings.joint_speed), target_map(robot, 1.0)
     errors, reachable, times = [], [], []
     for k in range(len(t)):
-        worn = worn_at(hand, Poses(*(part[k] for part in poses)), float(t[k]))
-        targets, known = mapped.targets(worn)
+        wearer = hand_at(hand, Poses(*(part[k] for part in poses)), float(t[k]))
+        targets, known = mapped.targets(wearer)
         began = monotonic()
         command = fingers.step(targets, known, PACKET)
         times.append(1e3 * (monotonic() - began))

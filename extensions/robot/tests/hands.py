@@ -12,9 +12,9 @@ import pytest
 
 from extensions.robot.library import SHADOW, model_path
 from extensions.robot.settings import RobotSettings
-from extensions.robot.worn import WornHand, worn_points
+from extensions.robot.wearer_hand import WearerHand, hand_from_keypoints
 from tracker.geometry import so3
-from tracker.hand.files import load_hand as load_worn
+from tracker.hand.files import load_hand as load_wearer
 from tracker.hand.model import HandModel
 
 if TYPE_CHECKING:
@@ -45,21 +45,21 @@ def adroit() -> RobotHand:
 
 
 @cache
-def worn_model(side: str = "right") -> HandModel:
-    return load_worn(RESOURCES / "hands" / f"reference-{side}.toml")
+def wearer_model(side: str = "right") -> HandModel:
+    return load_wearer(RESOURCES / "hands" / f"reference-{side}.toml")
 
 
-def worn(
+def wearer(
     angles: np.ndarray | None = None,
     p_GB: tuple[float, float, float] = (0.0, 0.0, 0.3),
     R_GB: np.ndarray | None = None,
     t: float = 0.0,
     side: str = "right",
-) -> WornHand:
-    """The reference hand with joints at ``angles`` (J,), straight if not told."""
-    hand = worn_model(side)
+) -> WearerHand:
+    """The reference hand with joints at ``angles`` (J,), straight by default."""
+    hand = wearer_model(side)
     R_GB = np.eye(3) if R_GB is None else R_GB
     angles = np.zeros(len(hand.joint_names)) if angles is None else angles
     R, p = hand.forward(angles, R_GB, np.array(p_GB))
     q = so3.quat_from_matrix(R_GB)
-    return worn_points(t, True, hand.keypoints(R, p), np.full(21, 2), q)
+    return hand_from_keypoints(t, True, hand.keypoints(R, p), np.full(21, 2), q)

@@ -7,7 +7,7 @@ import pytest
 
 from extensions.robot.retarget import Retargeter, bounded_step
 from extensions.robot.teleop import TOUCH, TargetMap, target_map
-from extensions.robot.tests.hands import shadow, worn, worn_model
+from extensions.robot.tests.hands import shadow, wearer, wearer_model
 from tracker.simulation.gestures import pinch
 
 ALL = np.ones(5, bool)
@@ -53,7 +53,7 @@ def test_joints_keep_their_limits_and_speed_for_any_target() -> None:
         before = after
 
 
-def test_a_finger_without_a_target_stays_and_the_others_go_on() -> None:
+def test_a_finger_without_a_target_stays_while_others_move() -> None:
     fingers = Retargeter(shadow(), 8.0)
     q = reachable_way(0.5)[-1]
     wanted = fingers.tips(q)
@@ -80,7 +80,7 @@ def test_a_bounded_step_is_no_worse_than_any_other_within_its_bounds() -> None:
 
 
 def test_the_wearers_straight_hand_is_the_robots_straight_hand() -> None:
-    targets, known = target_map(shadow(), 1.0).targets(worn())
+    targets, known = target_map(shadow(), 1.0).targets(wearer())
     assert known.all()
     for finger, target in list(zip(shadow().anatomy.fingers, targets, strict=True))[1:]:
         reach = target - finger.knuckle
@@ -88,11 +88,11 @@ def test_the_wearers_straight_hand_is_the_robots_straight_hand() -> None:
         assert reach[0] > 0.95 * finger.length
 
 
-def test_a_pinch_of_the_wearers_is_one_of_the_robots() -> None:
+def test_a_pinch_of_the_wearer_is_a_pinch_of_the_robot() -> None:
     """The gap between the robot's two tips is that of two pads that touch, not some scaled gap."""
-    hand = worn_model()
+    hand = wearer_model()
     for finger, row in (("index", 1), ("middle", 2)):
-        shown = worn(pinch(hand, finger))
+        shown = wearer(pinch(hand, finger))
         apart = np.linalg.norm(shown.tip[row] - shown.tip[0])
         assert apart < TOUCH + 0.002
         fingers = Retargeter(shadow(), 100.0)
@@ -105,7 +105,7 @@ def test_a_pinch_of_the_wearers_is_one_of_the_robots() -> None:
 
 
 def test_a_longer_robot_finger_reaches_as_much_further() -> None:
-    shown = worn()
+    shown = wearer()
     knuckle, length, radius = np.zeros((5, 3)), np.full(5, 0.2), np.full(5, 0.01)
     tips, _ = TargetMap(knuckle, length, radius, scale=0.5).targets(shown)
     expected = 0.5 * 0.2 * (shown.tip - shown.knuckle)[4] / shown.length[4]

@@ -11,8 +11,8 @@ from extensions.robot.command import RobotCommand
 from extensions.robot.driver import RobotDriver
 from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import Teleop
-from extensions.robot.tests.hands import shadow, worn, worn_model
-from extensions.robot.worn import WornHand
+from extensions.robot.tests.hands import shadow, wearer, wearer_model
+from extensions.robot.wearer_hand import WearerHand
 from tracker.base.errors import ConfigError
 from tracker.geometry import so3
 from tracker.messages import Estimate, Event, RobotState, Tracking
@@ -26,33 +26,33 @@ def robot(settings: RobotSettings = SETTINGS) -> Teleop:
     return Teleop(settings, shadow())
 
 
-def closing(n: int, lost_from: int | None = None) -> list[WornHand]:
+def closing(n: int, lost_from: int | None = None) -> list[WearerHand]:
     """A hand that makes a fist within a second and moves aside; lost from some instant on."""
-    hand = worn_model()
+    hand = wearer_model()
     fist = posture(hand, FIST)
     shown = []
     for k in range(n):
-        one = worn(min(k / 100, 1.0) * fist, (0.001 * k, 0.0, 0.3), t=10.0 + k * 0.01)
+        one = wearer(min(k / 100, 1.0) * fist, (0.001 * k, 0.0, 0.3), t=10.0 + k * 0.01)
         if lost_from is not None and k >= lost_from:
             one = replace(one, located=False, known=np.zeros(5, bool), tip=one.tip * np.nan)
         shown.append(one)
     return shown
 
 
-def fed(teleop: Teleop, hands: list[WornHand]) -> list[RobotState]:
+def fed(teleop: Teleop, hands: list[WearerHand]) -> list[RobotState]:
     return [teleop.feed(one) for one in hands]
 
 
-def test_a_fist_of_the_wearers_is_one_of_the_robots() -> None:
+def test_a_fist_of_the_wearer_is_a_fist_of_the_robot() -> None:
     teleop = robot()
     state = fed(teleop, closing(150))[-1]
     bent = dict(zip(teleop.hand.joint_names, state.joints, strict=True))
     for finger in ("FF", "MF", "RF", "LF"):
         assert bent[f"{finger}J2"] + bent[f"{finger}J1"] + bent[f"{finger}J0"] > 2.5
-    assert np.abs(state.joints - state.command).max() < 0.25  # motors are near what they are told
+    assert np.abs(state.joints - state.command).max() < 0.25  # motors are near their targets
 
 
-def test_a_lost_hand_is_held_and_never_opened() -> None:
+def test_the_robot_holds_a_lost_hand_and_does_not_open() -> None:
     states = fed(robot(), closing(250, lost_from=120))
     held = [s for s in states if s.holding]
     assert len(held) == 130
@@ -71,33 +71,33 @@ def test_a_hand_that_is_found_elsewhere_does_not_carry_the_robot_there() -> None
     assert after.palm[:3] == pytest.approx(before.palm[:3], abs=0.01)
 
 
-def test_the_clutch_lets_an_arm_be_laid_down_and_scale_is_of_motion_alone() -> None:
+def test_a_released_clutch_uncouples_the_arm_and_scale_affects_motion_only() -> None:
     teleop = robot(replace(SETTINGS, motion_scale=2.0))
-    start = teleop.feed(worn(t=0.0)).palm[:3]
+    start = teleop.feed(wearer(t=0.0)).palm[:3]
     for k in range(1, 100):
-        moved = teleop.feed(worn(p_GB=(0.0005 * k, 0.0, 0.3), t=0.01 * k))
+        moved = teleop.feed(wearer(p_GB=(0.0005 * k, 0.0, 0.3), t=0.01 * k))
     assert moved.palm[0] - start[0] == pytest.approx(2 * 0.0495, abs=0.01)
     teleop.command(RobotCommand("release"))
     for k in range(100, 150):
-        still = teleop.feed(worn(p_GB=(0.0, 0.0, 0.3), t=0.01 * k))
+        still = teleop.feed(wearer(p_GB=(0.0, 0.0, 0.3), t=0.01 * k))
     assert still.holding and not still.engaged
     assert still.palm[:3] == pytest.approx(moved.palm[:3], abs=0.01)
     teleop.command(RobotCommand("engage"))
-    again = teleop.feed(worn(p_GB=(0.0, 0.0, 0.3), t=1.5))
+    again = teleop.feed(wearer(p_GB=(0.0, 0.0, 0.3), t=1.5))
     assert again.palm[:3] == pytest.approx(still.palm[:3], abs=0.005)
 
 
 def test_the_palm_turns_as_the_wearers_and_no_faster_than_allowed() -> None:
     teleop = robot(replace(SETTINGS, turn_speed=2.0))
     R = so3.rz(0.5)
-    teleop.feed(worn(t=0.0))
-    turned = [teleop.feed(worn(R_GB=R, t=0.01 * k)) for k in range(1, 60)]
+    teleop.feed(wearer(t=0.0))
+    turned = [teleop.feed(wearer(R_GB=R, t=0.01 * k)) for k in range(1, 60)]
     yaw = np.array([2 * np.arctan2(s.palm[5], s.palm[6]) for s in turned])
     assert yaw[9] == pytest.approx(0.2, abs=0.06)
     assert yaw[-1] == pytest.approx(0.5, abs=0.02)
 
 
-def test_the_same_hands_and_commands_give_the_same_robot_to_the_last_bit() -> None:
+def test_the_same_hands_and_commands_give_the_same_states_bit_for_bit() -> None:
     hands = closing(120)
     one, other = robot(), robot()
     first = fed(one, hands[:60])
@@ -120,35 +120,35 @@ def _same(a: RobotState, b: RobotState) -> bool:
 
 def test_a_memory_of_another_robot_is_refused() -> None:
     other = Teleop(replace(SETTINGS, objects=""), shadow())
-    with pytest.raises(ConfigError, match="another one"):
+    with pytest.raises(ConfigError, match="another robot"):
         robot().remember(other.memory)
 
 
-def test_commands_and_settings_that_there_are_not_are_told_in_words() -> None:
+def test_unknown_commands_and_settings_are_errors() -> None:
     with pytest.raises(ConfigError, match="engage, release"):
         robot().command(RobotCommand("dance"))
-    with pytest.raises(ConfigError, match="scaled"):
+    with pytest.raises(ConfigError, match="scale"):
         robot().command(RobotCommand("scale", 1000.0))
-    with pytest.raises(ConfigError, match="Objects are"):
+    with pytest.raises(ConfigError, match="Unknown object"):
         RobotSettings(objects="teapot")
 
 
 def test_a_fingertip_on_the_table_feels_it_and_one_in_the_air_does_not() -> None:
     teleop = robot()
-    hand = worn_model()
+    hand = wearer_model()
     bent = posture(hand, {"index_mcp_flexion": 80.0})
     for k in range(150):
-        state = teleop.feed(worn(bent, (0.0, 0.0, 0.3 - 0.0008 * k), t=0.01 * k))
+        state = teleop.feed(wearer(bent, (0.0, 0.0, 0.3 - 0.0008 * k), t=0.01 * k))
     assert state.force[1] > 0.5  # N, of the index finger
     assert state.force[0] == state.force[4] == 0.0
 
 
 def test_a_gesture_opens_and_closes_the_clutch_once_each_time_it_is_shown() -> None:
-    hand = worn_model()
+    hand = wearer_model()
     names = hand.keypoint_names
     driver = RobotDriver(Teleop(replace(SETTINGS, clutch="fist"), shadow()), hand, names)
     fist = posture(hand, FIST)
-    told = []
+    commands = []
     for k in range(120):
         angles = fist if (20 <= k < 40) or k >= 80 else 0.0 * fist
         R, p = hand.forward(angles, np.eye(3), np.array([0.0, 0.0, 0.3]))
@@ -157,5 +157,5 @@ def test_a_gesture_opens_and_closes_the_clutch_once_each_time_it_is_shown() -> N
             0.01 * k, Tracking.TRACKING, hand.keypoints(R, p), np.tile([0.0, 0, 0, 1], (n, 1)),
             np.full(n, 2), np.full(n, 0.002), angles, np.full(len(angles), 2), R, p,
         )  # fmt: skip
-        told += [m.data["do"] for m in driver.feed(one) if isinstance(m, Event)]
-    assert told == ["release", "engage"]
+        commands += [m.data["do"] for m in driver.feed(one) if isinstance(m, Event)]
+    assert commands == ["release", "engage"]

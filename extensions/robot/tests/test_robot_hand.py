@@ -8,11 +8,11 @@ import pytest
 from extensions.robot.retarget import Retargeter
 from extensions.robot.settings import RobotSettings
 from extensions.robot.tests.hands import adroit, shadow
-from extensions.robot.worn import FINGERS
+from extensions.robot.wearer_hand import FINGERS
 from tracker.base.errors import ConfigError
 
 
-def test_the_shadow_hand_is_read_as_its_file_has_it() -> None:
+def test_the_shadow_hand_is_read_as_in_its_file() -> None:
     hand = shadow()
     assert hand.name == "shadow_right"
     assert [f.name for f in hand.anatomy.fingers] == list(FINGERS)
@@ -46,7 +46,7 @@ def test_a_left_hand_is_the_mirrored_right_one_at_every_posture() -> None:
         assert other.tips(q) == pytest.approx(one.tips(q) * [1, -1, 1], abs=1e-5)
 
 
-def test_another_model_by_its_path_is_read_too_though_an_arm_carries_it() -> None:
+def test_another_model_is_loaded_by_its_path_even_with_an_arm() -> None:
     hand = adroit()
     assert hand.name == "adroit_relocate_right"
     assert len(hand.joint_names) == 22
@@ -54,17 +54,17 @@ def test_another_model_by_its_path_is_read_too_though_an_arm_carries_it() -> Non
     assert all(f.length == pytest.approx(0.0965, abs=2e-3) for f in hand.anatomy.fingers)
 
 
-def test_what_is_no_hand_is_refused_in_words(tmp_path) -> None:
+def test_a_model_without_a_hand_is_an_error(tmp_path) -> None:
     from extensions.robot.hand import load_hand
 
     path = tmp_path / "ball.xml"
     path.write_text("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
-    with pytest.raises(ConfigError, match="fingers are not found"):
+    with pytest.raises(ConfigError, match="fingers were not found"):
         load_hand(RobotSettings(model=str(path)))
     path.write_text("<mujoco><worldbody>")
     with pytest.raises(ConfigError, match=r"ball\.xml cannot be used"):
         load_hand(RobotSettings(model=str(path)))
-    with pytest.raises(ConfigError, match="There is no robot hand"):
+    with pytest.raises(ConfigError, match="not found"):
         load_hand(RobotSettings(model="nowhere"))
 
 

@@ -63,7 +63,7 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     assert window.panels["robot"]._drawn is not None
     controls.clutch.click()
     qtbot.waitUntil(lambda: feed() and _state(link).holding, timeout=20_000)
-    assert link.figures.text == "Released: the robot holds"
+    assert link.figures.text == "Clutch released: the robot holds its pose"
     window.panels["robot"].refresh(window.host.snapshot())
     assert not controls.clutch.isChecked()
     assert felt == []  # it is in the air
@@ -76,7 +76,7 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
 class Process:
     """In place of a robot's: who it is of, and whether it has ended."""
 
-    def __init__(self, settings, hand, names, heard) -> None:
+    def __init__(self, settings, hand, names, receive) -> None:
         self.side, self.hand, self.closed, self.missed = settings.side, hand, False, 0
 
     def feed(self, hand: Estimate, t_arrival: float) -> None: ...
@@ -86,7 +86,7 @@ class Process:
 
 
 @needs_mujoco
-def test_another_hand_that_is_chosen_has_a_robot_of_its_side(window, monkeypatch) -> None:
+def test_selecting_the_other_hand_selects_a_robot_of_that_side(window, monkeypatch) -> None:
     made: list[Process] = []
 
     def make(*given) -> Process:
@@ -123,39 +123,39 @@ def _state(link) -> RobotState | None:
 
 
 @needs_mujoco
-def test_a_file_that_is_no_hand_is_told_of_and_the_robot_is_off(window, qtbot, tmp_path) -> None:
+def test_a_file_without_a_hand_is_reported_and_the_robot_is_off(window, qtbot, tmp_path) -> None:
     wrong = tmp_path / "ball.xml"
     wrong.write_text("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
-    told: list[str] = []
-    window.host.error.connect(told.append)
+    errors: list[str] = []
+    window.host.error.connect(errors.append)
     window.panels["robot"].link.change(model=str(wrong))
     window.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), followed=Followed()))
     window.panels["robot"].controls.connect_robot.click()
-    qtbot.waitUntil(lambda: bool(told), timeout=60_000)
-    assert "fingers are not found" in told[0]
+    qtbot.waitUntil(lambda: bool(errors), timeout=60_000)
+    assert "fingers were not found" in errors[0]
     assert not window.panels["robot"].link.on
     assert not window.panels["robot"].controls.connect_robot.isChecked()
 
 
-def test_settings_are_kept_and_wrong_ones_refused(window) -> None:
-    controls, told = window.panels["robot"].controls, []
-    controls.refused.connect(told.append)
+def test_settings_are_stored_and_wrong_ones_refused(window) -> None:
+    controls, errors = window.panels["robot"].controls, []
+    controls.refused.connect(errors.append)
     controls.scale.setValue(2.5)
     controls.gesture.setCurrentIndex(controls.gesture.findData("thumb_up"))
     controls.gesture.activated.emit(controls.gesture.currentIndex())
-    kept = window.store.value.robot
-    assert (kept["motion_scale"], kept["clutch"]) == (2.5, "thumb_up")
+    stored = window.store.value.robot
+    assert (stored["motion_scale"], stored["clutch"]) == (2.5, "thumb_up")
     controls._ask(lambda: window.panels["robot"].link.change(objects="teapot"))
-    assert "teapot" in told[0]
+    assert "teapot" in errors[0]
 
 
-def test_without_mujoco_the_panel_says_what_to_install(window, monkeypatch) -> None:
+def test_without_mujoco_the_panel_names_the_package_to_install(window, monkeypatch) -> None:
     monkeypatch.setattr("extensions.robot.library.is_there", lambda: False)
-    told: list[str] = []
-    window.host.error.connect(told.append)
+    errors: list[str] = []
+    window.host.error.connect(errors.append)
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.panels["robot"].controls.connect_robot.click()
-    assert "pip install" in told[0]
+    assert "pip install" in errors[0]
     assert not window.panels["robot"].link.on
 
 
@@ -177,7 +177,7 @@ def _shown(force: float, **flags: bool) -> RobotState:
     )
 
 
-def test_points_go_with_their_bodies_and_a_tip_that_presses_changes_its_colour() -> None:
+def test_points_move_with_their_bodies_and_a_pressing_tip_changes_colour() -> None:
     view = _view()
     assert view.draped() is None
     turn = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
@@ -193,20 +193,20 @@ def test_points_go_with_their_bodies_and_a_tip_that_presses_changes_its_colour()
 
 
 @pytest.mark.parametrize(
-    ("flags", "words"),
+    ("flags", "text"),
     [
-        ({"engaged": False, "holding": True}, "Released"),
-        ({"holding": True}, "The hand is lost: the robot holds"),
-        ({}, "Follows · fingertips 2.0 mm off · 4 ms behind (99 %)"),
+        ({"engaged": False, "holding": True}, "Clutch released"),
+        ({"holding": True}, "Hand lost: the robot holds its pose"),
+        ({}, "Following · fingertip error 2.0 mm · latency 4 ms (99 %)"),
     ],
 )
-def test_a_line_says_how_the_robot_does(flags, words) -> None:
+def test_the_status_line_describes_the_robot(flags, text) -> None:
     view = _view()
     view.show(_shown(0.0, **flags), Placed(np.zeros((2, 3, 3)), np.zeros((2, 3))), 0.002)
-    assert RobotFigures.of(True, view, [0.004] * 100, 0).text.startswith(words)
+    assert RobotFigures.of(True, view, [0.004] * 100, 0).text.startswith(text)
 
 
-def test_a_replay_shows_the_recorded_robot_wherever_it_stands(tmp_path: Path) -> None:
+def test_a_replay_shows_the_recorded_robot_at_any_instant(tmp_path: Path) -> None:
     path = _session(tmp_path)
     playback = RobotPlayback.of(path)
     assert playback is not None

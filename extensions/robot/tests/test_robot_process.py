@@ -1,4 +1,4 @@
-"""The robot's own process: the newest hand counts, and its end is told."""
+"""The robot's own process: the newest hand counts, and its end is reported."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ import numpy as np
 from extensions.robot.command import RobotCommand
 from extensions.robot.process import Answer, RobotFailed, RobotMoved, RobotProcess, RobotReady
 from extensions.robot.settings import RobotSettings
-from extensions.robot.tests.hands import worn_model
+from extensions.robot.tests.hands import wearer_model
 from tracker.messages import Estimate, RobotState, Tracking
 
 PATIENCE = 60.0  # s, for a process that is just starting on a busy machine
 
 
-class Heard:
+class Received:
     """What a robot has answered, and how long to wait for a fact about it."""
 
     def __init__(self) -> None:
@@ -37,12 +37,12 @@ class Heard:
 
     @property
     def states(self) -> list[RobotState]:
-        said = [m for a in self.answers if isinstance(a, RobotMoved) for m in a.said]
-        return [m for m in said if isinstance(m, RobotState)]
+        outputs = [m for a in self.answers if isinstance(a, RobotMoved) for m in a.outputs]
+        return [m for m in outputs if isinstance(m, RobotState)]
 
 
 def estimate(t: float) -> Estimate:
-    hand = worn_model()
+    hand = wearer_model()
     n, angles = len(hand.keypoint_names), np.zeros(len(hand.joint_names))
     R, p = hand.forward(angles, np.eye(3), np.array([0.0, 0.0, 0.3]))
     return Estimate(
@@ -51,31 +51,31 @@ def estimate(t: float) -> Estimate:
     )  # fmt: skip
 
 
-def test_the_newest_hand_counts_commands_come_before_it_and_a_sudden_end_is_told() -> None:
-    heard, hand = Heard(), worn_model()
-    robot = RobotProcess(RobotSettings(objects=""), hand, hand.keypoint_names, heard)
+def test_the_newest_hand_is_used_after_commands_and_a_sudden_end_is_reported() -> None:
+    receive, hand = Received(), wearer_model()
+    robot = RobotProcess(RobotSettings(objects=""), hand, hand.keypoint_names, receive)
     try:
-        for k in range(50):  # before it is there: one of them is kept
+        for k in range(50):  # before it is there: one of them is stored
             robot.feed(estimate(0.01 * k), time.monotonic())
-        assert heard.until(lambda: len(heard.answers) > 1)
-        assert isinstance(heard.answers[0], RobotReady)
-        assert heard.states[0].t == 0.49
+        assert receive.until(lambda: len(receive.answers) > 1)
+        assert isinstance(receive.answers[0], RobotReady)
+        assert receive.states[0].t == 0.49
         assert robot.missed == 49
         robot.ask(RobotCommand("release"))
         robot.feed(estimate(0.5), time.monotonic())
-        assert heard.until(lambda: heard.states[-1].t == 0.5)
-        assert not heard.states[-1].engaged
+        assert receive.until(lambda: receive.states[-1].t == 0.5)
+        assert not receive.states[-1].engaged
         os.kill(robot.pid, signal.SIGKILL)
-        assert heard.until(lambda: isinstance(heard.answers[-1], RobotFailed))
-        robot.feed(estimate(0.6), time.monotonic())  # nobody is hurt by it
+        assert receive.until(lambda: isinstance(receive.answers[-1], RobotFailed))
+        robot.feed(estimate(0.6), time.monotonic())
     finally:
         robot.close()
     assert not [t for t in threading.enumerate() if t.name == "glovetrack-robot"]
 
 
-def test_a_robot_that_is_not_there_yet_is_ended_without_waiting_for_it() -> None:
-    hand, heard = worn_model(), Heard()
-    robot = RobotProcess(RobotSettings(), hand, hand.keypoint_names, heard)
+def test_a_starting_robot_is_ended_without_waiting_for_it() -> None:
+    hand, receive = wearer_model(), Received()
+    robot = RobotProcess(RobotSettings(), hand, hand.keypoint_names, receive)
     robot.close()
-    assert heard.answers == []
+    assert receive.answers == []
     robot.close()

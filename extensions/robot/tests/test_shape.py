@@ -30,7 +30,7 @@ def volume(shape: RobotShape, geom: int) -> float:
     return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
 
 
-def test_things_have_the_volume_of_their_forms(world: RobotWorld, shape: RobotShape) -> None:
+def test_objects_have_the_volume_of_their_shapes(world: RobotWorld, shape: RobotShape) -> None:
     expected = {
         "cube": (2 * CUBE) ** 3,
         "ball": 4 / 3 * np.pi * BALL**3,
@@ -41,7 +41,7 @@ def test_things_have_the_volume_of_their_forms(world: RobotWorld, shape: RobotSh
         assert 0.9 * true < volume(shape, world.model.geom(name).id) < 1.001 * true
 
 
-def test_meshes_that_were_thinned_are_as_large_as_they_were_and_turned_outwards(
+def test_simplified_meshes_keep_their_size_and_orientation(
     world: RobotWorld, shape: RobotShape
 ) -> None:
     assert len(shape.faces) < 20_000  # of 38 000
@@ -60,9 +60,7 @@ def test_normals_have_length_one_and_fingertips_are_marked(shape: RobotShape) ->
     assert set(np.unique(shape.finger)) == {NO_FINGER, 0, 1, 2, 3, 4}
 
 
-def test_things_stand_on_the_table_whose_top_is_where_the_world_s_z_begins(
-    world: RobotWorld, shape: RobotShape
-) -> None:
+def test_objects_are_on_the_table_at_z_zero(world: RobotWorld, shape: RobotShape) -> None:
     placed = poses(world)
     for name in ("cube", "cylinder", "ball"):
         geom = world.model.geom(name).id

@@ -18,7 +18,7 @@ from extensions.robot.settings import RobotSettings
 from extensions.robot.teleop import Teleop
 from extensions.robot.teleop_live import follow_stream
 from extensions.robot.teleop_run import DriveFigures, drive_again
-from extensions.robot.tests.hands import worn_model
+from extensions.robot.tests.hands import wearer_model
 from tracker.base.clock import ClockAnchor, seconds
 from tracker.cli import main
 from tracker.geometry import so3
@@ -40,7 +40,7 @@ GLOVE = RESOURCES / "gloves" / "vist-small.toml"
 
 
 def info() -> SessionInfo:
-    hand = worn_model()
+    hand = wearer_model()
     hand_text = (RESOURCES / "hands" / "reference-right.toml").read_text()
     return SessionInfo(hand, load_glove(GLOVE, hand), hand_text, GLOVE.read_text(), ANCHOR)
 
@@ -76,7 +76,7 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_a_session_drives_a_robot_and_the_new_one_holds_both(
+def test_a_session_drives_a_robot_and_the_new_session_contains_both(
     session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "with.mcap"
@@ -88,15 +88,15 @@ def test_a_session_drives_a_robot_and_the_new_one_holds_both(
     with SessionReader(session) as before, SessionReader(out) as after:
         assert robot_names(before) == () and robot_names(after) == ("shadow_right",)
         assert before.topic_names < after.topic_names
-        kept = [list(r.messages((Estimate,))) for r in (before, after)]
-        assert len(kept[0]) == len(kept[1]) == 150
+        stored = [list(r.messages((Estimate,))) for r in (before, after)]
+        assert len(stored[0]) == len(stored[1]) == 150
     assert main(["teleop", str(out), "--check"]) == 0
     assert "150 states" not in capsys.readouterr().out  # the first is the one it remembers
     assert drive_again(out).compared == 149
 
 
-def test_a_robot_that_was_recorded_with_commands_does_the_same_again(tmp_path: Path) -> None:
-    """As it was while it was worn: clutch, scale and reset, and hands that it did not see."""
+def test_a_recorded_drive_with_commands_is_repeated_exactly(tmp_path: Path) -> None:
+    """As it was while it was wearer: clutch, scale and reset, and hands that it did not see."""
     about = info()
     driver = RobotDriver(
         Teleop(RobotSettings()), about.hand, about.glove.keypoint_names(about.hand)
@@ -120,7 +120,7 @@ def test_a_robot_that_was_recorded_with_commands_does_the_same_again(tmp_path: P
     assert {s.engaged for s in states} == {True, False}
 
 
-def test_a_robot_whose_record_was_changed_is_found_out(session: Path, tmp_path: Path) -> None:
+def test_a_changed_record_of_a_robot_is_detected(session: Path, tmp_path: Path) -> None:
     about = info()
     driver = RobotDriver(
         Teleop(RobotSettings()), about.hand, about.glove.keypoint_names(about.hand)
@@ -187,18 +187,18 @@ def test_a_live_stream_by_websocket_drives_a_robot_until_it_ends() -> None:
     address = f"ws://127.0.0.1:{server.port}"
     states = followed(address, server.send, 0.0, lambda state: server.close())
     assert states and not any(state.holding for state in states)
-    with pytest.raises(StreamError, match="Nothing answers"):
+    with pytest.raises(StreamError, match="No connection"):
         follow_stream(RobotDriver(Teleop(RobotSettings())), address, 0.0, DriveFigures(), print)
 
 
-def test_what_is_asked_wrongly_is_told_in_words(
+def test_contradictory_arguments_are_errors(
     session: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["teleop"]) == 1
     assert "exactly one of" in capsys.readouterr().err
     assert main(["teleop", str(session), "--check"]) == 1
-    assert "has no robot in it" in capsys.readouterr().err
+    assert "does not contain a robot" in capsys.readouterr().err
     assert main(["teleop", "--listen", "somewhere"]) == 1
-    assert "not to 'somewhere'" in capsys.readouterr().err
+    assert "Invalid address 'somewhere'" in capsys.readouterr().err
     assert main(["teleop", str(session), "--objects", "teapot"]) == 1
     assert "teapot" in capsys.readouterr().err

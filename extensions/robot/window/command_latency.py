@@ -1,9 +1,9 @@
-"""``python -m extensions.robot.window.command_latency``: how late motors and a robot are told.
+"""``python -m extensions.robot.window.command_latency``: latency of motors and a robot.
 
-Runs the demo, or with ``--devices`` what is set up, off-screen with an object to touch and a robot
-hand that follows, both in sight, and records it; the figures are those that the session itself
-tells (`tracker.session.latency`). ``glovetrack rig`` in another process makes devices that cost the
-window nothing.
+Runs the demo (with ``--devices``: the configured devices) off-screen with a virtual object to touch
+and a robot hand that follows, both visible, and records it. The latencies are computed from the
+session (`tracker.session.latency`). Devices simulated by ``glovetrack rig`` run in another process
+and do not load the window.
 """
 
 from __future__ import annotations
@@ -73,7 +73,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
-    """What the session says, and what the window did meanwhile."""
+    """The latencies in the session, and statistics of the window."""
+
     choice = DemoChoice(args.fps, motion=args.motion)
     camera = None if args.devices else start_camera(choice=choice)
     from app.storage.settings import SettingsStore

@@ -1,4 +1,4 @@
-"""What a user asks of the robot hand."""
+"""Controls of the robot hand."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ MOST_PORT = 65535
 
 
 class RobotControls(QWidget):
-    """Tells `RobotLink` what is wanted; shows what it says."""
+    """Buttons and fields that command a `RobotLink` and show its state."""
 
     refused = Signal(str)
 
     def __init__(self, link: RobotLink, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._link = link
-        self._quiet = False
+        self._updating = False
         line = OneLine()
         for widget in (
             self._connect_button(),
@@ -60,7 +60,7 @@ class RobotControls(QWidget):
     def _connect_button(self) -> QPushButton:
         self.connect_robot = QPushButton(self.tr("Connect"))
         self.connect_robot.setCheckable(True)
-        self.connect_robot.setToolTip(self.tr("Let a simulated robot hand follow the wearer's"))
+        self.connect_robot.setToolTip(self.tr("Drive a simulated robot hand with the tracked hand"))
         self.connect_robot.toggled.connect(lambda on: self._ask(lambda: self._link.switch(on)))
         return self.connect_robot
 
@@ -71,14 +71,14 @@ class RobotControls(QWidget):
         self.clutch.setShortcut(QKeySequence(CLUTCH_KEY))
         key = QKeySequence(CLUTCH_KEY).toString(QKeySequence.SequenceFormat.NativeText)
         self.clutch.setToolTip(
-            self.tr("Pressed, the robot follows; else it holds as it is ({})").format(key)
+            self.tr("On: the robot follows the hand. Off: it holds its pose ({})").format(key)
         )
         self.clutch.clicked.connect(self._link.engage)
         return self.clutch
 
     def _reset_button(self) -> QPushButton:
         self.reset = QPushButton(self.tr("Reset"))
-        self.reset.setToolTip(self.tr("Robot and things go to where they began"))
+        self.reset.setToolTip(self.tr("Return the robot and the objects to their initial poses"))
         self.reset.clicked.connect(lambda: self._link.reset())
         return self.reset
 
@@ -96,34 +96,34 @@ class RobotControls(QWidget):
         self.scale.setRange(0.1, 10.0)
         self.scale.setSingleStep(0.1)
         self.scale.setKeyboardTracking(False)
-        self.scale.setAccessibleName(self.tr("Scale of the motion"))
-        self.scale.setToolTip(self.tr("How far the robot's palm goes for each way of the wearer's"))
+        self.scale.setAccessibleName(self.tr("Motion scale"))
+        self.scale.setToolTip(self.tr("Distance the robot's palm moves per distance of the hand"))
         self.scale.valueChanged.connect(lambda value: self._ask(lambda: self._link.scale(value)))
-        return _titled(self.tr("Motion ×"), self.scale)
+        return _titled(self.tr("Motion scale"), self.scale)
 
     def _gesture_box(self) -> QWidget:
         self.gesture = QComboBox()
-        self.gesture.setAccessibleName(self.tr("Gesture of the clutch"))
+        self.gesture.setAccessibleName(self.tr("Clutch gesture"))
         for name in CLUTCHES:
             self.gesture.addItem(clutch_title(name), name)
         self.gesture.activated.connect(
             lambda _i: self._ask(lambda: self._link.change(clutch=self.gesture.currentData()))
         )
-        return _titled(self.tr("Clutch by"), self.gesture)
+        return _titled(self.tr("Clutch gesture"), self.gesture)
 
     def _port_box(self) -> QWidget:
         self.port = NumberBox()
         self.port.setRange(0, MOST_PORT)
         self.port.setSpecialValueText(self.tr("off"))
-        self.port.setAccessibleName(self.tr("UDP port of the robot's states"))
-        self.port.setToolTip(self.tr("The robot's joints go there as JSON, on this computer"))
+        self.port.setAccessibleName(self.tr("UDP port for robot states"))
+        self.port.setToolTip(self.tr("Send the robot's joint states as JSON to this local port"))
         self.port.valueChanged.connect(lambda port: self._ask(lambda: self._link.send_to(port)))
-        return _titled(self.tr("Send by UDP"), self.port)
+        return _titled(self.tr("UDP port"), self.port)
 
-    # --- what is chosen
+    # --- actions
 
     def _ask(self, work: Callable[[], None]) -> None:
-        if self._quiet:
+        if self._updating:
             return
         try:
             work()
@@ -134,7 +134,7 @@ class RobotControls(QWidget):
     def _choose_model(self) -> None:
         name = str(self.model.currentData() or "")
         if not name:
-            title, kinds = self.tr("A hand as MJCF"), self.tr("MuJoCo models (*.xml)")
+            title, kinds = self.tr("Open robot hand"), self.tr("MuJoCo models (*.xml)")
             name, _ = QFileDialog.getOpenFileName(self, title, str(Path.home()), kinds)
         if name:
             self._ask(lambda: self._link.change(model=name))
@@ -142,7 +142,7 @@ class RobotControls(QWidget):
 
     def show_link(self) -> None:
         """As it is now."""
-        link, self._quiet = self._link, True
+        link, self._updating = self._link, True
         self.connect_robot.setChecked(link.on)
         self.model.setItemText(self.model.count() - 1, self._file_title())
         row = self.model.findData(link.settings.model)
@@ -150,7 +150,7 @@ class RobotControls(QWidget):
         self.scale.setValue(link.settings.motion_scale)
         self.gesture.setCurrentIndex(max(0, self.gesture.findData(link.settings.clutch)))
         self.port.setValue(link.port)
-        self._quiet = False
+        self._updating = False
         self.show_clutch()
 
     def show_clutch(self) -> None:

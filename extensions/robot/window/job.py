@@ -1,8 +1,8 @@
-"""The robot hand that follows: its process, what it says and who is told of it.
+"""The robot hand of the window: its process and the recipients of its states.
 
-A live hand is heard of in the engine's thread, a replayed one with the window's look at it. What
-the robot says comes in the thread of its process's pipe: there motors run, states are sent and
-recorded, none of which waits; the window takes the latest.
+Estimates of a live hand arrive in the engine's thread, those of a replayed hand when the window
+refreshes. The robot's answers arrive in the thread that reads its pipe; there motors are driven and
+states are sent and recorded without blocking. The window shows the latest state.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ LATENCIES = 500  # the last 5 s
 
 
 class RobotLink(QObject):
-    """One robot at a time, while it is switched on and an engine is open."""
+    """Runs one robot while it is switched on and an engine is open."""
 
     changed = Signal()
     failed = Signal(str)
-    _heard_failure = Signal(str)
+    _failure_received = Signal(str)
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, parent: QObject | None = None
@@ -52,7 +52,7 @@ class RobotLink(QObject):
         self.on = False
         self.engaged = True
         self.view: RobotView | None = None
-        """What there is to draw; None before the robot is there."""
+        """What to draw; None before the robot has started."""
         self._process: RobotProcess | None = None
         self._followed: FollowedHand | None = None
         self._playback: RobotPlayback | None = None
@@ -65,12 +65,12 @@ class RobotLink(QObject):
         host.closed.connect(self.shut_down)
         host.running_changed.connect(lambda on: self._follow() if on else None)
         host.hand_changed.connect(lambda _setup: self._change_hand())
-        self._heard_failure.connect(self._fail, Qt.ConnectionType.QueuedConnection)
+        self._failure_received.connect(self._fail, Qt.ConnectionType.QueuedConnection)
 
-    # --- what the user asks
+    # --- commands of the user
 
     def switch(self, on: bool) -> None:
-        """Let a robot follow, or none."""
+        """Start or stop the robot."""
         self.on = on
         if on:
             self._follow()
@@ -79,10 +79,7 @@ class RobotLink(QObject):
         self.changed.emit()
 
     def change(self, **changes: object) -> None:
-        """Another setting, now and after the next start; what runs begins anew with it.
-
-        Raises ConfigError.
-        """
+        """Change and store settings; a running robot restarts with them. Raises ConfigError."""
         self.settings = replace(self.settings, **changes)  # type: ignore[arg-type]
         self._store.update(robot=asdict(self.settings))
         if self._process is not None:
@@ -91,21 +88,21 @@ class RobotLink(QObject):
         self.changed.emit()
 
     def scale(self, value: float) -> None:
-        """Of the palm's motion, at once. Raises ConfigError."""
+        """Set the scale of the palm's motion, effective immediately. Raises ConfigError."""
         self.settings = replace(self.settings, motion_scale=value)
         self._store.update(robot=asdict(self.settings))
         self._ask(RobotCommand(SCALE, value))
 
     def engage(self, on: bool) -> None:
-        """The clutch."""
+        """Engage or release the clutch."""
         self._ask(RobotCommand(ENGAGE if on else RELEASE))
 
     def reset(self) -> None:
-        """Robot and things to where they began."""
+        """Return the robot and the objects to their initial poses."""
         self._ask(RobotCommand(RESET))
 
     def send_to(self, port: int) -> None:
-        """Send states by UDP to a port of this computer, 0: to none."""
+        """Send states by UDP to a port of this computer; 0 switches that off."""
         self.port = port
         self._store.update(robot_port=port)
         self._open_socket()
@@ -116,20 +113,20 @@ class RobotLink(QObject):
 
     @property
     def replays(self) -> bool:
-        """Whether the robot that is shown is a recorded one."""
+        """Whether the robot on screen is a recorded one."""
         return self._playback is not None
 
     @property
     def figures(self) -> RobotFigures:
-        """How it does."""
+        """The robot's status for the panel."""
         view, process = self.view, self._process
         missed = process.missed if process is not None else 0
         return RobotFigures.of(self.on, view, list(self._took), missed, self.replays)
 
-    # --- its life
+    # --- start and stop
 
     def _follow(self) -> None:
-        """Begin, where it is wanted and there is a hand to follow."""
+        """Start following if the robot is switched on and there is a hand."""
         setup = self._host.setup
         if not self.on or setup is None:
             return
@@ -140,7 +137,7 @@ class RobotLink(QObject):
             self._followed.follow(self._process.feed)
 
     def _change_hand(self) -> None:
-        """A robot of the other side for the hand that is shown now."""
+        """Restart with the side of the hand that is shown now."""
         if self.on:
             self.shut_down()
             self._follow()
@@ -156,7 +153,7 @@ class RobotLink(QObject):
             names = setup.glove.keypoint_names(setup.hand)
             self._open_socket()
             self._touch = TouchMotors(setup.vibrate) if setup.vibrate is not None else None
-            self._process = RobotProcess(settings, setup.hand, names, self._heard)
+            self._process = RobotProcess(settings, setup.hand, names, self._receive)
         except GlovetrackError as error:
             self._fail(str(error))
 
@@ -168,7 +165,7 @@ class RobotLink(QObject):
             self._socket = DatagramSocket("robot", LOOPBACK, self.port)
 
     def shut_down(self) -> None:
-        """The robot goes, if there is one; so it does before the window."""
+        """Stop the robot, if any; called before the window closes."""
         process, self._process = self._process, None
         followed, self._followed = self._followed, None
         if followed is not None:
@@ -191,10 +188,10 @@ class RobotLink(QObject):
         self.shut_down()
         self.failed.emit(text)
 
-    # --- a hand that is replayed
+    # --- a replayed hand
 
     def look(self, view: Snapshot | None) -> None:
-        """With each look of the window: a replay tells its hand so."""
+        """Feed the hand of a replay; called at each refresh of the window."""
         process = self._process
         if process is None or view is None or view.setup.followed is not None:
             return
@@ -206,47 +203,47 @@ class RobotLink(QObject):
         if self._playback is not None:
             try:
                 shown = self._playback.at(estimate.t)
-            except GlovetrackError as error:  # the file is damaged here
+            except GlovetrackError as error:  # the file is damaged at this position
                 self._fail(str(error))
                 return
         if shown is not None:
             process.feed(shown, 0.0)
 
-    # --- what it says, in the thread of its pipe
+    # --- answers of the robot, in the thread that reads its pipe
 
-    def _heard(self, answer: Answer, took: float) -> None:
+    def _receive(self, answer: Answer, took: float) -> None:
         if isinstance(answer, RobotFailed):
-            self._heard_failure.emit(answer.text)
+            self._failure_received.emit(answer.text)
         elif isinstance(answer, RobotReady):
             self._model = answer.model
             self.view = RobotView(answer.shape, answer.model)
         elif isinstance(answer, RobotMoved):
             self._took.append(took)
-            self._tell(answer)
+            self._distribute(answer)
         elif self.view is not None:
             self.view.show(answer.state, answer.placed, float("nan"))
 
-    def _tell(self, moved: RobotMoved) -> None:
+    def _distribute(self, moved: RobotMoved) -> None:
         followed = self._followed
-        for said in moved.said:
-            message = said
-            if isinstance(said, RobotState):
-                self._act(said)
-                message = replace(said, t_told=monotonic())
-                self.engaged = said.engaged
+        for output in moved.outputs:
+            message = output
+            if isinstance(output, RobotState):
+                self._act(output)
+                message = replace(output, t_told=monotonic())
+                self.engaged = output.engaged
                 if self.view is not None:
-                    self.view.show(said, moved.placed, moved.error)
+                    self.view.show(output, moved.placed, moved.error)
             if followed is not None:
                 followed.record(message)
 
     def _act(self, state: RobotState) -> None:
-        """Motors and streams."""
+        """Drive the motors and send the state."""
         if self._touch is not None:
             self._touch.feel(state.t, state.force)
         out, model = self._socket, self._model
         if out is not None and model is not None:
-            said = state_payload(state, model.joint_names, model.objects)
+            payload = state_payload(state, model.joint_names, model.objects)
             try:
-                out.send(json.dumps(said, separators=(",", ":")).encode())
+                out.send(json.dumps(payload, separators=(",", ":")).encode())
             except OSError:
-                return  # nobody there, or no room: the next one is newer
+                return  # no receiver or a full buffer: the next state is newer anyway

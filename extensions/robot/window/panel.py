@@ -1,4 +1,4 @@
-"""A robot hand that follows, in its scene."""
+"""The panel with the robot hand in its scene."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from extensions.robot.window.view_model import RobotView, table_lines
 from tracker.messages import Shed
 
 FIRST_LOOK = np.array([-0.8, 0.4, 0.7])
-"""From behind the robot and above it, as from its wearer's place."""
+"""From behind and above the robot, like the wearer's viewpoint."""
 TARGET, DISTANCE = np.array([0.03, 0.0, 0.09]), 0.85  # m
 FOLLOW = 0.2
 PALM = 0.75
-"""Shares: of its way, which the view's centre goes at each image, to a point so near the palm from
-the table's middle."""
+"""The view's centre moves by the share `FOLLOW` per refresh towards the point that divides the
+distance from the table's centre to the palm by `PALM`."""
 
 
 class RobotPanel(Panel):
@@ -59,7 +59,7 @@ class RobotPanel(Panel):
         column.addWidget(self.chip)
 
     def _forget(self) -> None:
-        """Another view draws now, or another robot."""
+        """Draw everything again: the view or the robot has changed."""
         self._drawn = None
 
     def refresh(self, view: Snapshot | None) -> None:

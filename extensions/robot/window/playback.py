@@ -1,4 +1,4 @@
-"""The recorded robot of a session that is replayed, at whatever instant is shown."""
+"""States of the recorded robot of a replayed session, for the instant that is shown."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from tracker.messages import RobotModel, RobotState
 from tracker.session.decode_robot import read_robot, robot_model, robot_names
 from tracker.session.reader import SessionReader
 
-LEAD = 0.1  # s before the instant that is looked for
-JUMP = 2.0  # s: farther ahead is sought, not read through
+LEAD = 0.1  # s before the instant at which reading starts
+JUMP = 2.0  # s: for larger steps ahead the reader seeks instead of reading on
 SAME = 1e-6  # s
 
 
 class RobotPlayback:
-    """Of the first robot in the session; read in the order in which it is asked."""
+    """Reads the first robot of a session; fast for successive instants."""
 
     def __init__(self, reader: SessionReader, name: str) -> None:
         self._reader, self._name = reader, name
@@ -28,7 +28,7 @@ class RobotPlayback:
 
     @staticmethod
     def of(path: Path) -> RobotPlayback | None:
-        """None where the session has no robot, or does not say what it is."""
+        """None if the session has no robot or does not describe it."""
         reader = SessionReader(path)
         try:
             names = robot_names(reader)
@@ -41,7 +41,7 @@ class RobotPlayback:
         return None
 
     def at(self, t: float) -> RobotState | None:
-        """The state of the hand at ``t`` s, or the one before; None where there is none yet."""
+        """The last state at or before ``t`` s; None before the first."""
         if not self._t <= t < self._t + JUMP:
             found = read_robot(self._reader, self._name, t - LEAD)
             self._coming = (m for m in found if isinstance(m, RobotState))

@@ -16,29 +16,29 @@ from tracker.messages import Array, RobotModel, RobotState
 
 _MODELS = {"shadow": mark("Shadow hand")}
 _CLUTCHES = {
-    "none": mark("its button alone"),
+    "none": mark("none (button only)"),
     "thumb_up": mark("thumb up"),
     "point": mark("pointing"),
     "fist": mark("fist"),
 }
-MOST_FORCE = 5.0  # N: a tip that presses so is all in the colour of touch
+MOST_FORCE = 5.0  # N at which a fingertip has the full contact colour
 LATE_MS, FAR_MM = 15.0, 5.0
 AMBIENT = 0.12
-TABLE_HALF, TABLE_CELL, TABLE_STRENGTH = 0.4, 0.05, 0.35  # m, m, share of the ink
+TABLE_HALF, TABLE_CELL, TABLE_STRENGTH = 0.4, 0.05, 0.35  # m, m, opacity
 
 
 def model_title(name: str) -> str:
-    """What a robot hand is called on screen."""
+    """Displayed name of a robot hand."""
     return tr(_MODELS.get(name, name))
 
 
 def clutch_title(name: str) -> str:
-    """What couples and uncouples, on screen."""
+    """Displayed name of a clutch gesture."""
     return tr(_CLUTCHES.get(name, name))
 
 
 def table_lines() -> tuple[Array, Array]:
-    """Lines (M, 6) m in the robot's world, on its table, and their strength (M,)."""
+    """Grid lines (M, 6) m on the table in the robot's world, and their opacity (M,)."""
     at = np.arange(-TABLE_HALF, TABLE_HALF + 1e-6, TABLE_CELL)
     across, along = np.zeros((len(at), 6)), np.zeros((len(at), 6))
     across[:, 0] = across[:, 3] = at
@@ -48,7 +48,7 @@ def table_lines() -> tuple[Array, Array]:
 
 
 class DrapedRobot(NamedTuple):
-    """points, normals (V, 3) in the robot's world, looks (V, 7) as the 3D view has them."""
+    """points, normals (V, 3) in the robot's world; looks (V, 7) as defined by the 3D view."""
 
     points: Array
     normals: Array
@@ -56,7 +56,7 @@ class DrapedRobot(NamedTuple):
 
 
 class RobotView:
-    """Written by the robot's thread, read by the window's: each takes one whole tuple."""
+    """Written by the robot's thread and read by the window's, one immutable tuple at a time."""
 
     def __init__(self, shape: RobotShape, model: RobotModel) -> None:
         self.shape, self.model = shape, model
@@ -64,12 +64,12 @@ class RobotView:
         self._touch = np.array(rgb(ORANGE))
 
     def show(self, state: RobotState, placed: Placed, error: float) -> None:
-        """From now on; ``error`` m of the farthest tip from its target."""
+        """Set what to show; ``error`` is the largest distance of a tip from its target in m."""
         self._now = (state, placed, error)
 
     @property
     def state(self) -> RobotState | None:
-        """The latest; None before the first hand."""
+        """The latest state; None before the first hand."""
         now = self._now
         return now[0] if now is not None else None
 
@@ -81,12 +81,12 @@ class RobotView:
 
     @property
     def error_mm(self) -> float:
-        """Of the farthest tip; NaN where nothing is followed."""
+        """Largest tip error in mm; NaN while the robot does not follow."""
         now = self._now
         return 1e3 * now[2] if now is not None else float("nan")
 
     def draped(self) -> DrapedRobot | None:
-        """None before there is anything to be seen."""
+        """The mesh in its current pose; None before the first hand."""
         now = self._now
         if now is None:
             return None
@@ -98,7 +98,7 @@ class RobotView:
         return DrapedRobot(points, normals, self._looks(state))
 
     def _looks(self, state: RobotState) -> Array:
-        """Fingertips take the colour of touch the more they press."""
+        """Colours; fingertips fade to the contact colour with increasing force."""
         shape = self.shape
         looks = np.zeros((len(shape.points), 7))
         looks[:, :3], looks[:, 3], looks[:, 4] = shape.colour, 1.0, AMBIENT
@@ -110,7 +110,7 @@ class RobotView:
 
 
 class RobotFigures(NamedTuple):
-    """A line about the robot, how good that is, and what lies behind it."""
+    """The robot's status: a line of text, its rating, and a tool tip with details."""
 
     look: StateLook
     text: str
@@ -120,32 +120,32 @@ class RobotFigures(NamedTuple):
     def of(
         on: bool, view: RobotView | None, took: list[float], missed: int, recorded: bool = False
     ) -> RobotFigures:
-        """``took``: s from a packet's arrival to the robot's command, lately; ``recorded``: it is
-        that of the session which is replayed."""
+        """``took``: recent times in s from a packet's arrival to the robot's command;
+        ``recorded``: the robot of a replayed session is shown."""
         if not on:
-            return RobotFigures(IDLE, tr("No robot follows"), "")
+            return RobotFigures(IDLE, tr("Not connected"), "")
         if view is None:
-            return RobotFigures(IDLE, tr("The robot is being made ready"), "")
+            return RobotFigures(IDLE, tr("Starting the robot…"), "")
         state = view.state
         if state is None:
-            return RobotFigures(IDLE, tr("The robot waits for a hand"), "")
+            return RobotFigures(IDLE, tr("Waiting for the tracked hand"), "")
         if recorded:
-            return RobotFigures(GOOD, tr("The robot as it was recorded"), "")
+            return RobotFigures(GOOD, tr("Recorded robot"), "")
         if not state.engaged:
-            return RobotFigures(WARN, tr("Released: the robot holds"), "")
+            return RobotFigures(WARN, tr("Clutch released: the robot holds its pose"), "")
         if state.holding:
-            return RobotFigures(BAD, tr("The hand is lost: the robot holds"), "")
+            return RobotFigures(BAD, tr("Hand lost: the robot holds its pose"), "")
         return _following(view, took, missed)
 
 
 def _following(view: RobotView, took: list[float], missed: int) -> RobotFigures:
     error = view.error_mm
     late = 1e3 * float(np.percentile(took, 99)) if len(took) > 20 else float("nan")
-    parts = [tr("Follows")]
+    parts = [tr("Following")]
     if np.isfinite(error):
-        parts.append(tr("fingertips {} mm off").format(f"{local(error):.1f}"))
+        parts.append(tr("fingertip error {} mm").format(f"{local(error):.1f}"))
     if late > 0:
-        parts.append(tr("{} ms behind (99 %)").format(f"{late:.0f}"))
+        parts.append(tr("latency {} ms (99 %)").format(f"{late:.0f}"))
     good = not error > FAR_MM and not late > LATE_MS
-    tip = tr("Hands that were overtaken by a newer one: {}").format(missed)
+    tip = tr("Estimates skipped in favour of newer ones: {}").format(missed)
     return RobotFigures(GOOD if good else WARN, " · ".join(parts), tip)
