@@ -226,7 +226,7 @@ CLOCKS = {
     "app/window/refresher.py": "which panel's turn it is",
     "app/window/ticker.py": "when the window was last drawn",
     "app/wizards/glove/feed.py": "waits for packets",
-    "app/wizards/stereo/solving.py": "the date of a calibration",
+    "app/wizards/stereo/result.py": "the date of a calibration",
     "tracker/base/clock.py": "the host's clock, to be handed over",
     "glovetrack/devices.py": "begins now",
     "glovetrack/live.py": "anchors a session to the wall clock",

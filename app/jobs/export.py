@@ -14,7 +14,9 @@ from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
 from app.words import mark
 from tracker.base.files import free_path
+from tracker.messages import Estimate
 from tracker.session.export.options import ExportOptions
+from tracker.session.reader import SessionReader
 
 WAITING = StateLook(IDLE.colour, "◌", mark("waiting"))
 RUNNING = StateLook(SKY, "▶", mark("under way"))
@@ -60,7 +62,7 @@ def export_job(request: ExportRequest) -> Job:
 
 
 def _export(request: ExportRequest, progress: Callable[..., None]) -> None:
-    from tracker.session.export.run import export, export_dataset
+    from tracker.session.export.run import export, export_dataset  # deferred: loads every format
 
     options = _options(request)
     if request.also:
@@ -81,8 +83,6 @@ def _options(request: ExportRequest) -> ExportOptions:
 
 def _first_estimate(path: Path) -> float:
     """Where in the replay the first estimate stands, s; 0 where there is none."""
-    from tracker.messages import Estimate
-    from tracker.session.reader import SessionReader
 
     with SessionReader(path) as reader:
         start = reader.anchor.monotonic(reader.span_ns[0])

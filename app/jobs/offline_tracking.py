@@ -10,7 +10,10 @@ from app.viewmodels.compare import Comparison
 from app.viewmodels.names import engine_name
 from app.words import tr
 from tracker.base.errors import FileError
+from tracker.base.files import free_path
 from tracker.offline.options import TrackOptions
+from tracker.session.compare import compare, truth_error_mm
+from tracker.session.reader import SessionReader
 
 TRACKING_SHARE = 0.9  # of the bar; the rest is the comparison
 
@@ -22,8 +25,7 @@ def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
     """
 
     def run(progress: JobProgress) -> Comparison | None:
-        from tracker.offline.track import track
-        from tracker.session.reader import SessionReader
+        from tracker.offline.track import track  # deferred: loads every engine
 
         progress(0.0, engine_name(wanted.engine))
 
@@ -53,7 +55,6 @@ def compare_job(first: Path, second: Path) -> Job:
 
 def compared(first: Path, second: Path) -> Comparison:
     """Raises FileError where the two have no instant in common, or one was never tracked."""
-    from tracker.session.compare import compare, truth_error_mm
 
     figures = compare(first, second)
     errors: list[dict[str, float]] = []
@@ -65,7 +66,6 @@ def compared(first: Path, second: Path) -> Comparison:
 
 
 def _engine_of(path: Path) -> str:
-    from tracker.session.reader import SessionReader
 
     with SessionReader(path) as reader:
         return reader.info.engine
@@ -73,7 +73,6 @@ def _engine_of(path: Path) -> str:
 
 def _with_truth(*paths: Path) -> Path | None:
     """The first of the files that holds what the hand really did."""
-    from tracker.session.reader import SessionReader
 
     for path in paths:
         with SessionReader(path) as reader:
@@ -87,7 +86,6 @@ def free_name(source: Path, engine: str) -> Path:
 
     Raises FileError where nothing can be written there.
     """
-    from tracker.base.files import free_path
 
     if not source.parent.is_dir():
         raise FileError(tr("The folder {} is not there any more.").format(source.parent))

@@ -1,24 +1,196 @@
-"""Remote control: the doors by which other programs ask, opened and closed as the user wants."""
+"""Remote control: servers that receive requests of other programs, and the answers to them."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from concurrent.futures import Future
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.engines.engine_host import EngineHost
 from app.jobs.connections import Connections
 from app.jobs.openings import Openings
-from app.jobs.remote_answers import RemoteAnswers
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
-from app.viewmodels.recording import RecordingPlan
+from app.viewmodels.recording import RecordingPlan, duration_text
+from tracker.base.clock import monotonic
+from tracker.hand.names import CHAINS
 from tracker.messages import Event
 from tracker.streaming.connection import ConnectionSettings
+from tracker.streaming.remote.contacts import ContactBook, motor_of
 from tracker.streaming.remote.doors import Door
-from tracker.streaming.remote.reception import DoorCounts
+from tracker.streaming.remote.reception import Allowance, DoorCounts
 from tracker.streaming.remote.registry import DoorKind, door_kinds, open_door, with_doors
+from tracker.streaming.remote.request import Reply, Request, RequestError, parse
+
+MOTOR_HZ = 50.0  # commands to one motor; more only fill the glove's line
+MOTORS = tuple(CHAINS)
+LOOK_MS = 250  # at contacts that nobody tells of any more
+CLOSING = "The window is closing."
+
+
+class RemoteAnswers(QObject):
+    """Starts, stops, notes, tells the state and lets motors vibrate."""
+
+    _came = Signal(object, object)  # Request, and the Future of its Reply
+
+    def __init__(
+        self, host: EngineHost, plan: RecordingPlan, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._host, self._plan = host, plan
+        self._waiting: set[Future[Reply]] = set()
+        self._motors = {finger: Allowance(MOTOR_HZ, monotonic()) for finger in MOTORS}
+        self._felt = {"vibrate": self._vibrate, "contact": self._contact}
+        self._contacts = ContactBook()
+        self._look = QTimer(self)
+        self._look.setInterval(LOOK_MS)
+        self._look.timeout.connect(lambda: self._record(self._contacts.expired(monotonic())))
+        self._look.start()
+        self._ended = False
+        self._came.connect(self._act, Qt.ConnectionType.QueuedConnection)
+
+    def answer(self, request: Request) -> Future[Reply]:
+        """Do it soon, in the window's thread; from any thread."""
+        future: Future[Reply] = Future()
+        if self._ended:
+            future.set_result(Reply(False, request.do, CLOSING, id=request.id))
+        elif request.do in self._felt:
+            future.set_result(replace(self._felt[request.do](request), id=request.id))
+        else:
+            self._waiting.add(future)
+            future.add_done_callback(self._waiting.discard)
+            self._came.emit(request, future)
+        return future
+
+    def answer_line(self, line: str) -> str:
+        """A request of this computer's user, by the window's own local socket."""
+        try:
+            request = parse(line, monotonic())
+        except RequestError as error:
+            return Reply(False, "", str(error)).as_json()
+        if request is None:
+            return Reply(False, "", "That is an answer, not a request.").as_json()
+        do = self._felt.get(request.do, self._do)
+        return replace(do(request), id=request.id).as_json(with_folder=True)
+
+    def _act(self, request: Request, future: Future[Reply]) -> None:
+        if future.set_running_or_notify_cancel():  # nobody waits any more: it is not done
+            future.set_result(replace(self._do(request), id=request.id))
+
+    def _do(self, request: Request) -> Reply:
+        actions: dict[str, Callable[[Request], Reply]] = {
+            "start": self._start,
+            "stop": self._stop,
+            "note": self._note,
+            "status": self._status,
+        }
+        return actions[request.do](request)
+
+    def _start(self, request: Request) -> Reply:
+        recording, setup = self._host.recording, self._host.setup
+        if recording.request is not None:
+            name = recording.request.path.name
+            return Reply(False, request.do, f"{name} is being recorded already.")
+        if setup is None or not self._host.running:
+            return Reply(False, request.do, "Nothing can be recorded: no device is running.")
+        if setup.make_recorder is None:
+            return Reply(False, request.do, "A session that is replayed cannot be recorded.")
+        problems: list[str] = []
+
+        def listen(text: str) -> None:
+            problems.append(text)
+
+        self._host.error.connect(listen)
+        try:
+            self._host.toggle_recording(self._plan.request)
+        finally:
+            self._host.error.disconnect(listen)
+        begun = recording.request
+        if begun is None:
+            return Reply(False, request.do, " ".join(problems) or "The recording did not begin.")
+        return Reply(True, request.do, f"Recording {begun.path.name}.", begun.path)
+
+    def _stop(self, request: Request) -> Reply:
+        recording = self._host.recording
+        if recording.request is None:
+            return Reply(False, request.do, "Nothing is being recorded.")
+        path, elapsed = recording.request.path, recording.elapsed
+        recording.end()
+        text = f"{path.name} has ended after {duration_text(elapsed)}."
+        if recording.closing:
+            text += " It is still being written to its end."
+        return Reply(True, request.do, text, path, {"duration_s": round(elapsed, 3)})
+
+    def _note(self, request: Request) -> Reply:
+        """Stamped with its arrival, however busy the window was."""
+        if self._host.setup is None:
+            return Reply(False, request.do, "There is nothing to note it in: nothing is open.")
+        self._host.notes.add(request.text, request.t, request.data)
+        taken = self._host.recording.request
+        if taken is None:
+            return Reply(True, request.do, "Noted in the log: nothing is being recorded.")
+        return Reply(True, request.do, f"Noted in {taken.path.name}.", taken.path)
+
+    def _status(self, request: Request) -> Reply:
+        recording = self._host.recording
+        more: dict[str, Any] = {
+            "running": self._host.running,
+            "recording": recording.request is not None,
+            "paused": recording.paused,
+            "duration_s": round(recording.elapsed, 3),
+        }
+        if recording.request is not None:
+            path = recording.request.path
+            return Reply(True, request.do, f"Recording {path.name}.", path, more)
+        text = "Devices are running." if self._host.running else "Nothing is running."
+        return Reply(True, request.do, text, None, more)
+
+    def _vibrate(self, request: Request) -> Reply:
+        """From any thread, as the glove's link takes it."""
+        setup = self._host.setup
+        if setup is None or setup.vibrate is None or not self._host.running:
+            return Reply(False, request.do, "No glove with motors is running.")
+        if not self._motors[request.finger].take(request.t):
+            limit = f"A motor takes at most {MOTOR_HZ:.0f} requests a second."
+            return Reply(False, request.do, limit)
+        motor = MOTORS.index(request.finger)
+        if not setup.vibrate(motor, request.amplitude, request.duration_ms):
+            return Reply(False, request.do, "The glove's line has no room; the motor was not told.")
+        return Reply(True, request.do, f"The {request.finger} vibrates.")
+
+    def _contact(self, request: Request) -> Reply:
+        """From any thread: felt while it lasts, and recorded where it begins and ends."""
+        setup = self._host.setup
+        if setup is None or not self._host.running:
+            return Reply(False, request.do, "Nothing is running that could be touched.")
+        if not self._motors[request.finger].take(request.t):
+            limit = f"A finger takes at most {MOTOR_HZ:.0f} contacts a second."
+            return Reply(False, request.do, limit)
+        self._record(self._contacts.tell(request))
+        if setup.vibrate is not None:
+            strongest = self._contacts.strength(request.finger)
+            setup.vibrate(MOTORS.index(request.finger), *motor_of(strongest))
+        word = "touches" if request.strength > 0 else "lets go of"
+        return Reply(True, request.do, f"The {request.finger} {word} {request.object or 'it'}.")
+
+    def _record(self, events: list[Event]) -> None:
+        """In the session that is recorded, if any."""
+        setup = self._host.setup
+        if setup is not None and setup.followed is not None:
+            for event in events:
+                setup.followed.record(event)
+
+    def end(self) -> None:
+        """Nothing is done any more; who still waits is told."""
+        self._look.stop()
+        self._ended = True
+        for future in list(self._waiting):
+            if future.set_running_or_notify_cancel():
+                future.set_result(Reply(False, "", CLOSING))
 
 
 class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):

@@ -11,6 +11,10 @@ from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import HandTake, TakeReport
 from app.words import told
 from tracker.base.errors import GlovetrackError
+from tracker.session.glance import HandShare, quality
+from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery
+from tracker.session.verify import verify
 
 
 def check_job(path: Path) -> Job:
@@ -29,10 +33,6 @@ def check_job(path: Path) -> Job:
 
 def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
     """Raises FileError where it cannot be read."""
-    from tracker.session.glance import HandShare, quality
-    from tracker.session.reader import SessionReader
-    from tracker.session.recover import needs_recovery
-    from tracker.session.verify import verify
 
     findings = verify(path, progress)
     errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]

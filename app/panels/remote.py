@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
-from app.viewmodels.remote import door_row, is_loopback
+from app.viewmodels.streams import door_row, is_loopback
 from app.words import tr
 
 

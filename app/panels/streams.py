@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
+    QFileDialog,
     QGridLayout,
     QGroupBox,
     QHBoxLayout,
@@ -28,7 +30,6 @@ from app.jobs.outputs import Outputs
 from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
 from app.panels.panel import Panel
-from app.panels.record_file import RecordFile
 from app.panels.remote import RemoteBox
 from app.viewmodels.streams import MOTORS, OPENXR, OWN, StreamRow, stream_row
 from app.widgets.measures import NEAR
@@ -36,6 +37,43 @@ from app.words import tr
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
+
+
+WIDTH = 90
+"""px of a file's name."""
+
+
+class RecordFile(QPushButton):
+    """Shows the file of the stream ``name``."""
+
+    def __init__(self, outputs: Outputs, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._outputs, self._name = outputs, name
+        self._title = self.tr("File of {}").format(tr(outputs.kinds[name].title))
+        self._suffix = Path(outputs.kinds[name].default_file).suffix
+        self.setAccessibleName(self._title)
+        self.clicked.connect(self._choose)
+        outputs.changed.connect(self._show)
+        self._show()
+
+    def _choose(self) -> None:
+        path, _ = QFileDialog.getSaveFileName(
+            self,
+            self._title,
+            str(self._outputs.file(self._name)),
+            self.tr("Hand records (*{})").format(self._suffix),
+            options=QFileDialog.Option.DontConfirmOverwrite,
+        )
+        if path:
+            chosen = Path(path).with_suffix(self._suffix)
+            self._outputs.set_option(self._name, "file", str(chosen))
+            self._show()
+
+    def _show(self) -> None:
+        path = self._outputs.file(self._name)
+        middle = Qt.TextElideMode.ElideMiddle
+        self.setText(self.fontMetrics().elidedText(path.name, middle, WIDTH))
+        self.setToolTip(self.tr("{}; where that is there already a number is added").format(path))
 
 
 class StreamsPanel(Panel):

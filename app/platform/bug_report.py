@@ -16,6 +16,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import psutil
+from PySide6.QtCore import qVersion
 
 from app.platform.licences import parts
 from app.storage.settings import AppSettings
@@ -25,6 +26,9 @@ from tracker.base.clock import NS
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import disk_error
 from tracker.messages import Event, StereoFrame
+from tracker.session.decode import MESSAGE_KINDS
+from tracker.session.reader import SessionReader
+from tracker.session.writer import RecorderParams, SessionRecorder
 
 EXCERPT_S = 10.0
 PERSONAL_SETTINGS = ("participant", "task", "recording_name", "sessions_folder")
@@ -91,7 +95,6 @@ def contents(choice: Choice) -> list[str]:
 
 def machine() -> dict[str, str]:
     """The computer and its software, nothing of the user's."""
-    from PySide6.QtCore import qVersion
 
     packages = {p.name: p.version for p in parts()}
     return {
@@ -202,8 +205,6 @@ def _excerpt(material: Material, choice: Choice, path: Path) -> list[str]:
 
 def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: bool) -> None:
     """The last ``duration`` s of a session, finished or not, as a session of its own."""
-    from tracker.session.reader import SessionReader
-    from tracker.session.writer import RecorderParams, SessionRecorder
 
     with SessionReader(source) as reader:
         info = reader.info
@@ -221,7 +222,6 @@ def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: b
 def _kinds(images: bool) -> tuple[type, ...]:
     """What is copied; images are not even unpacked where they are not wanted. Events may hold
     what a user wrote, and the log has those of the program."""
-    from tracker.session.decode import MESSAGE_KINDS
 
     unwanted = (Event,) if images else (Event, StereoFrame)
     return tuple(k for k in MESSAGE_KINDS if k not in unwanted)

@@ -6,12 +6,13 @@ the user id of the other process with their own.
 
 Windows: pipes have no folders. The pipe's name contains a random text from a file in the user's own
 folder, which other users cannot read; Qt limits access to the pipe to its user; and both ends ask
-the system which user runs the process at the other end (`windows_peer`). This branch and that for
+the system which user runs the process at the other end (`is_own_pipe`). This branch and that for
 macOS follow the systems' documentation; they have not been run there.
 """
 
 from __future__ import annotations
 
+import ctypes
 import os
 import secrets
 import socket
@@ -21,10 +22,10 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import platformdirs
 
-from app.platform.windows_peer import is_own_pipe
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import disk_error
 
@@ -34,6 +35,9 @@ _SECRET = "pipe-name"
 _SECRET_BYTES = 32
 _SOL_LOCAL, _LOCAL_PEERCRED, _XUCRED_BYTES = 0, 1, 76  # sys/un.h and sys/ucred.h of macOS
 _UCRED = "3i"  # pid, uid, gid of Linux
+
+
+_QUERY_LIMITED, _TOKEN_QUERY, _TOKEN_USER = 0x1000, 0x0008, 1
 
 
 class ForeignSocket(GlovetrackError):
@@ -147,3 +151,53 @@ def _pipe_secret() -> str:
         return path.read_text("ascii").strip()
     except (OSError, UnicodeError) as error:
         raise GlovetrackError(f"{path} cannot be used: {error}.") from error
+
+
+def is_own_pipe(handle: int) -> bool:
+    """``handle`` is of either end of a connected pipe."""
+    ours = _user_of(os.getpid())
+    processes = _processes_of(handle) - {os.getpid()}
+    return ours is not None and all(_user_of(process) == ours for process in processes)
+
+
+def _processes_of(handle: int) -> set[int]:
+    """Those of both ends; 0, which is no user's, where one is not known."""
+    found = set()
+    for name in ("GetNamedPipeServerProcessId", "GetNamedPipeClientProcessId"):
+        number = ctypes.c_ulong(0)
+        ok = getattr(_library("kernel32"), name)(ctypes.c_void_p(handle), ctypes.byref(number))
+        found.add(int(number.value) if ok else 0)
+    return found
+
+
+def _user_of(process: int) -> bytes | None:
+    """The SID of the user who runs a process; None where the system does not say."""
+    kernel, advapi = _library("kernel32"), _library("advapi32")
+    kernel.OpenProcess.restype = ctypes.c_void_p
+    opened = kernel.OpenProcess(_QUERY_LIMITED, False, process)
+    if not opened:
+        return None
+    token = ctypes.c_void_p()
+    try:
+        if not advapi.OpenProcessToken(ctypes.c_void_p(opened), _TOKEN_QUERY, ctypes.byref(token)):
+            return None
+        return _sid(advapi, token)
+    finally:
+        for each in (token.value, opened):
+            if each:
+                kernel.CloseHandle(ctypes.c_void_p(each))
+
+
+def _sid(advapi: Any, token: ctypes.c_void_p) -> bytes | None:
+    size = ctypes.c_ulong(0)
+    advapi.GetTokenInformation(token, _TOKEN_USER, None, 0, ctypes.byref(size))
+    data = ctypes.create_string_buffer(size.value)
+    if not advapi.GetTokenInformation(token, _TOKEN_USER, data, size, ctypes.byref(size)):
+        return None
+    sid = ctypes.c_void_p.from_buffer(data)  # TOKEN_USER begins with a pointer to it
+    length = advapi.GetLengthSid(sid)
+    return ctypes.string_at(sid.value or 0, length) if sid.value else None
+
+
+def _library(name: str) -> Any:
+    return getattr(ctypes, "WinDLL")(name, use_last_error=True)  # noqa: B009  only Windows has it

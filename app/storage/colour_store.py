@@ -1,15 +1,21 @@
-"""Colour profiles per camera in the user's settings folder: tuned once, there at every start."""
+"""Colour profiles in the user's settings folder, one for each camera, saved after each change."""
 
 from __future__ import annotations
 
 import logging
 from pathlib import Path
 
+from PySide6.QtCore import QObject, QTimer, Signal
+
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import slug, write_kept
 from tracker.vision.colours import ColourProfile, load_profile, profile_to_toml
 
 _log = logging.getLogger(__name__)
+
+
+DELAY_MS = 400
+"""A slider that is being moved writes once."""
 
 
 class ColourStore:
@@ -43,3 +49,44 @@ class ColourStore:
     def save(self, camera: str, profile: ColourProfile) -> None:
         """Raises FileError where the disk refuses."""
         write_kept(self.path(camera), profile_to_toml(profile))
+
+
+class ColourAutosave(QObject):
+    """The store of one camera at a time; without a camera (a replay) nothing is kept."""
+
+    failed = Signal(str)
+
+    def __init__(self, store: ColourStore, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.store = store
+        self.camera = ""
+        self._waiting: ColourProfile | None = None
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self.write)
+
+    def open(self, camera: str, like: ColourProfile) -> ColourProfile | None:
+        """Turn to another camera; its profile if one is kept that fits ``like``."""
+        self.write()
+        self.camera = slug(camera) if camera else ""
+        return self.store.load(camera, like) if camera else None
+
+    def others(self) -> list[str]:
+        """Cameras whose colours could be taken over."""
+        return [c for c in self.store.cameras() if c != self.camera]
+
+    def changed(self, profile: ColourProfile) -> None:
+        if self.camera:
+            self._waiting = profile
+            self._timer.start(DELAY_MS)
+
+    def write(self) -> None:
+        """Write what waits."""
+        self._timer.stop()
+        profile, self._waiting = self._waiting, None
+        if profile is None:
+            return
+        try:
+            self.store.save(self.camera, profile)
+        except GlovetrackError as error:
+            self.failed.emit(str(error))

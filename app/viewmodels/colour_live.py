@@ -108,7 +108,7 @@ class LiveImages:
         messages, setup = self._messages(), self._setup
 
         def work() -> Fit:
-            from tracker.offline.colours_fit import check_messages
+            from tracker.offline.colours_fit import check_messages  # deferred: loads SciPy
 
             best = picked()
             sure = check_messages(messages, _worn(setup), best[0]).sure
@@ -135,13 +135,13 @@ class LiveImages:
 def _fitted(
     messages: list[ImuSample | StereoFrame], setup: EngineSetup, profile: ColourProfile
 ) -> SessionFit:
-    from tracker.offline.colours_fit import fit_messages
+    from tracker.offline.colours_fit import fit_messages  # deferred: loads SciPy
 
     return fit_messages(messages, _worn(setup), profile)
 
 
 def _worn(setup: EngineSetup) -> WatchedGlove:
-    from tracker.offline.colours_fit import WatchedGlove
+    from tracker.offline.colours_fit import WatchedGlove  # deferred: loads SciPy
 
     return WatchedGlove(setup.hand, setup.glove, setup.rig)
 

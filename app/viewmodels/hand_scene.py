@@ -1,4 +1,4 @@
-"""The hand as bodies in space: where each segment is, how it is known, which markers are seen."""
+"""The hand in the 3D scene: segments, markers, fingertip trails and the ground."""
 
 from __future__ import annotations
 
@@ -24,6 +24,86 @@ drawn: on a busy computer too the hand stays in sight."""
 JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
 ASIDE = 0.09  # m from the middle, of each of two hands whose place is unknown
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
+
+
+CELL = 0.05  # m
+HALF = 6  # cells from the middle to the border
+UNDER = 0.06  # m from the lowest point of the hand to the ground, at least, when it is laid
+FAR = 0.3  # m above the ground from which it is laid anew
+AXIS = CELL  # m, length of the axes that are drawn: the scale stands beside one of them
+STRONG, FAINT = 0.34, 0.16  # lines a decimetre apart, and those between
+
+
+WIDEST = 0.0024  # m, at the fingertip
+SMOOTH = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
+
+
+def ribbon_faces(points: int) -> IntArray:
+    """(F, 3) triangles between the sides of a ribbon of so many points, seen from either side."""
+    i = 2 * np.arange(points - 1)
+    one = np.concatenate([np.stack([i, i + 1, i + 2], 1), np.stack([i + 2, i + 1, i + 3], 1)])
+    return np.concatenate([one, one[:, ::-1]])
+
+
+def ribbon(trail: Array, eye: Array, colour: tuple[float, ...]) -> tuple[Array, Array, Array]:
+    """Points (2N, 3) m, normals (2N, 3) and looks (2N, 7) along a trail (N, 3), oldest first."""
+    padded = np.concatenate([trail[[0, 0]], trail, trail[[-1, -1]]])
+    way = sum(w * padded[k : k + len(trail)] for k, w in enumerate(SMOOTH))
+    way[-1] = trail[-1]
+    forward = np.gradient(way, axis=0)
+    to_eye = eye - way
+    side = np.cross(forward, to_eye)
+    length = np.linalg.norm(side, axis=1, keepdims=True)
+    side = np.where(length > 1e-9, side / np.maximum(length, 1e-9), 0.0)
+    age = np.linspace(0.0, 1.0, len(trail))[:, None]
+    half = 0.5 * WIDEST * (0.25 + 0.75 * age) * side
+    points = np.stack([way - half, way + half], axis=1).reshape(-1, 3)
+    normals = np.repeat(to_eye / np.linalg.norm(to_eye, axis=1, keepdims=True), 2, axis=0)
+    looks = np.tile([*colour, 1.0, 0.6, 0.0, 0.0], (len(points), 1))
+    looks[:, 3] = np.repeat(age[:, 0], 2)
+    return points, normals, looks
+
+
+@dataclass(frozen=True, eq=False)
+class GroundGrid:
+    """Lines (M, 6) m in G from end to end with strength (M,); corner (3,), where the axes stand."""
+
+    ends: Array
+    strength: Array
+    corner: Array
+
+
+class HandGround:
+    """Stays where it is until the hand leaves it."""
+
+    def __init__(self) -> None:
+        self._middle: Array | None = None
+        self.grid = GroundGrid(np.empty((0, 6)), np.empty(0), np.zeros(3))
+
+    def follow(self, points: Array) -> bool:
+        """Be under a hand's points (N, 3) m; whether the ground has changed."""
+        low, at = float(points[:, 2].min()), points.mean(axis=0)
+        if self._middle is not None:
+            above, aside = low - self._middle[2], np.abs(at - self._middle)[:2].max()
+            if 0.0 < above < FAR and aside < 2 * CELL:
+                return False
+        height = CELL * np.floor((low - UNDER) / CELL)
+        self._middle = np.array([*(2 * CELL * np.round(at[:2] / (2 * CELL))), height])
+        self.grid = _grid(self._middle)
+        return True
+
+
+def _grid(middle: Array) -> GroundGrid:
+    reach, ends, strength = HALF * CELL, [], []
+    for k in range(-HALF, HALF + 1):
+        share = (STRONG if k % 2 == 0 else FAINT) * (1.0 - (k / (HALF + 1)) ** 2)
+        for axis in (0, 1):
+            across, along = np.zeros(3), np.zeros(3)
+            across[axis], along[1 - axis] = k * CELL, reach
+            ends.append([*(middle + across - along), *(middle + across + along)])
+            strength.append(share)
+    corner = middle + [-2 * CELL, -2 * CELL, 0.0]
+    return GroundGrid(np.array(ends), np.array(strength), corner)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,8 @@
-"""A recording: what it shall be, its name, size, rate and how long the disk still holds."""
+"""A recording: its name and contents, size, data rate and the recording time left on the disk."""
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,13 +11,19 @@ from pathlib import Path
 
 from app.engines.engine import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
-from app.viewmodels.take_names import USUAL, check_template, take_path
 from app.words import decimal, local, tr
-from tracker.base.errors import FileError
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import free_path, name_part
 
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000
 COUNTDOWNS = (0, 3, 5)  # s
+
+
+USUAL = "{participant}_{task}_{date}_{time}"
+FIELDS = ("participant", "task", "date", "time", "n")
+_FIELD = re.compile(r"\{(\w+)(?::0?(\d))?\}")
+_SUFFIX = ".mcap"
 
 
 class RecordingPlan:
@@ -149,3 +156,47 @@ class RateMeter:
         self._looks = [*self._looks, (t, size)][-self._keep :]
         (t0, size0), (t1, size1) = self._looks[0], self._looks[-1]
         return (size1 - size0) / (t1 - t0) if t1 > t0 else 0.0
+
+
+def check_template(template: str) -> None:
+    """Raises ConfigError for one that names nothing, or something that is not known."""
+    known = ", ".join(f"{{{name}}}" for name in FIELDS)
+    for found in _FIELD.finditer(template):
+        if found[1] not in FIELDS:
+            raise ConfigError(tr("A name can hold {}, not {}.").format(known, found[0]))
+    rest = _FIELD.sub("", template)
+    if "{" in rest or "}" in rest or not template.strip():
+        raise ConfigError(
+            tr("The name {!r} is not complete; it can hold text and {}.").format(template, known)
+        )
+
+
+def take_path(
+    folder: Path, participant: str, task: str, now: datetime, template: str = USUAL
+) -> Path:
+    """A path in ``folder`` that no file has yet. Raises ConfigError for a wrong template."""
+    check_template(template)
+    values = {
+        "participant": name_part(participant),
+        "task": name_part(task),
+        "date": now.strftime("%Y-%m-%d"),
+        "time": now.strftime("%H-%M-%S"),
+    }
+    named = _FIELD.sub(lambda m: m[0] if m[1] == "n" else values[m[1]], template)
+    named = re.sub(r"_{2,}", "_", named).strip("_ ")
+    if (count := _FIELD.search(named)) is None:
+        return free_path(folder / f"{name_part(named) or 'recording'}{_SUFFIX}")
+    before, after = _part(named[: count.start()]), _part(named[count.end() :])
+    number = _next_number(folder, before, after)
+    return free_path(folder / f"{before}{number:0{count[2] or 1}}{after}{_SUFFIX}")
+
+
+def _part(text: str) -> str:
+    """Text beside the number, which may come to it with a ``-``."""
+    return re.sub(r"[^\w-]+", "-", _FIELD.sub("", text))
+
+
+def _next_number(folder: Path, before: str, after: str) -> int:
+    same = re.compile(re.escape(before) + r"(\d+)" + re.escape(after + _SUFFIX))
+    names = (path.name for path in folder.glob(f"*{_SUFFIX}"))
+    return 1 + max((int(m[1]) for m in map(same.fullmatch, names) if m), default=0)

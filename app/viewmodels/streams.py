@@ -1,4 +1,4 @@
-"""A live output as a row: what it is, and how it goes."""
+"""Table rows of live outputs and of remote control servers."""
 
 from __future__ import annotations
 
@@ -9,10 +9,15 @@ from app.words import tr
 from tracker.hand.names import CHAINS
 from tracker.streaming.publisher import OPENXR as OPENXR
 from tracker.streaming.publisher import OWN as OWN
+from tracker.streaming.remote.doors import is_loopback as is_loopback
+from tracker.streaming.remote.reception import DoorCounts
 from tracker.streaming.streams import StreamCounts
 
 MOTORS = tuple(CHAINS)
 """The fingers, in the order of the glove's vibration motors."""
+
+
+LATELY = 60.0  # s for which who asked by a datagram counts as there
 
 
 @dataclass(frozen=True)
@@ -60,3 +65,19 @@ def _missed(counts: StreamCounts) -> list[str]:
         who = client or tr("clients that have left")
         lines.append((n, tr("{} missed by {}").format(n, who)))
     return [text for n, text in lines if n]
+
+
+def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
+    """Its ``sent`` are the requests taken, its ``dropped`` those that were not."""
+    if problem:
+        return StreamRow(BAD, tr("not open"), "–", "–", "–", problem)
+    if not on:
+        return StreamRow(IDLE, tr("off"), "–", "–", "–", "")
+    if counts is None:
+        return StreamRow(IDLE, tr("opening"), "–", "–", "–", "")
+    lately = [(peer, ago) for peer, ago in counts.peers if ago < LATELY]
+    clients = len(lately) if counts.clients is None else counts.clients
+    state = tr("somebody is there") if clients else tr("nobody asks")
+    told = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
+    tip = "\n".join([counts.name, *told[:8]])
+    return StreamRow(GOOD, state, str(clients), str(counts.asked), str(counts.refused), tip)

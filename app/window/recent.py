@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
-from app.jobs.recovery import recover_job
+from app.jobs.derived_sessions import recover_job
 from app.panels.library.panel import LibraryPanel
 from app.panels.start_page import StartPage
 from app.platform.tasks import JobProgress, TaskOwner

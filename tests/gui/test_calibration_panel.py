@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
-from app.panels.calibration.table import CalibrationTable
+from app.panels.calibration.panel import CalibrationTable
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow

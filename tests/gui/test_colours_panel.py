@@ -20,7 +20,7 @@ from app.viewmodels.colour_images import in_range, mask_image, masks_image, room
 from app.viewmodels.colour_tuning import MASK_STEP, ROOM_EVERY
 from app.viewmodels.colours import hue_colours, seen_rows
 from app.viewmodels.states import GOOD, WARN
-from app.widgets.hue_range import HueRangeSlider
+from app.widgets.range_row import HueRangeSlider
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from tracker.calibration.colours_fit import FoundHue

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 
-from app.widgets.curve_plot import CurveLook, ScrollPlot
-from app.widgets.thinning import thinned
+from app.widgets.curve_plot import CurveLook, ScrollPlot, thinned
 
 
 def test_axes_are_drawn_when_they_change_and_not_when_curves_move(qtbot, monkeypatch):

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.panels.hand.view_chooser import PROVEN, ViewChooser
+from app.panels.hand.controls import PROVEN, ViewChooser
 from app.platform.graphics import is_card
 from app.platform.tasks import TaskOwner
 from app.viewmodels.hand_scene import TRAIL_POINTS, followed
@@ -216,7 +216,7 @@ def test_a_card_that_cannot_be_used_is_said_where_it_was_asked_for(
 
 
 def test_an_installation_without_the_cards_view_says_so(chooser, store, monkeypatch):
-    monkeypatch.setattr("app.panels.hand.view_chooser.is_there", lambda: False)
+    monkeypatch.setattr("app.panels.hand.controls.is_there", lambda: False)
     chooser.start()  # "auto" paints without a word
     assert chooser.said == [] and not chooser._tasks.tasks
     chooser.choose("card")

@@ -7,9 +7,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from app.viewmodels.hand_ground import HandGround
+from app.viewmodels.hand_scene import HandGround, ribbon, ribbon_faces
 from app.viewmodels.hand_skin import HandSkin, scales
-from app.viewmodels.hand_trail import ribbon, ribbon_faces
 from app.viewmodels.made_skins import MADE
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene

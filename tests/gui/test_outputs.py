@@ -76,7 +76,7 @@ def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
     assert panel.files["isaac"].text() == "hands.mcap" and "isaac" not in panel.ports
     chosen = tmp_path / "new" / "take"
     monkeypatch.setattr(
-        "app.panels.record_file.QFileDialog.getSaveFileName",
+        "app.panels.streams.QFileDialog.getSaveFileName",
         staticmethod(lambda *_args, **_more: (str(chosen), "")),
     )
     panel.files["isaac"].click()

@@ -21,8 +21,8 @@ from app.viewmodels.recording import (
     duration_text,
     losses_text,
     size_text,
+    take_path,
 )
-from app.viewmodels.take_names import take_path
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.base.clock import monotonic
 from tracker.base.errors import FileError

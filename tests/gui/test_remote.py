@@ -19,7 +19,7 @@ from PySide6.QtNetwork import QLocalSocket
 from pythonosc.osc_message import OscMessage
 from pythonosc.osc_message_builder import OscMessageBuilder
 
-from app.jobs.remote_answers import MOTOR_HZ
+from app.jobs.remote import MOTOR_HZ
 from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore

@@ -12,8 +12,8 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QCheckBox
 
 from app.widgets.icons import NAME, drawing
-from app.widgets.legible import contrast_of, legible
 from app.widgets.measures import SPACES, TYPES
+from app.widgets.view3d.view_3d import contrast_of, legible
 from app.window.theme import DARK, LIGHT, style_sheet
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from app.engines.snapshot import Snapshot
-from app.panels.hand.tip_rings import LIMIT, TipRings
+from app.panels.hand.bodies import LIMIT, TipRings
 from app.viewmodels.hand_scene import HandScene, HandSceneModel
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene

@@ -10,8 +10,14 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.panels.library.two_takes_dialog import TwoTakesDialog
-from app.viewmodels.take_images import TakeImages
-from app.viewmodels.two_takes import TakeAngles, TwoTakes, between, figures_text, read_take
+from app.viewmodels.two_takes import (
+    TakeAngles,
+    TakeImages,
+    TwoTakes,
+    between,
+    figures_text,
+    read_take,
+)
 from tracker.messages import StereoFrame
 from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions

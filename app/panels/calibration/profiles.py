@@ -16,8 +16,7 @@ from app.panels.calibration.wearer_row import WearerRow
 from app.storage.removed_file import RemovedFile
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile
-from app.viewmodels.wearers_of_hands import WearersOfHands
-from app.viewmodels.worn_calibration import WornCalibration
+from app.viewmodels.worn_calibration import WearersOfHands, WornCalibration
 from tracker.base.errors import GlovetrackError
 from tracker.engine.kinds import learns_wearer
 

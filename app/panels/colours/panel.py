@@ -3,31 +3,46 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.panels.colours.files import ColoursFiles
-from app.panels.colours.fitting import ColoursFitting
+from app.panels.colours.fitting import ColoursFitting, ColoursLight
 from app.panels.colours.image import ColoursImage
-from app.panels.colours.light import ColoursLight
 from app.panels.colours.ranges import ColoursRanges
-from app.panels.colours.tools import ColoursTools
+from app.panels.colours.tools import ColoursFiles, ColoursTools
 from app.panels.panel import Panel
 from app.platform.tasks import TaskOwner
-from app.storage.colour_autosave import ColourAutosave
-from app.storage.colour_store import ColourStore
+from app.storage.colour_store import ColourAutosave, ColourStore
 from app.storage.image_folder import ImageFolder
 from app.storage.settings import SettingsStore
 from app.viewmodels.colour_fits import image_fit
 from app.viewmodels.colour_picks import Eyedropper
 from app.viewmodels.colour_tuning import ColourTuning, factory_colours
 from app.widgets.measures import NEAR, TIGHT
-from app.widgets.two_halves import TwoHalves
 
 TWO_COLUMNS = 540  # px of width, more than two columns need at least
 SETTINGS_IMAGES = "pictures"  # the folder's name in the settings of users
+
+
+class TwoHalves(QWidget):
+    """``least`` px of width are needed for two columns; ``shares`` are those of the width."""
+
+    def __init__(self, first: QWidget, second: QWidget, least: int, shares: tuple[int, int]):
+        super().__init__()
+        self._least = least
+        self._halves = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
+        self._halves.setContentsMargins(0, 0, 0, 0)
+        self._halves.setSpacing(NEAR)
+        for widget, share in zip((first, second), shares, strict=True):
+            self._halves.addWidget(widget, share)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        wide = event.size().width() >= self._least
+        direction = QBoxLayout.Direction
+        self._halves.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
 
 
 class ColoursPanel(Panel):

@@ -1,15 +1,18 @@
-"""The row of tools under the colours: eyedropper, fits, back and forth, files."""
+"""The tools of the Colours panel: eyedropper, fits, undo and redo, import and export."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 
-from PySide6.QtCore import Signal, SignalInstance
-from PySide6.QtWidgets import QMenu, QToolButton, QWidget
+from PySide6.QtCore import QObject, Signal, SignalInstance
+from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
 
 from app.viewmodels.colour_picks import Eyedropper
+from app.viewmodels.colour_tuning import ColourTuning
 from app.widgets.one_line import OneLine
+from tracker.base.errors import GlovetrackError
 
 
 class ColoursTools(OneLine):
@@ -133,3 +136,49 @@ class ColoursTools(OneLine):
         self._others.setEnabled(bool(cameras))
         for camera in cameras:
             self._others.addAction(camera, partial(self.take_over.emit, camera))
+
+
+class ColoursFiles(QObject):
+    """Reads into ``tuning`` (``loaded`` says so) and writes from it (``saved``)."""
+
+    loaded = Signal()
+    saved = Signal()
+    failed = Signal(str)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._parent = parent
+        self.tuning: ColourTuning | None = None
+
+    def ask_load(self) -> None:
+        title = self.tr("Colour profile")
+        path, _ = QFileDialog.getOpenFileName(self._parent, title, "", "*.toml")
+        if path:
+            self.load(Path(path))
+
+    def ask_save(self) -> None:
+        title = self.tr("Export the colours")
+        path, _ = QFileDialog.getSaveFileName(self._parent, title, "colours.toml", "*.toml")
+        if path:
+            chosen = Path(path)
+            self.save(chosen if chosen.suffix else chosen.with_suffix(".toml"))
+
+    def load(self, path: Path) -> None:
+        if self.tuning is None:
+            return
+        try:
+            self.tuning.load(path)
+        except GlovetrackError as error:
+            self.failed.emit(str(error))
+        else:
+            self.loaded.emit()
+
+    def save(self, path: Path) -> None:
+        if self.tuning is None:
+            return
+        try:
+            self.tuning.save(path)
+        except GlovetrackError as error:
+            self.failed.emit(str(error))
+        else:
+            self.saved.emit()

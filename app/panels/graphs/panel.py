@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.jobs.take_signals import read_signals
+from app.jobs.recording_curves import read_signals
 from app.panels.graphs.layouts import GraphLayouts
 from app.panels.graphs.plot import GraphPlot
 from app.panels.graphs.tree import SignalTree

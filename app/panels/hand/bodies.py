@@ -1,31 +1,84 @@
-"""The hand's bodies in the 3D scene: built once, then only moved and recoloured."""
+"""The bodies of a hand in the 3D scene: built once, then moved and recoloured."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.panels.hand.tip_rings import TipRings
-from app.viewmodels.hand_ground import AXIS, CELL, HandGround
 from app.viewmodels.hand_scene import (
+    AXIS,
+    CELL,
     MARKER_LATELY,
     MARKER_NOW,
     TRAIL_POINTS,
+    HandGround,
     HandScene,
     ShownParts,
+    ribbon,
+    ribbon_faces,
 )
 from app.viewmodels.hand_skin import Draped, HandSkin
-from app.viewmodels.hand_trail import ribbon, ribbon_faces
 from app.viewmodels.states import BLUISH_GREEN, GREY, ORANGE, PURPLE, SKY
 from app.widgets.view3d.orbit import Orbit
-from app.widgets.view3d.scene import BodyLook, BodyScene, DrawnSurface, GroundLines, Label, rgb
+from app.widgets.view3d.scene import (
+    BodyLook,
+    BodyScene,
+    DrawnBody,
+    DrawnSurface,
+    GroundLines,
+    Label,
+    rgb,
+)
 from app.widgets.view3d.shapes import Lines, Surface, polyline
+from tracker.messages import Array
 
 WHITE = "#FFFFFF"
 FRUSTUM_DEPTH = 0.05
 AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
 AXIS_LENGTH = 2.2  # radii of the segment
 TRAIL_PART, PATCH_PART = 1000, 2000  # parts of their own, far from the rows of segments
+
+
+LIMIT = 0.015  # m; about half the way to the next fingertip of a spread hand
+SEGMENTS = 40
+COLOUR = "#2F86BC"  # stands out from the light and the dark background
+WHOLE = BodyLook(COLOUR, line_width=1.5)
+BROKEN = BodyLook(COLOUR, opacity=0.75, line_width=1.5)
+
+
+class TipRings:
+    """Two rings for each of ``tips`` fingertips, of which one is shown at most."""
+
+    def __init__(self, scene: BodyScene, tips: int) -> None:
+        self._whole = [scene.add(ring(broken=False), WHOLE) for _ in range(tips)]
+        self._broken = [scene.add(ring(broken=True), BROKEN) for _ in range(tips)]
+        for body in (*self._whole, *self._broken):
+            body.show(False)  # of unit size until they are placed: they would fill the view
+
+    def update(self, scene: HandScene, wanted: bool, orbit: Orbit) -> None:
+        """Around the fingertips of ``scene``, of two standard deviations."""
+        for i, (whole, broken) in enumerate(zip(self._whole, self._broken, strict=True)):
+            known = bool(np.isfinite(scene.tips[i]).all() and np.isfinite(scene.tip_sd[i]))
+            radius = 2 * float(scene.tip_sd[i]) if known else 0.0
+            whole.show(wanted and known and radius <= LIMIT)
+            broken.show(wanted and known and radius > LIMIT)
+            if wanted and known:
+                body: DrawnBody = whole if radius <= LIMIT else broken
+                body.move(facing(orbit) * min(max(radius, 1e-4), LIMIT), scene.tips[i])
+
+
+def ring(broken: bool) -> Lines:
+    """Of unit radius about z; ``broken``: every other part of it alone."""
+    angle = 2 * np.pi * np.arange(SEGMENTS) / SEGMENTS
+    points = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    first = np.arange(0, SEGMENTS, 2 if broken else 1)
+    return Lines(points, np.stack([first, (first + 1) % SEGMENTS], axis=1))
+
+
+def facing(orbit: Orbit) -> Array:
+    """(3, 3) a rotation that takes z towards the eye."""
+    right = np.cross(orbit.up, orbit.direction)
+    return np.stack([right, orbit.up, orbit.direction], axis=1)
 
 
 class HandBodies:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, Qt
 from PySide6.QtGui import QResizeEvent, QShowEvent
@@ -10,19 +12,27 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.panels.hand.controls import HandControls
+from app.panels.hand.bodies import HandBodies
+from app.panels.hand.controls import HandControls, ViewChooser
 from app.panels.hand.legend import ValidityLegend
-from app.panels.hand.shown_hand import HandInScene
-from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob, TaskOwner
 from app.storage.settings import SettingsStore
+from app.viewmodels.colours import hue_colours
 from app.viewmodels.gestures import ShownGestures
-from app.viewmodels.hand_scene import HandScene, followed, view_direction
+from app.viewmodels.hand_scene import (
+    HandScene,
+    HandSceneModel,
+    ShownParts,
+    followed,
+    view_direction,
+)
 from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.made_skins import MADE
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import NEAR
+from app.widgets.view3d.orbit import Orbit
+from app.widgets.view3d.scene import BodyScene, Label
 from app.widgets.view3d.view_3d import View3D
 from tracker.base.errors import GlovetrackError
 from tracker.messages import Shed
@@ -33,6 +43,50 @@ DISTANCE = {1: 0.42, 2: 0.75}
 """Of the eye from one hand or from the middle of two, at the first look."""
 
 LOW = 170  # px, more than the panel needs at least; below, the hand needs the legend's line
+
+
+class HandInScene:
+    """Knows its hand from the start; gets a ``skin``, and ``bodies`` in whatever scene is drawn."""
+
+    def __init__(self, setup: EngineSetup, is_main: bool, of_two: bool) -> None:
+        self.setup, self.is_main = setup, is_main
+        self.model = HandSceneModel(setup, of_two)
+        self.bodies: HandBodies | None = None
+        self.skin: HandSkin | None = None
+        self.scene: HandScene | None = None
+
+    def put_on(self, skin: HandSkin) -> None:
+        """From now on there is a hand to be seen."""
+        self.skin = skin
+        if self.bodies is not None:
+            self.bodies.put_on(skin)
+
+    def make_bodies(self, scene: BodyScene) -> None:
+        """Into the scene of the view that draws now."""
+        self.bodies = HandBodies(scene, self.setup, hue_colours(self.setup.profile))
+        if self.skin is not None:
+            self.bodies.put_on(self.skin)
+
+    def forget_bodies(self) -> None:
+        """Their scene is gone."""
+        self.bodies = None
+
+    def look(self, view: Snapshot, show: ShownParts) -> HandScene | None:
+        """The hand as it is to be drawn; None where nothing can be drawn yet."""
+        scene = self.model.scene(view, show.reference)
+        if scene is None or self.bodies is None:
+            return None
+        self.scene = scene
+        return scene
+
+    def draw(self, show: ShownParts, orbit: Orbit) -> list[Label]:
+        """Move the bodies to the last `look`; with the main hand come camera and ground."""
+        if self.scene is None or self.bodies is None:
+            return []
+        labels = self.bodies.update_ground(self.scene) if self.is_main else []
+        own = show if self.is_main else replace(show, camera=False)
+        self.bodies.update(self.scene, own, orbit)
+        return labels
 
 
 class HandPanel(Panel):

@@ -1,23 +1,94 @@
-"""Two trackings of one movement: made, compared in a dialog, and shown beside each other."""
+"""Comparison of two trackings of one movement, in numbers and side by side."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.engines.engine import Player
 from app.engines.engine_host import EngineHost
 from app.jobs.offline_tracking import compare_job, free_name, track_job
-from app.jobs.two_takes import two_takes_job
-from app.panels.library.compare_dialog import CompareDialog
+from app.jobs.recording_curves import two_takes_job
 from app.panels.library.two_takes_dialog import TwoTakesDialog
 from app.platform.tasks import Job, TaskOwner
-from app.viewmodels.compare import Comparison
+from app.viewmodels.compare import Comparison, rows, summary
 from app.viewmodels.two_takes import TwoTakes
 from tracker.base.errors import GlovetrackError
 from tracker.offline.options import TrackOptions
+
+
+class CompareDialog(QDialog):
+    """A window of its own that blocks nothing."""
+
+    def __init__(self, comparison: Comparison, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Two trackings compared"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(680, 520)
+        self.summary = QLabel(summary(comparison))
+        self.summary.setWordWrap(True)
+        self.table = self._table(comparison)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        copy = buttons.addButton(self.tr("Copy"), QDialogButtonBox.ButtonRole.ActionRole)
+        copy.clicked.connect(self.copy)
+        buttons.rejected.connect(self.close)
+        column = QVBoxLayout(self)
+        column.addWidget(self.summary)
+        column.addWidget(self.table, 1)
+        column.addWidget(buttons)
+
+    def _table(self, comparison: Comparison) -> QTableWidget:
+        found = rows(comparison)
+        table = QTableWidget(len(found), 4)
+        table.setHorizontalHeaderLabels(
+            [
+                "",
+                self.tr("Difference"),
+                *(self.tr("Error of {}").format(name) for name in comparison.names),
+            ]
+        )
+        for j, stem in enumerate(comparison.stems, start=2):
+            heading = table.horizontalHeaderItem(j)
+            assert heading is not None
+            heading.setToolTip(stem)
+        table.verticalHeader().hide()
+        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        header = table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for i, row in enumerate(found):
+            cells = (row.name, row.difference, row.first_error, row.second_error)
+            for j, text in enumerate(cells):
+                item = QTableWidgetItem(text)
+                if j > 0:
+                    item.setTextAlignment(right)
+                table.setItem(i, j, item)
+        if not any(comparison.errors_mm):
+            table.hideColumn(2)
+            table.hideColumn(3)
+        return table
+
+    def copy(self) -> None:
+        """The table as text with tabs, for a spreadsheet."""
+        lines = []
+        for i in range(self.table.rowCount()):
+            items = [self.table.item(i, j) for j in range(self.table.columnCount())]
+            lines.append("\t".join(item.text() if item else "" for item in items))
+        QGuiApplication.clipboard().setText("\n".join(lines))
 
 
 class Comparing(QObject):

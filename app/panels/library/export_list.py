@@ -1,7 +1,10 @@
-"""The exports on their way: a row each, with its progress and a button that ends it."""
+"""The export queue: a row for each export with its progress and a button to cancel it."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -13,8 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.jobs.export import ExportQueue, QueueItem
+from app.jobs.export import ExportQueue, ExportRequest, QueueItem
+from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.session_files import open_folder
+from app.platform.tasks import TaskOwner
+from app.storage.settings import SettingsStore
 from app.widgets.measures import TIGHT
 from app.widgets.one_line import OneLine
 from app.words import tr
@@ -99,3 +105,24 @@ class ExportList(QWidget):
         item = self._selected()
         if item is not None:
             self._queue.cancel(item)
+
+
+class Exporting(QObject):
+    """``begun`` when an export was put in the queue."""
+
+    begun = Signal()
+
+    def __init__(self, tasks: TaskOwner, store: SettingsStore, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._store, self._window = store, parent
+        self.queue = ExportQueue(tasks, self)
+
+    def ask(self, paths: list[Path], part: tuple[float, float] | None) -> None:
+        """Ask how; ``part`` of the one session that is replayed is offered."""
+        dialog = ExportDialog(paths, part, self._store, self._window)
+        dialog.wanted.connect(self.add)
+        dialog.open()
+
+    def add(self, request: ExportRequest) -> None:
+        self.queue.add(request)
+        self.begun.emit()

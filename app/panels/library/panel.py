@@ -1,4 +1,4 @@
-"""Recorded sessions: look, replay, track again, compare, export, recover."""
+"""The library of recorded sessions: replay, track again, compare, export, recover."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QTabBar, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup, Player
 from app.engines.engine_host import EngineHost
@@ -16,11 +16,8 @@ from app.engines.snapshot import Snapshot
 from app.jobs.library_scan import LibraryScan
 from app.panels.command_kind import RecordingAction
 from app.panels.library.comparing import Comparing
-from app.panels.library.export_list import ExportList
-from app.panels.library.exporting import Exporting
-from app.panels.library.gap_page import GapPage
-from app.panels.library.gaps import Gaps
-from app.panels.library.pages import Pages
+from app.panels.library.export_list import Exporting, ExportList
+from app.panels.library.gap_page import GapPage, Gaps
 from app.panels.library.session_files import SessionFiles, open_folder
 from app.panels.library.session_page import SessionPage
 from app.panels.library.track_dialog import TrackDialog
@@ -29,9 +26,44 @@ from app.panels.panel import Panel
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.library import Details, SessionRow
-from app.widgets.measures import NEAR, TIGHT
+from app.widgets.measures import APART, NEAR, TIGHT
 
 LOW = 260  # px, more than the panel needs at least; below, the list needs the transport's lines
+
+
+class Pages(QWidget):
+    """Tabs and a page's controls share one line: the height is the page's own."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.bar = QTabBar()
+        self.bar.setDocumentMode(True)
+        self.bar.setExpanding(False)
+        self.bar.setDrawBase(False)
+        self._pages, self._heads = QStackedWidget(), QStackedWidget()
+        line = QHBoxLayout()
+        line.setSpacing(APART)
+        line.addWidget(self.bar)
+        line.addWidget(self._heads, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(line)
+        column.addWidget(self._pages, 1)
+        self.bar.currentChanged.connect(self._pages.setCurrentIndex)
+        self.bar.currentChanged.connect(self._heads.setCurrentIndex)
+
+    def add(self, page: QWidget, head: QWidget, title: str) -> None:
+        """``head``: its controls."""
+        self._pages.addWidget(page)
+        self._heads.addWidget(head)
+        self.bar.addTab(title)
+
+    def page(self, index: int) -> QWidget:
+        found = self._pages.widget(index)
+        if found is None:
+            raise IndexError(index)
+        return found
 
 
 class LibraryPanel(Panel):

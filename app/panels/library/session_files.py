@@ -12,8 +12,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QWidget
 
 from app.engines.engine_host import EngineHost
-from app.jobs.crop import crop_job
-from app.jobs.recovery import recover_job
+from app.jobs.derived_sessions import crop_job, recover_job
 from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, write_tags
 from app.storage.system_bin import Binned, restore, to_bin

@@ -18,11 +18,9 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.jobs.take_motion import csv_of, read_motion
+from app.jobs.recording_curves import csv_of, read_motion
 from app.panels.hand_choice import HandChoice
-from app.panels.motion.controls import MotionControls
-from app.panels.motion.plot import MotionPlot
-from app.panels.motion.table import MotionTable
+from app.panels.motion.table import MotionControls, MotionPlot, MotionTable
 from app.panels.panel import Panel, PanelColours
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore

@@ -1,4 +1,4 @@
-"""A line for each angle and distance: its value, a bar in its range, what it did."""
+"""Table, curves and controls of the Motion panel."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
+    QComboBox,
     QHeaderView,
+    QPushButton,
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableWidget,
@@ -17,9 +19,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.panels.graphs.looks import curve_looks
 from app.viewmodels.motion import MotionRow, shown_name
+from app.viewmodels.names import spoken
 from app.viewmodels.states import GREY, VALIDITY
+from app.widgets.curve_plot import CurvePlot, span_of
+from app.widgets.one_line import OneLine
 from app.words import local, tr
+from tracker.messages import Array
 
 NAME, STATE, VALUE, BAR, LEAST, GREATEST, RANGE, FASTEST = range(8)
 SHARE = int(Qt.ItemDataRole.UserRole)
@@ -101,3 +108,67 @@ class MotionTable(QTableWidget):
     def chosen(self) -> list[int]:
         """Rows that are selected."""
         return sorted({index.row() for index in self.selectedIndexes()})
+
+
+class MotionPlot(CurvePlot):
+    """``sought``: a click at an instant (s from the take's first image)."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent=parent)
+        self.plot.setMinimumHeight(90)
+        self.plot.setLabel("bottom", "s")
+        self.plot.addLegend(offset=(1, 1))
+
+    def show_names(self, names: Sequence[str]) -> None:
+        """A curve for each, empty."""
+        self.set_looks(curve_looks([shown_name(name) for name in names]))
+
+    def show_curves(self, curves: Sequence[tuple[Array, Array]]) -> None:
+        """All of each curve."""
+        t = [t for t, _ in curves if len(t)]
+        if not t:
+            return
+        self.plot.setXRange(min(x[0] for x in t), max(x[-1] for x in t), padding=0.02)
+        found = span_of(np.concatenate([values for _, values in curves]))
+        if found is not None:
+            self.plot.setYRange(*found, padding=0)
+        self.draw(curves)
+
+
+class MotionControls(OneLine):
+    """Widgets; `MotionPanel` does what they ask."""
+
+    def __init__(self, unit: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.ends = QComboBox(), QComboBox()
+        self.ends[0].setAccessibleName(self.tr("Distance from"))
+        self.ends[1].setAccessibleName(self.tr("Distance to"))
+        self.measure = QPushButton(self.tr("Measure this distance"))
+        self.remove = QPushButton(self.tr("Remove"))
+        self.remove.setToolTip(self.tr("Measure the chosen distances no more"))
+        self.units = QComboBox()
+        self.units.setAccessibleName(self.tr("Unit of angles"))
+        self.units.addItem(self.tr("Degrees"), "deg")
+        self.units.addItem(self.tr("Radians"), "rad")
+        self.units.setCurrentIndex(self.units.findData(unit))
+        self.copy = QPushButton(self.tr("Copy the table"))
+        self.save = QPushButton(self.tr("Save as CSV…"))
+        for widget in (self.units, self.copy, self.save, *self.ends, self.measure, self.remove):
+            self.add(widget)
+
+    def offer_points(self, names: Sequence[str]) -> None:
+        """Points between which distances can be measured; the first and the last are chosen."""
+        for box in self.ends:
+            box.clear()
+            for name in names:
+                box.addItem(spoken(name), name)
+        self.ends[1].setCurrentIndex(self.ends[1].count() - 1)
+
+    @property
+    def pair(self) -> tuple[str, str]:
+        """The points chosen."""
+        return self.ends[0].currentData(), self.ends[1].currentData()
+
+    def enable(self, on: bool) -> None:
+        for widget in (*self.ends, self.measure, self.remove, self.copy, self.save):
+            widget.setEnabled(on)

@@ -27,7 +27,7 @@ class GpuView(QWidget):
 
     def __init__(self, orbit: Orbit, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        import pyvistaqt
+        import pyvistaqt  # deferred: VTK takes a second
 
         self._orbit = orbit
         make_surface: Any = pyvistaqt.QtInteractor

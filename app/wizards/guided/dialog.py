@@ -1,10 +1,10 @@
-"""Guided calibration: half a minute of poses, told to the engine and to the recording."""
+"""Guided calibration: half a minute of poses that the engine and the recording are notified of."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -12,15 +12,110 @@ from app.engines.guide import PoseGuide
 from app.jobs.guided_poses import GuidedCommands
 from app.storage.settings import SettingsStore
 from app.viewmodels.guided import GuidedPhase, GuidedRun
-from app.viewmodels.guided_result import WearerNow, learned
-from app.viewmodels.guided_words import LiveJudge
-from app.wizards.guided.lead import LeadPage
-from app.wizards.guided.result import GuidedResultPage
+from app.viewmodels.guided_result import LearnedWords, WearerNow, learned
+from app.viewmodels.guided_words import POSE_WORDS, LiveJudge, chips, colour, word
 from app.wizards.leading.dialog import LeadingDialog
+from app.wizards.leading.outcome import OutcomePage
+from app.wizards.leading.page import LeadingPage
+from app.words import tr
 from tracker.base.clock import monotonic
+from tracker.messages import Estimate
 
 THINKING_MS = 1200  # after the last pose: the engine learns of it once images have come
 MOST_ANSWERS = 5  # that are asked for while it is still learning
+
+
+class GuidedResultPage(OutcomePage):
+    keep = Signal()
+    undo = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        names = (self.tr("Measured"), self.tr("Before"), self.tr("After"), self.tr("Change"))
+        self.name_columns(self.tr("What was learned"), names, wide=0)
+        self.keep_button = QPushButton(self.tr("&Keep"))
+        self.keep_button.setDefault(True)
+        self.keep_button.clicked.connect(self.keep)
+        self.undo_button = QPushButton(self.tr("&Undo"))
+        self.undo_button.setToolTip(self.tr("Forget what these poses have taught"))
+        self.undo_button.clicked.connect(self.undo)
+        self.lay_out(self.undo_button, self.keep_button)
+
+    def show_waiting(self) -> None:
+        """Before the engine has answered."""
+        self.tell(self.tr("Evaluating the poses…"), "")
+        self.enable(False)
+
+    def show_learned(self, learned: LearnedWords, held: int, asked: int) -> None:
+        """The engine's answer, after ``held`` of ``asked`` poses."""
+        nothing = self.tr("Your fingers bend as expected.")
+        rows = [
+            (row.what, row.before, row.after, f"▲ {row.change}" if row.is_clear else row.change)
+            for row in learned.rows
+        ]
+        heading = self.tr("{} of {} poses held").format(held, asked)
+        self.tell(heading, "\n".join(learned.words) or nothing, rows)
+        self.enable(True)
+        self.keep_button.setFocus()
+
+    def show_nothing(self, words: str) -> None:
+        """There is nothing to be kept."""
+        self.tell(self.tr("Nothing was learned"), words)
+        self.enable(False)
+        self.again_button.setEnabled(True)
+
+
+class LeadPage(LeadingPage):
+    """Buttons and words; `GuidedDialog` does what they ask."""
+
+    def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
+        super().__init__(setup, background, parent)
+        self.word = self.label("word")
+        self.sound.setToolTip(self.tr("A beep when a pose has been held"))
+        self.insist = QPushButton(self.tr("I &hold it (Enter)"))
+        self.insist.setToolTip(self.tr("Where the pose is held and the ring does not believe it"))
+        self.insist.setProperty("role", "primary")
+        self.skip = QPushButton(self.tr("Skip (S)"))
+        self.repeat = QPushButton(self.tr("Repeat (R)"))
+        for button in (self.skip, self.repeat):
+            button.setAutoDefault(False)
+        buttons = (self.repeat, self.skip, self.stop, self.insist, self.start)
+        self.lay_out((self.words, self.word, self.notes), buttons)
+
+    def show_run(self, run: GuidedRun, t: float, estimate: Estimate | None) -> None:
+        """As it is at the time ``t`` (s)."""
+        waiting = run.phase == GuidedPhase.WAITING
+        if not waiting and self.stage.pose != run.pose:
+            self.stage.show_pose(run.pose)
+        self.stage.refresh(estimate, again=run.phase != GuidedPhase.HOLDING)
+        self.stage.ring.show_share(run.share, colour(run))
+        if waiting:
+            self.words.setText(self.tr("Hold eight poses, each for two seconds"))
+            self.notes.setText(
+                self.tr(
+                    "They show the tracking how your fingers and your thumb bend. It takes half a "
+                    "minute. Do with the glove what the hand on the left does."
+                )
+            )
+        else:
+            self.words.setText(tr(POSE_WORDS[run.pose]))
+            self.notes.setText("")
+        text = word(run, t)
+        self.word.setVisible(bool(text))
+        self.word.setText(text)
+        self.word.setStyleSheet(f"background: {colour(run)}")
+        self.show_chips(chips(run))
+        self._show_buttons(waiting)
+
+    def _show_buttons(self, waiting: bool) -> None:
+        if self.start.isVisibleTo(self) == waiting and self.insist.isVisibleTo(self) != waiting:
+            return
+        self.start.setVisible(waiting)
+        for button in (self.insist, self.skip, self.repeat):
+            button.setVisible(not waiting)
+        main = self.start if waiting else self.insist
+        main.setDefault(True)
+        main.setFocus()
 
 
 class GuidedDialog(LeadingDialog):

@@ -1,17 +1,164 @@
-"""A page that leads: the hand that shows what to do, and large words beside it."""
+"""A page that guides the user: a 3D hand that shows the movement, and large text next to it."""
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Sequence
 
-from PySide6.QtCore import Qt
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
+from app.platform.tasks import JobProgress, LatestJob
+from app.viewmodels.guided_hand import DrawnHand, Shown
+from app.viewmodels.hand_skin import Draped, HandSkin
+from app.viewmodels.states import NEUTRAL
 from app.widgets.measures import FAR
-from app.wizards.leading.stage import PoseStage
+from app.widgets.view3d.scene import DrawnSurface, rgb
+from app.widgets.view3d.shapes import Surface
+from app.widgets.view3d.view_3d import View3D
+from tracker.base.clock import monotonic
+from tracker.messages import Estimate, Validity
 
 NOW = "▶"  # sign of the step that is under way
+
+
+WIDTH = 0.045  # of the ring, of its diameter
+INSET = 6  # px to the border
+TURN = 360 * 16  # Qt's angles are sixteenths of a degree
+TOP = 90 * 16
+
+
+class HoldRing(QWidget):
+    """Lies over another widget, in its middle, and takes no clicks."""
+
+    def __init__(self, over: QWidget) -> None:
+        super().__init__(over)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.share = 0.0
+        self._full, self._empty = QColor("#009E73"), QColor(128, 128, 128, 90)
+
+    def show_share(self, share: float, colour: str) -> None:
+        """``share`` 0..1 of the ring in ``colour``."""
+        self.share = min(max(share, 0.0), 1.0)
+        self._full = QColor(colour)
+        self.setAccessibleName(self.tr("held to {} %").format(round(100 * self.share)))
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        room = min(self.width(), self.height()) - 2 * INSET
+        thick = max(WIDTH * room, 4.0)
+        side = room - thick
+        box = QRectF((self.width() - side) / 2, (self.height() - side) / 2, side, side)
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self._empty, thick))
+        painter.drawEllipse(box)
+        pen = QPen(self._full, thick)
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        painter.setPen(pen)
+        painter.drawArc(box, TOP, -round(self.share * TURN))
+        painter.end()
+
+
+class PoseStage(QWidget):
+    """Draws for one hand; `show_pose` begins the way to a pose, `refresh` goes on with it.
+
+    The wearer's own hand, as it is tracked, lies over the drawn one as an outline.
+    """
+
+    def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._hand = setup.hand
+        self._drawn = DrawnHand(setup.hand)
+        self._skin: HandSkin | None = None
+        self._body: DrawnSurface | None = None
+        self._outline: DrawnSurface | None = None
+        self.before, self.pose, self._since = "", "flat", monotonic()
+        self.view = View3D()
+        self.view.setMinimumSize(240, 240)
+        self.view.set_background(background)
+        self.view.setAccessibleName(self.tr("The pose to be held"))
+        self.ring = HoldRing(self.view)
+        self.view.installEventFilter(self)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.view)
+        self._skins = LatestJob(self.tr("Making the hand's skin"), self)
+
+        def make(_progress: JobProgress) -> HandSkin:
+            return HandSkin(setup.hand, setup.glove)
+
+        self._skins.run(make, self._put_on)
+
+    @property
+    def is_ready(self) -> bool:
+        """Whether there is a hand to be seen."""
+        return self._skin is not None
+
+    def _put_on(self, skin: HandSkin) -> None:
+        scene = self.view.scene
+        if scene is None:
+            return
+        self._skin = skin
+        surface = Surface(skin.skin.faces, skin.part, skin.skin.along)
+        self._body, self._outline = scene.add_surface(surface), scene.add_outline(surface)
+
+    def show_pose(self, pose: str) -> None:
+        """Go from the pose that is shown to this one."""
+        if pose != self.pose:
+            self.before, self.pose = self.pose, pose
+        self._since = monotonic()
+
+    def refresh(self, estimate: Estimate | None, again: bool) -> None:
+        """Draw the hand as it is by now; ``again``: show the way anew after a while."""
+        skin, body = self._skin, self._body
+        if skin is None or body is None:
+            return
+        shown = self._drawn.shown(self.before, self.pose, monotonic() - self._since, again)
+        orbit = self.view.orbit
+        orbit.target, orbit.distance = shown.p_middle, self._drawn.distance()
+        orbit.look_from(shown.eye)
+        draped = _plain(skin, shown)
+        body.drape(draped.points, draped.normals, draped.looks)
+        body.show(True)
+        self._refresh_outline(skin, estimate, shown)
+        self.view.render_scene()
+
+    def _refresh_outline(self, skin: HandSkin, estimate: Estimate | None, shown: Shown) -> None:
+        """The wearer's hand with its back where the drawn one has it."""
+        if self._outline is None:
+            return
+        there = estimate is not None and bool(np.isfinite(estimate.segment_p).all())
+        self._outline.show(there)
+        if there and estimate is not None:
+            root = self._hand.root
+            turn = shown.R[root] @ estimate.segment_R[root].T
+            p = (estimate.segment_p - estimate.segment_p[root]) @ turn.T + shown.p[root]
+            seen = skin.plain(turn @ estimate.segment_R, p)
+            self._outline.drape(seen.points, seen.normals, seen.looks)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self.ring.setGeometry(self.view.rect())
+            self.ring.raise_()
+        return super().eventFilter(watched, event)
+
+    def shut_down(self) -> None:
+        """Wait for the skin and free what the view holds."""
+        self._skins.shut_down()
+        self.view.shut_down()
+
+
+def _plain(skin: HandSkin, shown: Shown) -> Draped:
+    """In no state's colour: it is nobody's hand."""
+    states = np.full(len(shown.R), int(Validity.MEASURED), np.int64)
+    draped = skin.draped(shown.R, shown.p, states)
+    looks = draped.looks.copy()
+    looks[:, :3] = rgb(NEUTRAL)
+    return dataclasses.replace(draped, looks=looks)
 
 
 def foot_row(first: QWidget, rest: Iterable[QWidget]) -> QHBoxLayout:

@@ -103,7 +103,9 @@ def image_choices(
     host: EngineHost, settings: AppSettings, cameras: list[CameraName]
 ) -> list[ImageChoice]:
     """All of them, the likeliest first."""
-    from tracker.simulation.board_camera import BoardCamera
+    from tracker.simulation.board_camera import (
+        BoardCamera,  # deferred: only the demo has a simulated camera
+    )
 
     setup = host.setup
     rig = setup.rig if setup is not None and setup.simulated else ideal_rig()

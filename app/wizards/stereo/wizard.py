@@ -24,8 +24,7 @@ from app.wizards.stereo.board import BoardPage, ImageChoice
 from app.wizards.stereo.board_watcher import Watching
 from app.wizards.stereo.image_choices import folder_choice
 from app.wizards.stereo.import_form import ask_folder, ask_opencv, ask_zed
-from app.wizards.stereo.result import ResultPage
-from app.wizards.stereo.solving import Solving, save_rig
+from app.wizards.stereo.result import ResultPage, Solving, save_rig
 from app.wizards.stereo.views import CheckPage, CollectPage
 from app.words import told, tr
 from tracker.base.errors import GlovetrackError

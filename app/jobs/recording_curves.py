@@ -1,4 +1,4 @@
-"""All signals of a recording, read in the background."""
+"""Jobs that read recordings for curves: all signals, the motion, or two recordings to compare."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.engines.replay.tell_markers import MarkerTeller
-from app.platform.tasks import JobProgress
+from app.platform.tasks import Job, JobProgress
 from app.viewmodels.signal_curves import TakeCurves
 from app.viewmodels.signal_rows import (
     GestureRows,
@@ -21,12 +21,39 @@ from app.viewmodels.signal_rows import (
     status_rows,
 )
 from app.viewmodels.signals import SignalSource
+from app.viewmodels.two_takes import TwoTakes, read_take
+from app.words import tr
+from tracker.base.errors import FileError
 from tracker.live.history import SearchedImage
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Status, Tracking
+from tracker.session.motion import Take
+from tracker.session.motion import read_take as read_motion_of
 from tracker.session.reader import SessionReader
 
 KINDS = (ImuSample, Estimate, BlobFrame, Status)
 AT_ONCE = 500  # estimates or images between two looks whether the job is cancelled
+
+
+def read_motion(path: Path, side: str = "") -> Callable[[JobProgress], Take | None]:
+    """A job; None where the session has no estimates. ``side``: of the hand, of two."""
+
+    def job(progress: JobProgress) -> Take | None:
+        with SessionReader(path, watch=progress, side=side) as reader:
+            try:
+                return read_motion_of(reader)
+            except FileError:
+                return None
+
+    return job
+
+
+def csv_of(text: str, path: Path) -> None:
+    """Write a table. Raises FileError."""
+    try:
+        path.write_text(text, "utf-8", newline="")
+    except OSError as error:
+        words = tr("{} cannot be written: {}.")
+        raise FileError(words.format(path, error.strerror or error)) from error
 
 
 def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], TakeCurves]:
@@ -110,3 +137,18 @@ def _joined(parts: Sequence[Rows]) -> Rows:
     names: Collection[str] = parts[0].columns
     columns = {name: np.concatenate([part.columns[name] for part in parts]) for name in names}
     return Rows(np.concatenate([part.t for part in parts]), columns)
+
+
+def two_takes_job(first: Path, second: Path) -> Job:
+    """A job whose result is a `TwoTakes`; it fails in words where one was never tracked."""
+
+    def run(progress: JobProgress) -> TwoTakes:
+        takes = []
+        for i, path in enumerate((first, second)):
+            progress(i / 2, path.name)
+            takes.append(read_take(path))
+            if not len(takes[-1].t):
+                raise FileError(tr("{} is not tracked: track it again first.").format(path.name))
+        return TwoTakes(*takes)
+
+    return run

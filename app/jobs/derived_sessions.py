@@ -1,4 +1,4 @@
-"""Gaps of a session: listed for the review, and filled in a new file."""
+"""Jobs that make a new session file from another one: crop, fill gaps, recover."""
 
 from __future__ import annotations
 
@@ -10,6 +10,39 @@ from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.gaps import FilledSession, Gap, SessionGaps
 from tracker.base.errors import FileError
+from tracker.base.files import free_path
+from tracker.session.gaps.find import KINDS, session_gaps
+from tracker.session.reader import SessionReader
+from tracker.session.recover import recover
+
+
+def recover_job(path: Path) -> Job:
+    """A job that copies what can be read to ``…_recovered.mcap``."""
+
+    def run(progress: JobProgress) -> Path:
+
+        progress(-1.0, path.name)
+        return recover(path).path
+
+    return run
+
+
+def crop_job(source: Path, part: tuple[float, float]) -> Job:
+    """A job that copies ``part`` (s of the replay) to ``…_crop.mcap``, or leaves none."""
+
+    def run(progress: JobProgress) -> Path:
+        out: Path = aside("crop", partial(_crop, source, part), progress)
+        return out
+
+    return run
+
+
+def _crop(source: Path, part: tuple[float, float], progress: Callable[..., None]) -> Path:
+    from tracker.offline.crop import crop  # deferred: loads SciPy
+
+    out = free_path(source.with_name(f"{source.stem}_crop{source.suffix}"))
+    crop(source, out, *part, progress)
+    return out
 
 
 def list_gaps_job(path: Path, limit: float) -> Job:
@@ -17,8 +50,6 @@ def list_gaps_job(path: Path, limit: float) -> Job:
     of *inferred* that are not listed."""
 
     def run(progress: JobProgress) -> SessionGaps:
-        from tracker.session.gaps.find import session_gaps
-        from tracker.session.reader import SessionReader
 
         with SessionReader(path) as reader:
             edits, start = reader.edits, reader.span_ns[0]
@@ -52,10 +83,8 @@ def _fill(
     limit: float,
     progress: Callable[..., None],
 ) -> FilledSession:
-    from tracker.base.files import free_path
-    from tracker.offline.fill import fill
-    from tracker.session.gaps.fill import FillOptions
-    from tracker.session.gaps.find import KINDS
+    from tracker.offline.fill import fill  # deferred: loads SciPy
+    from tracker.session.gaps.fill import FillOptions  # deferred: loads SciPy
 
     out = free_path(source.with_name(f"{source.stem}_filled{source.suffix}"))
     options = FillOptions(method, max_gap, KINDS)
