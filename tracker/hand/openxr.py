@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from tracker.geometry.kernels import quats
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS, KEYPOINTS
 from tracker.messages import Array, Estimate, IntArray, Validity
@@ -33,6 +34,8 @@ JOINTS = (
 """In the order of XrHandJointEXT."""
 
 PALM_JOINT, WRIST = JOINTS.index("palm"), JOINTS.index("wrist")
+KNUCKLES = [JOINTS.index(f"{f}_proximal") for f in FINGERS]
+METACARPALS = [JOINTS.index(f"{f}_metacarpal") for f in FINGERS]
 
 KEYPOINT_OF = {
     "wrist": "wrist",
@@ -143,33 +146,41 @@ def keypoint_rows(keypoint_names: Sequence[str]) -> tuple[int, ...]:
 
 def _add_palm(p: Array, q: Array, state: IntArray) -> None:
     """Palm and finger metacarpals, from the wrist and the knuckles where both are known."""
-    for finger in FINGERS:
-        knuckle = JOINTS.index(f"{finger}_proximal")
-        known = (state[..., WRIST] != Validity.LOST) & (state[..., knuckle] != Validity.LOST)
-        if not known.any():
-            continue
-        j = JOINTS.index(f"{finger}_metacarpal")
-        wrist, q_wrist = p[known, WRIST], q[known, WRIST]
-        along = p[known, knuckle] - wrist
-        p[known, j], q[known, j] = wrist + METACARPAL_BASE * along, _along(along, q_wrist)
-        state[known, j] = Validity.INFERRED
-        if finger == "middle":
-            p[known, PALM_JOINT], q[known, PALM_JOINT] = wrist + PALM * along, q_wrist
-            state[known, PALM_JOINT] = Validity.INFERRED
+    known = (state[..., WRIST, None] != Validity.LOST) & (state[..., KNUCKLES] != Validity.LOST)
+    wrist, q_wrist = p[..., WRIST, None, :], q[..., WRIST, None, :]
+    along = p[..., KNUCKLES, :] - wrist
+    p_found, q_found = wrist + METACARPAL_BASE * along, _along(along, q_wrist)
+    for column, j in enumerate(METACARPALS):
+        has = known[..., column]
+        p[has, j], q[has, j] = p_found[has, column], q_found[has, column]
+        state[has, j] = Validity.INFERRED
+    middle = KNUCKLES.index(JOINTS.index("middle_proximal"))
+    has = known[..., middle]
+    p[has, PALM_JOINT] = (wrist + PALM * along)[has, middle]
+    q[has, PALM_JOINT] = q_wrist[has, 0]
+    state[has, PALM_JOINT] = Validity.INFERRED
 
 
 def _along(bone: Array, q_wrist: Array) -> Array:
-    """(n, 4) joints whose -z is along ``bone`` (n, 3), with y as near to the wrist's as can be."""
-    from scipy.spatial.transform import Rotation  # here: it loads much that a start does without
+    """(..., 4) joints whose -z is along ``bone`` (..., 3), with y as near to that of the wrist's
+    (..., 4) as can be."""
+    z = _unit(-bone)
+    x = _unit(_cross(_y_axis(q_wrist), z))
+    R = np.stack([x, _cross(z, x), z], axis=-1)
+    return quats(np.ascontiguousarray(R.reshape(-1, 3, 3))).reshape(*bone.shape[:-1], 4)
 
-    z = -bone / np.linalg.norm(bone, axis=-1, keepdims=True)
-    x = np.cross(_y_axis(q_wrist), z)
-    x /= np.linalg.norm(x, axis=-1, keepdims=True)
-    R = np.stack([x, np.cross(z, x), z], axis=-1)
-    return np.asarray(Rotation.from_matrix(R).as_quat(canonical=True))
+
+def _unit(v: Array) -> Array:
+    return np.asarray(v / np.sqrt((v * v).sum(axis=-1, keepdims=True)))
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """As np.cross, in a tenth of its time for a few rows."""
+    ahead, behind = [1, 2, 0], [2, 0, 1]
+    return np.asarray(a[..., ahead] * b[..., behind] - a[..., behind] * b[..., ahead])
 
 
 def _y_axis(q: Array) -> Array:
-    """(n, 3) second columns of the rotations q (n, 4)."""
-    x, y, z, w = q.T
+    """(..., 3) second columns of the rotations q (..., 4)."""
+    x, y, z, w = np.moveaxis(q, -1, 0)
     return np.stack([2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)], axis=-1)
