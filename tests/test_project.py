@@ -245,6 +245,8 @@ CLOCKS = {
     "extensions/foxglove/live.py": "stamps of the wall clock, which clients want",
     "tracker/streaming/streams.py": "how many a second were sent, for display",
     "extensions/lsl/outlet.py": "the default of a clock that is handed over",
+    "extensions/openxr/publisher.py": "the default of a clock that is handed over",
+    "extensions/openxr/readers.py": "when an application last read the hand",
     "tracker/base/workers.py": "how long is left",
 }
 """Who reads a clock, and what for. Filters never do: a session read back gives the same states."""

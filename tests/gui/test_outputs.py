@@ -65,7 +65,7 @@ def panel(window, motors, qtbot):
 
 def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
     assert not any(box.isChecked() for box in panel.boxes.values())
-    assert list(panel.boxes) == ["udp", "websocket", "vmc", "lsl", "foxglove", "isaac"]
+    assert list(panel.boxes) == [*("udp", "websocket", "vmc", "openxr", "lsl", "foxglove", "isaac")]
     assert panel.address.text() == "127.0.0.1"
     assert all(window.outputs.counts(name) is None for name in (*panel.boxes, HAPTICS))
 

@@ -25,7 +25,7 @@ from tracker.streaming.registry import (
     with_streams,
 )
 
-ALL = ["udp", "websocket", "vmc", "lsl", "foxglove", "isaac"]
+ALL = ["udp", "websocket", "vmc", "openxr", "lsl", "foxglove", "isaac"]
 PORTS = {"udp": 9750, "websocket": 9751, "vmc": 39540, "foxglove": 8765}
 
 

@@ -1,0 +1,109 @@
+"""From estimates to the joints that an API layer may report: all of them, or no hand.
+
+A layer must not call a hand active unless every joint has a pose. A joint that is lost therefore
+keeps its last pose relative to the wrist for `HOLD`, with state lost and without a velocity; after
+that, and whenever the wrist is lost, the hand is inactive.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from extensions.openxr.layout import JOINT, Velocity
+from extensions.openxr.quaternions import inverse, product, rotate, rotation_vector
+from tracker.hand.openxr import JOINTS, WRIST, OpenXrHand, keypoint_rows
+from tracker.messages import Array, Estimate, Validity
+from tracker.streaming.payload import openxr_of
+from tracker.streaming.publisher import Names, StreamError
+
+HOLD = 1.0  # s for which a lost joint keeps its pose on the hand
+SPAN = 0.015  # s over which a velocity is a difference at least; half of it is its delay
+LONGEST_SPAN = 0.05  # s, beyond which a difference is no velocity
+JointArray = NDArray[np.void]
+"""(26,) of `JOINT`."""
+NONE = np.zeros(len(JOINTS), JOINT)
+
+
+class Poses(NamedTuple):
+    """p (26, 3) m and q (26, 4) xyzw of one instant; ``known`` (26,) bool."""
+
+    t: float
+    p: Array
+    q: Array
+    known: NDArray[np.bool_]
+
+
+class Joints(NamedTuple):
+    """``array`` (26,) of `JOINT`, None while the hand is inactive."""
+
+    array: JointArray | None
+    velocity: Velocity
+
+
+class JointSeries:
+    """The joints of one hand, estimate by estimate in order of time.
+
+    Raises StreamError if the hand lacks one of OpenXR's joints.
+    """
+
+    def __init__(self, names: Names) -> None:
+        self._names = names
+        self._radii = np.array(names.radii)
+        if not np.isfinite(self._radii).all():
+            lacking = ", ".join(n for n, r in zip(JOINTS, names.radii, strict=True) if r != r)
+            raise StreamError(f"The hand lacks joints that OpenXR requires: {lacking}.")
+        self._rows = np.array(keypoint_rows(names.keypoints))
+        self._seen = np.full(len(JOINTS), -np.inf)  # s, when each joint last had a pose
+        self._p_W = np.zeros((len(JOINTS), 3))  # m in the wrist's axes, at that time
+        self._q_W = np.tile([0.0, 0.0, 0.0, 1.0], (len(JOINTS), 1))
+        self._before: deque[Poses] = deque()
+
+    def add(self, estimate: Estimate) -> Joints:
+        """The joints of the next estimate."""
+        hand = openxr_of(estimate, self._names)
+        known = hand.state != Validity.LOST
+        poses = self._poses(hand, known) if known[WRIST] else None
+        if poses is None:
+            self._before.clear()
+            return Joints(None, Velocity.UNKNOWN)
+        out = NONE.copy()
+        out["position"], out["orientation"] = poses.p, poses.q
+        out["radius"], out["state"] = self._radii, hand.state
+        out["sd"] = np.where(
+            (self._rows >= 0) & known, estimate.keypoint_sd[np.maximum(self._rows, 0)], np.nan
+        )
+        out["linear_sd"] = out["angular_sd"] = np.nan
+        velocity = self._add_velocities(out, poses)
+        self._before.append(poses)
+        return Joints(out, velocity)
+
+    def _poses(self, hand: OpenXrHand, known: NDArray[np.bool_]) -> Poses | None:
+        """Every joint's, those that are lost where they were on the hand; None without such."""
+        p, q = hand.position, hand.orientation
+        back = inverse(q[WRIST])
+        self._seen[known] = hand.t
+        self._p_W[known] = rotate(back, p[known] - p[WRIST])
+        self._q_W[known] = product(back, q[known])
+        if (self._seen < hand.t - HOLD).any():
+            return None
+        if not known.all():
+            p = np.where(known[:, None], p, p[WRIST] + rotate(q[WRIST], self._p_W))
+            q = np.where(known[:, None], q, product(q[WRIST], self._q_W))
+        return Poses(hand.t, p, q, known)
+
+    def _add_velocities(self, out: JointArray, now: Poses) -> Velocity:
+        """Differences from the newest poses that are `SPAN` old; NaN of joints without such."""
+        out["linear"], out["angular"] = np.nan, np.nan
+        while len(self._before) > 1 and now.t - self._before[1].t >= SPAN:
+            self._before.popleft()
+        if not self._before or not SPAN <= now.t - self._before[0].t <= LONGEST_SPAN:
+            return Velocity.UNKNOWN
+        before = self._before[0]
+        dt, known = now.t - before.t, now.known & before.known
+        out["linear"][known] = ((now.p - before.p) / dt)[known]
+        out["angular"][known] = rotation_vector(product(now.q, inverse(before.q)))[known] / dt
+        return Velocity.DIFFERENCE
