@@ -247,6 +247,23 @@ class FrameResult(_Frozen):
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class Motion(_Frozen):
+    """How the hand of an `Estimate` moves, row by row as there; NaN where unknown.
+
+    linear (K, 3) m/s of the keypoints and angular (K, 3) rad/s of the segments that start there,
+    both in G; linear_sd, angular_sd (K,) are roots of the mean variance of their axes. angle_rate,
+    angle_rate_sd (J,) rad/s.
+    """
+
+    linear: Array
+    angular: Array
+    linear_sd: Array
+    angular_sd: Array
+    angle_rate: Array
+    angle_rate_sd: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Estimate(_Frozen):
     """The hand at one instant.
 
@@ -254,6 +271,7 @@ class Estimate(_Frozen):
     order of ``HandModel.keypoint_names`` then the glove's extra ones; NaN where lost.
     angles (J,) rad in the order of ``HandModel.joint_names``; NaN where lost. keypoint_sd (K,) m is
     the root of the mean variance of a keypoint. segment_R (S, 3, 3), segment_p (S, 3): R_GB, p_GB.
+    ``motion`` is what an engine estimates at a packet; None in predictions and recordings.
     """
 
     t: float
@@ -266,6 +284,7 @@ class Estimate(_Frozen):
     angle_state: IntArray
     segment_R: Array
     segment_p: Array
+    motion: Motion | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -20,6 +20,8 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.hybrid_params import HybridParams
+from tracker.fusion.output.completion import ActiveSegments
+from tracker.fusion.output.motion import JOINT_RATE_SD, linked_rates, moving
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -45,6 +47,7 @@ from tracker.messages import (
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
 from tracker.vision.rig import StereoRig
 
+GYRO_SD = 0.15  # rad/s an axis of a finger's rate: bias and mounting are not estimated
 FINGER_SD = 0.01  # m of a finger's markers, by the finger's two IMUs alone
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
 
@@ -120,7 +123,27 @@ class HybridEngine(Engine):
         if dorsum.tracking != Tracking.SEARCHING:
             self._update_fingers(sample, dorsum.segment_R[0])
         self._fingers.last_t = sample.t
-        return self._whole(dorsum, sample.t)
+        return self._moving(self._whole(dorsum, sample.t), dorsum, sample)
+
+    def _moving(self, estimate: Estimate, dorsum: Estimate, sample: ImuSample) -> Estimate:
+        """The estimate with the dorsum's motion, and fingers that turn as their IMUs read."""
+        if dorsum.motion is None:
+            return estimate
+        lay, at = self._layout, self._hand.keypoint_names.index("wrist")
+        active = np.ascontiguousarray(lay.active)
+        R, p = estimate.segment_R[active], estimate.segment_p[active]
+        w, w_sd = np.zeros((len(R), 3)), np.full(len(R), GYRO_SD)
+        w[0], w_sd[0] = R[0].T @ dorsum.motion.angular[at], dorsum.motion.angular_sd[at]
+        for i in range(1, len(R)):
+            j, a = lay.imu_of[i], lay.parent[i]
+            if j >= 0 and sample.valid[j]:
+                w[i] = self._glove.imus[j].R_BI @ sample.gyro[j]
+            else:
+                w[i], w_sd[i] = R[i].T @ R[a] @ w[a], np.hypot(w_sd[a], JOINT_RATE_SD)
+        segments = ActiveSegments(R, p, np.ones((len(R), 3)))
+        v, v_sd = dorsum.motion.linear[at].copy(), float(dorsum.motion.linear_sd[at])
+        rates = linked_rates(lay.parent, segments, v, w, v_sd, w_sd)
+        return moving(self._output, estimate, segments, rates)
 
     def _of_root(self, sample: ImuSample) -> ImuSample:
         j = slice(self._root, self._root + 1)

@@ -74,6 +74,7 @@ class ChainEngine(Engine):
         check_variant(params.guide, params.coupling)
         self._layout = ChainLayout(hand, glove)
         buffer = ImuBuffer(len(glove.imus))
+        self._buffer = buffer
         self._tracker = self._make_tracker(rig, params, buffer, tape)
         match = params.match
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
@@ -89,7 +90,7 @@ class ChainEngine(Engine):
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
-        return self._estimate(self._timeline.feed_imu(sample), sample.t)
+        return self._of_packet(self._timeline.feed_imu(sample), sample.t)
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen; processed once IMU data cover its exposure."""
@@ -151,6 +152,12 @@ class ChainEngine(Engine):
 
     def _estimate(self, state: ChainState, t: float) -> Estimate:
         return self._tracker.shown.estimate(state, t, self.tracking, self._tracker.state)
+
+    def _of_packet(self, state: ChainState, t: float) -> Estimate:
+        """As `_estimate`, with the motion where the packet of ``t`` was taken."""
+        newest, tracker = self._buffer.newest, self._tracker
+        packet = newest if newest is not None and newest.t == t else None
+        return tracker.shown.estimate(state, t, self.tracking, tracker.state, packet)
 
     # ---- what there is
 

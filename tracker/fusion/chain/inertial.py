@@ -90,7 +90,7 @@ class InertialEngine(ChainEngine):
         if self.tracking == Tracking.SEARCHING and self._inertial.begin():
             self._timeline.rebuild_head()
             state = self._timeline.head_at(sample.t)
-        return self._estimate(state, sample.t)
+        return self._of_packet(state, sample.t)
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Nothing is made of an image."""

@@ -17,6 +17,7 @@ from tracker.fusion.chain.layout import Blocks, ChainLayout, Drive
 from tracker.fusion.chain.params import ChainParams, RandomWalks
 from tracker.fusion.chain.state import ChainState, Dynamic, ImuErrors
 from tracker.fusion.engine import COAST_DAMPING
+from tracker.fusion.output.motion import JOINT_RATE_SD
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Moment, Packets, cut
 from tracker.geometry.kernels import exp3, mul3, rotate, rotate_all, rotate_back, skew3, tmul3
 from tracker.kernels import kernel
@@ -158,6 +159,38 @@ def body_rates(
                 relative = w[s] - rotate_back(R_GB[s], rotate(R_GB[parent[s]], w[parent[s]]))
                 w[i, 1] += drive.gain[i, 0] * relative[1]
     return w
+
+
+@kernel(nogil=False)
+def rates_now(
+    drive: Drive,
+    at: Blocks,
+    R_GB: Stack,
+    imus: ImuErrors,
+    P: Matrix,
+    gyro: Matrix,
+    valid: BoolVector,
+    gyro_sd: float,
+) -> tuple[Matrix, Vector]:
+    """(A, 3) rad/s of each active segment in its own B by readings gyro (n, 3), and (A,) rad/s how
+    sure they are on each axis: by ``gyro_sd`` (rad/s) and, in P (N, N), bias and mounting."""
+    w = body_rates(drive, R_GB, imus, gyro, valid)
+    sd = np.empty(len(w))
+    for i in range(len(w)):
+        j, a = drive.imu_of[i], drive.parent[i]
+        if j >= 0 and valid[j]:
+            turn2 = w[i, 0] ** 2 + w[i, 1] ** 2 + w[i, 2] ** 2
+            bg, phi = _mean_variance(P, at.bg + 3 * j), _mean_variance(P, at.phi + 3 * j)
+            sd[i] = np.sqrt(gyro_sd**2 + bg + turn2 * phi)
+        else:
+            sd[i] = np.sqrt((sd[a] ** 2 if a >= 0 else 0.0) + JOINT_RATE_SD**2)
+    return w, sd
+
+
+@kernel
+def _mean_variance(P: Matrix, first: int) -> float:
+    """Of three error states in P (N, N)."""
+    return (P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
 
 
 @kernel

@@ -14,6 +14,7 @@ from tracker.fusion.chain.driven_ends import EndsSureness
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
 from tracker.fusion.chain.layout import ChainLayout, V, digit_of
 from tracker.fusion.chain.params import NoiseParams
+from tracker.fusion.chain.propagate import rates_now
 from tracker.fusion.chain.start.mono_start import (
     KNOWN_SIZE_SD,
     MonoParams,
@@ -25,9 +26,11 @@ from tracker.fusion.chain.start.mono_start import (
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tracking import DOUBT_AFTER
-from tracker.fusion.output.completion import Completion
+from tracker.fusion.output.completion import ActiveSegments, Completion
+from tracker.fusion.output.motion import linked_rates, moving
 from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed, sensed_lately
 from tracker.fusion.time.timeline import HAND_SPEED, behind_variance
+from tracker.geometry.kernels import cross3
 from tracker.messages import (
     SEEN_LATELY,
     Array,
@@ -41,6 +44,7 @@ from tracker.messages import (
 MEASURED_SD = 0.016  # m, beyond which nothing is called measured: three of them are 5 cm
 BIAS_LASTS = 2.0  # s for which an error of the gyro's bias stays about the vertical
 SILENT = 0.5  # s without any IMU after which images alone measure nothing
+RATE_LASTS = 0.1  # s for which a gyroscope's error persists: mostly scale and moving cloth
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -236,18 +240,53 @@ class ShownHand:
     # ---- messages
 
     def estimate(
-        self, state: ChainState, t: float, tracking: Tracking, past: ChainState
+        self,
+        state: ChainState,
+        t: float,
+        tracking: Tracking,
+        past: ChainState,
+        packet: ImuSample | None = None,
     ) -> Estimate:
-        """The hand of a nominal state at ``t``, which was carried there from ``past``."""
+        """The hand of a nominal state at ``t``, which was carried there from ``past``; with its
+        motion where ``packet`` is what the IMUs read at ``t``."""
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
         variance = self.tip_sd**2 + ahead + behind_variance(state.t, t) + self._doubt_variance(t)
-        estimate = self.estimate_of(state, t, self.sensed(t, tracking), np.sqrt(variance))
-        return called_measured(estimate, self.kept.most_sd)
+        sensed = self.sensed(t, tracking)
+        estimate = called_measured(
+            self.estimate_of(state, t, sensed, np.sqrt(variance)), self.kept.most_sd
+        )
+        return estimate if packet is None else self._moving(estimate, state, past, packet)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
         """The hand of a nominal state whose segments' ends are as sure as sd (A,) m."""
-        p_GB = segment_positions(state, self._layout)
-        return self._output.estimate(t, state.R_GB, p_GB, state.scale3(), sensed, sd)
+        active = self._active(state)
+        return self._output.estimate(t, *active, sensed, sd)
+
+    def _active(self, state: ChainState) -> ActiveSegments:
+        return ActiveSegments(state.R_GB, segment_positions(state, self._layout), state.scale3())
+
+    def _moving(
+        self, estimate: Estimate, state: ChainState, past: ChainState, packet: ImuSample
+    ) -> Estimate:
+        """The estimate with the motion that the IMUs and the state's velocity give."""
+        if estimate.tracking == Tracking.SEARCHING:
+            return estimate
+        lay, active = self._layout, self._active(state)
+        readings = packet.gyro.copy(), np.array(packet.valid, np.bool_)
+        v_sd, gyro_sd = self._velocity_sd(past, estimate.t), self._noise.gyro / RATE_LASTS**0.5
+        w, w_sd = rates_now(
+            lay.drive, lay.blocks, state.R_GB, state.imus, past.P, *readings, gyro_sd
+        )
+        v = state.v + state.R_GB[0] @ cross3(w[0], state.R_GB[0].T @ (active.p[0] - state.p))
+        rates = linked_rates(lay.parent, active, v, w, v_sd, w_sd)
+        return moving(self._output, estimate, active, rates)
+
+    def _velocity_sd(self, past: ChainState, t: float) -> float:
+        """m/s an axis, of the root's IMU at ``t``, carried there from ``past``."""
+        variance = velocity_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
+        if len(self.kept.doubted) and self.kept.doubted.all():
+            variance += HAND_SPEED**2
+        return float(np.sqrt(variance))
 
     def markers(self, state: ChainState) -> tuple[Array, Array, IntArray]:
         """Markers of a nominal state in G (M, 3), their sd (M,) m and ids (M,)."""
@@ -267,6 +306,17 @@ def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, t
     bias = _mean_variance(state.P, at.ba) if layout.imu_of[0] >= 0 else 0.0
     pull = GRAVITY**2 * tilt + bias
     return velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
+
+
+def velocity_variance(
+    state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float
+) -> float:
+    """m²/s² an axis of the root's velocity after its nominal state alone was carried on for
+    ``tau`` s, as `ahead_variance`."""
+    at = layout.blocks
+    bias = _mean_variance(state.P, at.ba) if layout.imu_of[0] >= 0 else 0.0
+    pull = GRAVITY**2 * _mean_variance(state.P, at.theta) + bias
+    return _mean_variance(state.P, V) + pull * tau**2 + noise.accel**2 * tau
 
 
 def _mean_variance(P: Array, first: int) -> float:

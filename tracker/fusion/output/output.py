@@ -68,7 +68,8 @@ class Sensed:
 
 
 class HandOutput:
-    """Builds estimates for one hand with one glove."""
+    """Builds estimates for one hand with one glove; `moving` adds to them how
+    the hand moves, by the same tables ``complete``, ``keypoints`` and ``angles``."""
 
     def __init__(self, segments: EstimatedSegments, driven: Sequence[int] = ()) -> None:
         """``driven`` are segments of the hand that are not estimated, but whose ends' standard
@@ -82,7 +83,7 @@ class HandOutput:
         moves_with, end_of = segments.glove.keypoint_segments(hand), self._far_ends()
         offset = [hand.keypoint_offset, *(k.position[None] for k in segments.glove.keypoints)]
         offsets = np.concatenate(offset)
-        self._keypoints = Keypoints(
+        self.keypoints = Keypoints(
             moves_with,
             offsets,
             end_of,
@@ -92,7 +93,7 @@ class HandOutput:
         columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
         child, axis = np.nonzero(columns >= 0)
         column = np.ascontiguousarray(columns[child, axis], np.int64)
-        self._angles = Angles(np.ascontiguousarray(child), np.maximum(parent[child], 0), column)
+        self.angles = Angles(np.ascontiguousarray(child), np.maximum(parent[child], 0), column)
 
     def estimate(
         self, t: float, R: Array, p: Array, scale3: Array, sensed: Sensed, active_sd: Array
@@ -107,7 +108,7 @@ class HandOutput:
         coasting = sensed.tracking == Tracking.COASTING
         lost = sensed.tracking == Tracking.LOST
         points, q, state, sd, angles, angle_state, R_all, p_all = whole_hand(
-            self.complete.tables, self._keypoints, self._angles, ActiveSegments(R, p, scale3),
+            self.complete.tables, self.keypoints, self.angles, ActiveSegments(R, p, scale3),
             sensed.segments, active_sd, coasting, lost,
         )  # fmt: skip
         return Estimate(t, sensed.tracking, points, q, state, sd, angles, angle_state, R_all, p_all)

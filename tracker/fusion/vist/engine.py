@@ -12,13 +12,15 @@ from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.shown import called_measured
 from tracker.fusion.engine import Engine, ExpectedHand
+from tracker.fusion.output.completion import ActiveSegments
+from tracker.fusion.output.motion import moving
 from tracker.fusion.output.output import HandOutput
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import positions
-from tracker.fusion.vist.reports import calibration_of
+from tracker.fusion.vist.reports import calibration_of, rates_of
 from tracker.fusion.vist.state import VistState
 from tracker.fusion.vist.tracker import VistTracker, VistTrackerKept
 from tracker.glove.model import GloveModel
@@ -62,6 +64,7 @@ class VistEngine(Engine):
         check_variant(params.match.guide, params.coupling)
         self._layout = VistLayout(hand, glove)
         buffer, timing = ImuBuffer(len(glove.imus)), params.tracking
+        self._buffer = buffer
         self._tracker = VistTracker(self._layout, rig, params, buffer)
         self._timeline = Timeline(self._tracker, buffer, timing.lost_after, timing.max_frame_delay)
         self._output = HandOutput(self._layout.chain)
@@ -70,7 +73,13 @@ class VistEngine(Engine):
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
-        return self._estimate(self._timeline.feed_imu(sample), sample.t)
+        state = self._timeline.feed_imu(sample)
+        estimate, newest = self._estimate(state, sample.t), self._buffer.newest
+        if estimate.tracking == Tracking.SEARCHING or newest is None or newest.t != sample.t:
+            return estimate
+        active = ActiveSegments(state.R_GB, state.p_GB(self._layout), state.scale)
+        rates = rates_of(self._layout, state, self._tracker.state, newest)
+        return moving(self._output, estimate, active, rates)
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen; processed once IMU data cover its exposure."""

@@ -6,6 +6,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.output.motion import JOINT_RATE_SD, Rates
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, V, VistLayout
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.params import VistNoise
@@ -17,11 +18,14 @@ from tracker.messages import (
     Calibration,
     CameraPose,
     FrameResult,
+    ImuSample,
     IntArray,
     Tracking,
 )
 from tracker.vision.rig import Camera, StereoRig
 from tracker.vision.visibility import both_cameras
+
+GYRO_SD = 0.03  # rad/s an axis, of what a gyroscope reads
 
 
 def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
@@ -52,6 +56,24 @@ def ahead_variance(state: VistState, layout: VistLayout, noise: VistNoise, tau: 
     pull = GRAVITY**2 * tilt + bias
     gained: Array = velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
     return gained
+
+
+def rates_of(layout: VistLayout, state: VistState, past: VistState, packet: ImuSample) -> Rates:
+    """How the segments of ``state`` move at the instant of ``packet``; ``past`` has its covariance.
+    A segment whose IMU is silent turns with its parent."""
+    variance = np.diagonal(past.P).reshape(layout.n, ERRORS)
+    v_var, bias, mounting = (variance[:, k : k + 3].mean(axis=1) for k in (V, BG, PHI))
+    j, R_GB = layout.imu_of, state.R_GB
+    w = np.einsum("nji,nj->ni", state.R_IB, packet.gyro[j] - state.bg)
+    w_var = GYRO_SD**2 + bias + (w * w).sum(axis=1) * mounting
+    for i in np.flatnonzero(~packet.valid[j]):
+        a = layout.chain.parent[i]
+        w[i] = R_GB[i].T @ R_GB[a] @ w[a] if a >= 0 else 0.0
+        w_var[i] = (w_var[a] if a >= 0 else 0.0) + JOINT_RATE_SD**2
+    lever = np.einsum("nij,nj->ni", R_GB, state.scale * layout.imu_position)
+    v = state.v_GI - np.cross(np.einsum("nij,nj->ni", R_GB, w), lever)
+    v_sd = np.sqrt(v_var + 2 / 3 * (lever * lever).sum(axis=1) * w_var)
+    return Rates(v, w, v_sd, np.sqrt(w_var))
 
 
 def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:

@@ -1,0 +1,122 @@
+"""How fast the whole hand moves, from how fast the segments of a filter move."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.fusion.output.completion import ActiveSegments, HandTables, complete
+from tracker.fusion.output.output import Angles, HandOutput, Keypoints, keypoint_positions
+from tracker.geometry.kernels import cross3, log3, mul3, rotate, rotate_all
+from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.messages import Estimate, Motion, Tracking
+
+STEP = 1e-5  # s over which the completed hand is differentiated
+JOINT_RATE_SD = 0.8
+"""rad/s: standard deviation of the rate of a joint that no IMU senses, about what its synergy or
+its parent gives: the 22° of `INFERRED_DEG` within a movement of half a second."""
+
+
+class Rates(NamedTuple):
+    """How A active segments move: v (A, 3) m/s of p_GB in G, w (A, 3) rad/s in B, and their
+    standard deviations on each axis, v_sd (A,) m/s and w_sd (A,) rad/s."""
+
+    v: Matrix
+    w: Matrix
+    v_sd: Vector
+    w_sd: Vector
+
+
+class WholeHand(NamedTuple):
+    """What `hand_motion` differentiates: R_GB (S, 3, 3), p_GB (S, 3) m, points (K, 3) m in G and
+    angles (J,) rad, as in an `Estimate`."""
+
+    R: Stack
+    p: Matrix
+    points: Matrix
+    angles: Vector
+
+
+def moving(
+    output: HandOutput, estimate: Estimate, active: ActiveSegments, rates: Rates
+) -> Estimate:
+    """The estimate that ``output`` made of ``active``, with how it moves."""
+    if estimate.tracking == Tracking.SEARCHING:
+        return estimate
+    e = estimate
+    now = WholeHand(e.segment_R, e.segment_p, e.keypoints, e.angles)
+    tables = output.complete.tables, output.keypoints, output.angles
+    return replace(e, motion=Motion(*hand_motion(*tables, active, rates, now)))
+
+
+@kernel(nogil=False)
+def linked_rates(
+    parent: IntVector, active: ActiveSegments, v: Vector, w: Matrix, v_sd: float, w_sd: Vector
+) -> Rates:
+    """`Rates` of segments that hang together: the root's origin moves with v (3,) m/s, as surely as
+    ``v_sd``; the segments turn with w (A, 3) rad/s in B, as surely as w_sd (A,); parent (A,)."""
+    n = len(parent)
+    v_all, sd = np.empty((n, 3)), np.empty(n)
+    v_all[0], sd[0] = v, v_sd
+    for i in range(1, n):
+        a = parent[i]
+        lever = active.p[i] - active.p[a]
+        v_all[i] = v_all[a] + cross3(rotate(active.R[a], w[a]), lever)
+        sd[i] = np.sqrt(sd[a] ** 2 + _lever_variance(lever, w_sd[a] ** 2))
+    return Rates(v_all, w, sd, w_sd)
+
+
+@kernel(nogil=False)
+def hand_motion(
+    hand: HandTables,
+    keypoints: Keypoints,
+    angles_of: Angles,
+    active: ActiveSegments,
+    rates: Rates,
+    now: WholeHand,
+) -> tuple[Matrix, Matrix, Vector, Vector, Vector, Vector]:
+    """The fields of a `Motion`, in their order: the derivative of the completed hand."""
+    # 1. the same hand a moment later
+    R_next = rotate_all(active.R, rates.w * STEP)
+    p_next = active.p + rates.v * STEP
+    R, p, scale, angles, _ = complete(hand, ActiveSegments(R_next, p_next, active.scale))
+    points, _ = keypoint_positions(keypoints, R, p, scale)
+    linear, angle_rate = (points - now.points) / STEP, (angles - now.angles) / STEP
+    # 2. variances on each axis
+    v_var, w_var = _variances(hand, rates, now.p)
+    angular, linear_sd = np.empty_like(linear), np.empty(len(linear))
+    angular_sd, rate_sd = np.empty(len(linear)), np.empty(len(angles))
+    for k in range(len(linear)):
+        s = keypoints.segment[k]
+        angular[k] = log3(mul3(R[s], now.R[s].T)) / STEP
+        linear_sd[k] = np.sqrt(v_var[s] + _lever_variance(now.points[k] - now.p[s], w_var[s]))
+        angular_sd[k] = np.sqrt(w_var[s])
+    for j in range(len(angles_of.column)):
+        both = w_var[angles_of.child[j]] + w_var[angles_of.parent[j]]
+        rate_sd[angles_of.column[j]] = np.sqrt(both)
+    return linear, angular, linear_sd, angular_sd, angle_rate, rate_sd
+
+
+@kernel
+def _variances(hand: HandTables, rates: Rates, p: Matrix) -> tuple[Vector, Vector]:
+    """(S,) m²/s² of each segment's origin and (S,) rad²/s² of its rotation, on each axis."""
+    parent, row = hand.parent, hand.row
+    v, w = np.empty(len(parent)), np.empty(len(parent))
+    for i in range(len(parent)):
+        a = parent[i]
+        if row[i] >= 0:
+            v[i], w[i] = rates.v_sd[row[i]] ** 2, rates.w_sd[row[i]] ** 2
+        else:
+            v[i] = v[a] + _lever_variance(p[i] - p[a], w[a])
+            w[i] = w[a] + JOINT_RATE_SD**2
+    return v, w
+
+
+@kernel
+def _lever_variance(lever: Vector, w_var: float) -> float:
+    """m²/s², mean of three axes, of w x lever for an angular velocity of variance ``w_var`` on each
+    axis."""
+    return 2.0 / 3.0 * w_var * (lever[0] ** 2 + lever[1] ** 2 + lever[2] ** 2)
