@@ -1,5 +1,6 @@
-"""LeRobot's data sets, version 3: folders of Parquet, an episode for each session or part of one.
+"""Export of LeRobot data sets, version 3: Parquet folders with an episode per session or part of
+one.
 
-Source: huggingface/lerobot, src/lerobot/datasets. Positions and orientations are of OpenXR's 26
-joints in OpenXR's world.
+Source: huggingface/lerobot, src/lerobot/datasets. Positions and orientations are those of OpenXR's
+26 joints in OpenXR's world.
 """

@@ -1,7 +1,8 @@
-"""One Parquet file of a data set: its episodes as row groups; and its films."""
+"""Writes one Parquet file of a data set, with its episodes as row groups, and its videos."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
@@ -21,13 +22,13 @@ from tracker.messages import IntArray
 from tracker.session.export.tables import arrow
 from tracker.session.reader import SessionReader
 
-CHUNK = 1000  # files of a folder
+CHUNK = 1000  # files per folder
 LARGEST_GROUP = 256 * 2**20
-"""B of images after which a long episode's next row group begins: one is held in memory."""
+"""Bytes of images per row group of a long episode; one row group is held in memory."""
 DATA_PATH = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
 VIDEO_PATH = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
 READING = 0.5
-"""Share of the work of an episode without images."""
+"""Share of the progress that reading takes for an episode without images."""
 
 
 class FileJob(NamedTuple):
@@ -45,19 +46,19 @@ class FileJob(NamedTuple):
 
 
 class Written(NamedTuple):
-    """What became of an episode; ``film_start`` in its films, ``image_gap`` from a frame to its
-    image at most, both s."""
+    """A written episode. ``film_start``: its start in the videos, s; ``image_gap``: the largest
+    time between a frame and its image, s."""
 
     episode: Episode
     file: int
     stats: dict[str, Stats]
     film_start: float
     image_gap: float
-    lost: float  # share of the numbers that were not known
+    lost: float  # share of unknown values
 
 
 def write_file(job: FileJob, progress: Callable[[float], None]) -> list[Written]:
-    """Raises GlovetrackError in words, and what ``progress`` raises."""
+    """Write the file. Raises GlovetrackError and any exception of ``progress``."""
     _, pq = arrow()
     path = job.folder / DATA_PATH.format(**job.at)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -95,7 +96,7 @@ def _film(job: FileJob, k: int) -> DatasetFilm:
 
 
 class _Sessions:
-    """The session that was read last: its episodes follow each other."""
+    """Caches the last session, since its episodes are consecutive."""
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
@@ -111,7 +112,7 @@ class _Sessions:
 
 @dataclass
 class _Sink:
-    """Where an episode goes, row group by row group."""
+    """Writes an episode in row groups."""
 
     job: FileJob
     episode: Episode
@@ -122,7 +123,7 @@ class _Sink:
     seen: dict[str, list[bytes]] = field(default_factory=dict)
 
     def write(self, before: int, progress: Callable[[float], None]) -> Written:
-        """``before``: frames of this file's films that are there already."""
+        """``before``: number of frames already in this file's videos."""
         e, layout = self.episode, self.job.layout
         start = 0
         for images in self._groups(progress):
@@ -134,8 +135,8 @@ class _Sink:
         return Written(e, self.job.number, stats, before / layout.fps, self.gap, lost)
 
     def _groups(self, progress: Callable[[float], None]) -> Iterator[list[list[bytes]]]:
-        """Images of each camera, as many as a row group takes; once nothing where there are
-        none, or where they are films."""
+        """Images of each camera per row group; a single empty group without images or with
+        videos."""
         layout, e = self.job.layout, self.episode
         if not layout.cameras:
             yield []
@@ -200,7 +201,7 @@ class _Sink:
 
 
 def instants(episode: Episode, fps: int) -> IntArray:
-    """(N,) ns since 1970 of its frames."""
+    """Times (N,) of the frames in ns since 1970."""
     after = np.round(np.arange(episode.frames) * (NS / fps)).astype(np.int64)
     return np.asarray(episode.start_ns + after)
 
@@ -210,36 +211,35 @@ def _lists(pa: Any, values: np.ndarray) -> Any:
 
 
 def _schema(layout: Layout) -> Any:
-    """With Hugging Face's own description, by which `datasets` knows images from bytes."""
-    import json
+    """Schema with Hugging Face's metadata, by which `datasets` distinguishes images from bytes."""
 
     pa, _ = arrow()
     kinds = {"float32": pa.float32(), "int64": pa.int64()}
     columns: list[Any] = []
-    told: dict[str, dict[str, Any]] = {}
+    features: dict[str, dict[str, Any]] = {}
     for name, feature in layout.features().items():
         if feature["dtype"] == "video":
             continue
         if feature["dtype"] == "image":
             kind = pa.struct([("bytes", pa.binary()), ("path", pa.string())])
-            told[name] = {"_type": "Image"}
+            features[name] = {"_type": "Image"}
         elif name in COUNTERS:
             kind = kinds[feature["dtype"]]
-            told[name] = {"dtype": feature["dtype"], "_type": "Value"}
+            features[name] = {"dtype": feature["dtype"], "_type": "Value"}
         else:
             width = feature["shape"][0]
             kind = pa.list_(kinds[feature["dtype"]], width)
             value = {"dtype": feature["dtype"], "_type": "Value"}
-            told[name] = {"feature": value, "length": width, "_type": "Sequence"}
+            features[name] = {"feature": value, "length": width, "_type": "Sequence"}
         columns.append(pa.field(name, kind))
-    face = json.dumps({"info": {"features": told}})
+    face = json.dumps({"info": {"features": features}})
     return pa.schema(columns, metadata={"huggingface": face})
 
 
 def file_jobs(
     folder: Path, layout: Layout, episodes: Sequence[Episode], tasks: tuple[str, ...], largest: int
 ) -> list[FileJob]:
-    """Files of about ``largest`` B each, none of which parts an episode."""
+    """Groups episodes into files of about ``largest`` bytes without splitting an episode."""
     groups: list[list[Episode]] = []
     size = np.inf
     for e in episodes:

@@ -1,4 +1,4 @@
-"""From sessions to a data set: the files in processes of their own, or on a cluster."""
+"""Exports sessions as a data set, in worker processes or on a cluster."""
 
 from __future__ import annotations
 
@@ -37,9 +37,11 @@ def export_lerobot(
     watch: Callable[[float], None] = lambda share: None,
     asked: WorkersAsked = ALL_CORES,
 ) -> dict[str, Any]:
-    """Sessions, and those below folders, become the data set ``folder``, which must not exist yet.
+    """Export sessions, including those in folders, as the data set ``folder``, which must not
+    exist.
 
-    It is there whole or not at all. Returns what the JSON beside it says. Raises GlovetrackError.
+    The folder appears only when it is complete. Returns the content of the JSON file next to it.
+    Raises GlovetrackError.
     """
     _check(options)
     paths = [path.absolute() for path, _ in sessions_in(sources)]
@@ -47,14 +49,14 @@ def export_lerobot(
     check_target(folder, False, paths)
     forget_orphan(sidecar, folder)
     layout, episodes, tasks = plan(paths, options)
-    with whole_files(sidecar, folder, inputs=paths) as (beside, partial):
+    with whole_files(sidecar, folder, inputs=paths) as (report_file, partial):
         partial.mkdir()
         largest = LARGEST_DATA_MB * 2**20
         jobs = file_jobs(partial.absolute(), layout, episodes, tasks, largest)
         written = _write(jobs, watch, asked)
         write_meta(partial, layout, written, tasks)
         report = _report(paths, folder, options, layout, written, tasks)
-        beside.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
+        report_file.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
     return report
 
 
@@ -86,7 +88,7 @@ def _report(
     written: Sequence[Written],
     tasks: tuple[str, ...],
 ) -> dict[str, Any]:
-    hidden = "participant" in options.anonymous  # automatic names of files hold it
+    hidden = "participant" in options.anonymous  # automatic file names contain it
     hashes = [sha256(path) for path in dict.fromkeys(paths)]
     return {
         "format": "lerobot",

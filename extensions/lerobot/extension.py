@@ -1,4 +1,4 @@
-"""What LeRobot's data sets add to the program."""
+"""Descriptors of the LeRobot export."""
 
 from __future__ import annotations
 

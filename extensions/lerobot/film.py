@@ -1,4 +1,4 @@
-"""Films by the system's ffmpeg, which has what most browsers and readers take (H.264)."""
+"""Encodes videos with the system's ffmpeg, in the format that most players support (H.264)."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from types import TracebackType
 from tracker.base.errors import ConfigError, FileError
 
 PROGRAM = "ffmpeg"
-KEYFRAMES = 2  # frames from one to the next: any is found quickly
+KEYFRAMES = 2  # frames between key frames: fast random access
 QUALITY = 23  # x264's constant rate factor
 END_WAIT = 600.0  # s
 
 
 def check_program() -> str:
-    """Where it is. Raises ConfigError where it is not."""
+    """Path of ffmpeg. Raises ConfigError if it is not installed."""
     found = shutil.which(PROGRAM)
     if found is None:
         raise ConfigError(
-            f"Films need {PROGRAM}, which this computer has not; take the images as recorded."
+            f"Videos require {PROGRAM}, which is not installed. Keep the images as recorded."
         )
     return found
 
 
 class DatasetFilm:
-    """Encoded images, one after the other, become the frames of ``path``.
+    """Writes encoded images as the frames of the video ``path``.
 
-    Those numbered ``starts`` can be shown without any before them: episodes begin there.
+    Frames numbered ``starts``, where episodes begin, are key frames.
     """
 
     def __init__(self, path: Path, fps: int, kind: str, starts: Sequence[int]) -> None:
@@ -40,7 +40,7 @@ class DatasetFilm:
         given = ["-f", "image2pipe", "-c:v", codec, "-framerate", str(fps), "-i", "-"]
         even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]
         coded = ["-c:v", "libx264", "-crf", str(QUALITY), "-g", str(KEYFRAMES), "-bf", "0"]
-        before = (max(k - 0.5, 0.0) / fps for k in starts)  # the first frame from then on is a key
+        before = (max(k - 0.5, 0.0) / fps for k in starts)  # the next frame becomes a key frame
         keys = ["-force_key_frames", ",".join(f"{t:.6f}" for t in before)]
         made = [*even, *coded, *keys, "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path)]
         self._log = path.with_suffix(".log")
@@ -68,7 +68,7 @@ class DatasetFilm:
             self._process.wait()
 
     def write(self, image: bytes) -> None:
-        """Raises FileError where ffmpeg has ended."""
+        """Append an image. Raises FileError if ffmpeg has ended."""
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(image)
@@ -76,13 +76,13 @@ class DatasetFilm:
             self.close()
 
     def close(self) -> None:
-        """Raises FileError in ffmpeg's words where no film has come of it."""
+        """Finish the video. Raises FileError with ffmpeg's message if it failed."""
         assert self._process.stdin is not None
-        with suppress(OSError):  # it has ended already: its status says why
+        with suppress(OSError):  # ffmpeg has ended; its exit status is checked below
             self._process.stdin.close()
         status = self._process.wait(END_WAIT)
-        words = self._log.read_text("utf-8", "replace").strip().splitlines()
+        log = self._log.read_text("utf-8", "replace").strip().splitlines()
         self._log.unlink()
         if status:
-            why = words[-1] if words else f"it ended with {status}"
-            raise FileError(f"{self._path} could not be made by {PROGRAM}: {why}.")
+            why = log[-1] if log else f"exit status {status}"
+            raise FileError(f"{PROGRAM} could not write {self._path}: {why}.")

@@ -1,4 +1,4 @@
-"""The numbers of an episode: what the hands are at each frame, and what the robot does."""
+"""The values of an episode: the hands' states and the robot's actions at each frame."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from tracker.session.reader import SessionReader
 
 Numbers = NDArray[np.float32]
 FEW = 2
-"""Estimates below which nothing lies between them."""
-BESIDE = NS
-"""ns of estimates before and after an episode, by which its ends are smoothed."""
+"""Fewest estimates between which values are interpolated."""
+MARGIN = NS
+"""ns of estimates before and after an episode that smooth its ends."""
 
 
 class Frames(NamedTuple):
-    """N frames: state (N, D); valid (N, D), 1 where it is known and 0 where lost (numbers, since
-    Rerun reads no flags); action (N, A)."""
+    """N frames: state (N, D); valid (N, D), 1 where the state is known and 0 where it is lost
+    (numbers, because Rerun does not read booleans); action (N, A)."""
 
     state: Numbers
     valid: Numbers
@@ -38,7 +38,7 @@ class Frames(NamedTuple):
 
 
 class Recorded(NamedTuple):
-    """All that a session says of its hands and robots, read once for all its episodes."""
+    """The hands and robots of a session, read once for all its episodes."""
 
     hands: tuple[EstimateSeries, ...]
     robots: tuple[tuple[IntArray, Array], ...]
@@ -47,7 +47,7 @@ class Recorded(NamedTuple):
 def read_recorded(
     path: Path, layout: Layout, watch: Callable[[float], None] = lambda share: None
 ) -> Recorded:
-    """Raises FileError where a hand has no estimates at all."""
+    """Read a session. Raises FileError if a hand has no estimates."""
     with SessionReader(path) as reader:
         sides = hand_sides(reader)
         robots = tuple(_robot_joints(reader, topic) for topic in robot_topics(reader).values())
@@ -77,8 +77,9 @@ def _robot_joints(reader: SessionReader, topic: str) -> tuple[IntArray, Array]:
 
 
 def frames_of(episode: Episode, layout: Layout, recorded: Recorded) -> Frames:
-    """What is lost keeps its last value, or the first that comes; what is never known is no move:
-    zeros, and the quaternion of no turn. ``valid`` is 0 there."""
+    """Values at the frames of an episode. Lost values repeat the last known value, or the first one
+    at the start; values that are never known are zero and the identity quaternion. ``valid`` is 0
+    for both."""
     at = episode.start_ns + np.round(np.arange(episode.frames) * (NS / layout.fps)).astype(np.int64)
     values, valid = [], []
     for series, names in zip(recorded.hands, layout.hands, strict=True):
@@ -90,7 +91,7 @@ def frames_of(episode: Episode, layout: Layout, recorded: Recorded) -> Frames:
 
 
 def _hand(series: EstimateSeries, names: HandNames, at: IntArray, fps: int) -> Numbers:
-    """(N, numbers of the hand); NaN where lost."""
+    """(N, values of the hand); NaN where lost."""
     m = _near(series, at)
     if len(m) < FEW:
         return np.full((len(at), names.numbers), np.nan, np.float32)
@@ -104,9 +105,9 @@ def _hand(series: EstimateSeries, names: HandNames, at: IntArray, fps: int) -> N
 
 
 def _near(series: EstimateSeries, at: IntArray) -> EstimateSeries:
-    """The estimates about the frames; a second one of the same instant is left out."""
+    """The estimates around the frames, without duplicates of an instant."""
     stamp = series.stamp_ns
-    near = (stamp >= at[0] - BESIDE) & (stamp <= at[-1] + BESIDE)
+    near = (stamp >= at[0] - MARGIN) & (stamp <= at[-1] + MARGIN)
     near &= np.diff(stamp, prepend=np.int64(-1)) > 0
     m = series.rows(np.flatnonzero(near))
     lost = m.state == Validity.LOST
@@ -114,7 +115,7 @@ def _near(series: EstimateSeries, at: IntArray) -> EstimateSeries:
 
 
 def _held(values: Numbers, nowhere: Numbers) -> Numbers:
-    """(N, D) without NaN."""
+    """(N, D): NaN replaced by the last known value."""
     out = np.empty_like(values)
     row = np.arange(len(values))
     for k, column in enumerate(values.T):
@@ -128,7 +129,7 @@ def _held(values: Numbers, nowhere: Numbers) -> Numbers:
 
 
 def _nowhere(names: HandNames) -> Numbers:
-    """(numbers,) of a hand that is never known."""
+    """(values,) of a hand that is never known."""
     out = np.zeros(names.numbers, np.float32)
     out[POSITIONS + 3 : POSITIONS + TURNS : 4] = 1.0
     out[POSITIONS + TURNS + 6] = 1.0
@@ -136,15 +137,15 @@ def _nowhere(names: HandNames) -> Numbers:
 
 
 def _next(state: Numbers) -> Numbers:
-    """The state of the frame after; the last one's own."""
+    """The next frame's state; for the last frame its own."""
     return np.concatenate([state[1:], state[-1:]])
 
 
 def _action(recorded: Recorded, at: IntArray) -> Numbers:
-    """What the robots' joints were told last before each frame."""
+    """The last commands of the robots' joints before each frame."""
     parts = []
     for stamps, values in recorded.robots:
         row = np.clip(np.searchsorted(stamps, at, side="right") - 1, 0, None)
-        told = values[row].astype(np.float32)
-        parts.append(_held(told, np.zeros(told.shape[1], np.float32)))
+        commands = values[row].astype(np.float32)
+        parts.append(_held(commands, np.zeros(commands.shape[1], np.float32)))
     return np.concatenate(parts, axis=1)

@@ -1,4 +1,4 @@
-"""For each frame the image that was taken nearest to it, as it was recorded."""
+"""Finds the recorded image nearest in time to each frame."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import sensors, topics
 
 LATE = 2 * NS
-"""ns within which an image has arrived after its exposure."""
+"""Largest delay in ns between the exposure and the arrival of an image."""
 
 
 class NearestImages:
-    """Goes once through the images of ``cameras``; ``gap`` is the largest time between a frame and
+    """Iterates once over the images of ``cameras``; ``gap`` is the largest time between a frame and
     its image so far, s."""
 
     def __init__(
@@ -36,8 +36,8 @@ class NearestImages:
         return max(q.gap for q in self._queues.values()) / NS
 
     def __iter__(self) -> Iterator[tuple[bytes, ...]]:
-        """(N) times an image of each camera. Raises FileError where a camera has none, ConfigError
-        where its images change their size."""
+        """One image per camera for each of N frames. Raises FileError if a camera has none,
+        ConfigError if its images change their size."""
         queues = list(self._queues.values())
         first, last = int(self._at[0]) - LATE, int(self._at[-1]) + LATE
         wanted = frozenset(self._queues)
@@ -54,7 +54,7 @@ class NearestImages:
 
 
 class _Queue:
-    """Images of one camera that are known to be the nearest of their frames."""
+    """Images of one camera that are already known to be the nearest ones of their frames."""
 
     def __init__(self, camera: DatasetCamera, at: IntArray) -> None:
         self._camera, self._at = camera, at
@@ -67,8 +67,8 @@ class _Queue:
         data = sensors.unpack_image(message).data
         if image_size(data) != (self._camera.width, self._camera.height):
             raise ConfigError(
-                f"The images of camera {self._camera.name} are not all of one size: a data set "
-                "wants that. Export it with --images none."
+                f"The images of camera {self._camera.name} differ in size, which a data set does "
+                "not allow. Export it with --images none."
             )
         if self._before is not None:
             middle = (self._before[0] + stamp) // 2
@@ -77,11 +77,11 @@ class _Queue:
 
     def finish(self, path: str) -> None:
         if self._before is None:
-            raise FileError(f"{path} has a part without images of camera {self._camera.name}.")
+            raise FileError(f"A part of {path} has no images of camera {self._camera.name}.")
         self._give(len(self._at))
 
     def _give(self, end: int) -> None:
-        """The image before is the nearest of all frames up to ``end``."""
+        """Assign the previous image to all frames up to ``end``."""
         if self._before is None:
             return
         stamp, data = self._before

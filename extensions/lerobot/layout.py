@@ -1,4 +1,4 @@
-"""What all episodes of a data set have in common, and the names of its numbers."""
+"""The common layout of all episodes of a data set, and the names of its values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COUNTERS = {
     "index": "int64",
     "task_index": "int64",
 }
-"""Columns of every data set, one number each."""
+"""Scalar columns of every data set."""
 POSITIONS, TURNS, WRIST = 3 * len(JOINTS), 4 * len(JOINTS), 7
 
 
@@ -29,12 +29,12 @@ class HandNames(NamedTuple):
 
     @property
     def numbers(self) -> int:
-        """How many a frame has of this hand."""
+        """Number of values per frame."""
         return POSITIONS + TURNS + WRIST + len(self.angles)
 
     @property
     def names(self) -> list[str]:
-        """``right_palm_x`` … ``right_palm_qx`` … ``right_wrist_pose_x`` … and the angles, rad."""
+        """``right_palm_x`` … ``right_palm_qx`` … ``right_wrist_pose_x`` … and angles in rad."""
         s = self.side
         named = [f"{s}_{joint}_{c}" for joint in JOINTS for c in "xyz"]
         named += [f"{s}_{joint}_q{c}" for joint in JOINTS for c in "xyzw"]
@@ -43,7 +43,7 @@ class HandNames(NamedTuple):
 
 
 class DatasetCamera(NamedTuple):
-    """Of which a data set has images, in px; ``kind`` jpeg or png."""
+    """A camera whose images are exported; size in px; ``kind`` is jpeg or png."""
 
     name: str
     height: int
@@ -57,9 +57,9 @@ class DatasetCamera(NamedTuple):
 
 @dataclass(frozen=True)
 class Layout:
-    """``robot``: names of the joints that are the action, empty where it is the next state.
+    """``robot``: names of the joints that are the action; empty if it is the next state.
 
-    ``video``: images are films.
+    ``video``: images are stored as videos.
     """
 
     fps: int
@@ -77,7 +77,7 @@ class Layout:
         return list(self.robot) or self.state_names
 
     def features(self) -> dict[str, dict[str, Any]]:
-        """As ``meta/info.json`` tells them."""
+        """The features for ``meta/info.json``."""
         names = self.state_names
         out: dict[str, dict[str, Any]] = {
             STATE: {"dtype": "float32", "shape": [len(names)], "names": names},
@@ -96,9 +96,9 @@ class Layout:
 
     def _image(self, camera: DatasetCamera) -> dict[str, Any]:
         shape = [camera.height, camera.width, 3]
-        told: dict[str, Any] = {"shape": shape, "names": ["height", "width", "channels"]}
+        feature: dict[str, Any] = {"shape": shape, "names": ["height", "width", "channels"]}
         if not self.video:
-            return {"dtype": "image", **told}
+            return {"dtype": "image", **feature}
         film = {
             "video.height": camera.height,
             "video.width": camera.width,
@@ -109,4 +109,4 @@ class Layout:
             "video.channels": 3,
             "has_audio": False,
         }
-        return {"dtype": "video", **told, "info": film}
+        return {"dtype": "video", **feature, "info": film}

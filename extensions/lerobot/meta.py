@@ -1,4 +1,4 @@
-"""The folder ``meta`` of a data set."""
+"""Writes the folder ``meta`` of a data set."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ EPISODES_PATH = "meta/episodes/chunk-000/file-000.parquet"
 def write_meta(
     folder: Path, layout: Layout, written: Sequence[Written], tasks: tuple[str, ...]
 ) -> None:
-    """All of it; the data files are there."""
+    """Write all metadata. The data files must exist."""
     (folder / EPISODES_PATH).parent.mkdir(parents=True)
     meta = folder / "meta"
     _json(meta / "info.json", _info(layout, written, tasks))
@@ -31,7 +31,7 @@ def write_meta(
     _json(meta / "stats.json", {key: stats.to_json() for key, stats in all_stats.items()})
     _write_tasks(meta / "tasks.parquet", tasks)
     _write_episodes(folder / EPISODES_PATH, layout, written)
-    _json(meta / "glovetrack.json", _told(layout, written))
+    _json(meta / "glovetrack.json", _own(layout, written))
 
 
 def _info(layout: Layout, written: Sequence[Written], tasks: tuple[str, ...]) -> dict[str, Any]:
@@ -53,7 +53,7 @@ def _info(layout: Layout, written: Sequence[Written], tasks: tuple[str, ...]) ->
 
 
 def _write_tasks(path: Path, tasks: tuple[str, ...]) -> None:
-    """With the text as pandas' index, as LeRobot looks for it."""
+    """Tasks with the text as the pandas index, as LeRobot expects it."""
     pa, pq = arrow()
     table = pa.table({"task_index": pa.array(range(len(tasks)), pa.int64()), "task": list(tasks)})
     kinds = (("task_index", "int64", "int64"), ("task", "unicode", "object"))
@@ -61,10 +61,10 @@ def _write_tasks(path: Path, tasks: tuple[str, ...]) -> None:
         {"name": n, "field_name": n, "pandas_type": p, "numpy_type": k, "metadata": None}
         for n, p, k in kinds
     ]
-    told = {"index_columns": ["task"], "column_indexes": [], "columns": columns,
+    pandas = {"index_columns": ["task"], "column_indexes": [], "columns": columns,
             "pandas_version": "2.0.0", "creator": {"library": "glovetrack",
                                                    "version": __version__}}  # fmt: skip
-    pq.write_table(table.replace_schema_metadata({"pandas": json.dumps(told)}), path)
+    pq.write_table(table.replace_schema_metadata({"pandas": json.dumps(pandas)}), path)
 
 
 def _write_episodes(path: Path, layout: Layout, written: Sequence[Written]) -> None:
@@ -98,8 +98,8 @@ def _row(layout: Layout, w: Written) -> dict[str, Any]:
     return row | {"meta/episodes/chunk_index": 0, "meta/episodes/file_index": 0}
 
 
-def _told(layout: Layout, written: Sequence[Written]) -> dict[str, Any]:
-    """What LeRobot's own files have no place for."""
+def _own(layout: Layout, written: Sequence[Written]) -> dict[str, Any]:
+    """Metadata that LeRobot's own files cannot contain."""
     return {
         "glovetrack": __version__,
         "world": AXES[WORLD].words,

@@ -1,4 +1,4 @@
-"""Which episodes become of which sessions, known before any is read as a whole."""
+"""Plans the episodes of a data set before any session is read completely."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.message_check import sound
 from tracker.session.raw_imu import read_notes
 from tracker.session.reader import SessionReader
-from tracker.session.ros import sensors, topics
+from tracker.session.ros import motion, sensors, topics
 
 JUDGED = 200
-"""Messages by which a rate is judged."""
+"""Messages from which a rate is estimated."""
 FEWEST = 2  # frames of an episode
-UNTOLD = "Move the hand."
+DEFAULT_TASK = "Move the hand."
 ROBOT = re.compile(r"/robot/([^/]+)/joint_states")
 
 
 class Episode(NamedTuple):
-    """``frames`` from ``start_ns`` on, of which the first is the data set's frame ``first``;
-    ``size`` B that they take of their session."""
+    """``frames`` frames from ``start_ns`` on; the first is the data set's frame ``first``. ``size``
+    is their share of the session file in bytes."""
 
     number: int
     source: Path
@@ -53,8 +53,8 @@ def plan(
 ) -> tuple[Layout, list[Episode], tuple[str, ...]]:
     """The layout, the episodes in the order of the sessions, and the tasks.
 
-    Raises FileError for a session that is not tracked, ConfigError where sessions differ in what
-    they hold or the rate is no whole number.
+    Raises FileError for a session without estimates, ConfigError if sessions differ in content or
+    the rate is not an integer.
     """
     layout: Layout | None = None
     episodes: list[Episode] = []
@@ -66,12 +66,12 @@ def plan(
             layout = found
             episodes += _episodes(reader, layout.fps, options, episodes)
     if layout is None or not episodes:
-        raise FileError("There is no episode: parts between notes need two frames at least.")
+        raise FileError("No episodes: parts between notes require at least two frames.")
     return layout, episodes, tuple(dict.fromkeys(e.task for e in episodes))
 
 
 def hand_sides(reader: SessionReader) -> tuple[str, ...]:
-    """The hands of a session, also of one of a single hand."""
+    """The hands of a session with one or two hands."""
     return reader.sides or (reader.info.side,)
 
 
@@ -95,12 +95,12 @@ def _layout(reader: SessionReader, options: ExportOptions, fps: int | None) -> L
 
 def _whole_rate(rate: float | None) -> int | None:
     if rate is not None and rate != round(rate):
-        raise ConfigError(f"LeRobot counts whole frames a second; {rate:g} Hz is none.")
+        raise ConfigError(f"LeRobot requires an integer rate, not {rate:g} Hz.")
     return None if rate is None else round(rate)
 
 
 def _rate(reader: SessionReader, cameras: Sequence[DatasetCamera]) -> int:
-    """Of the images, else of the estimates."""
+    """Rate of the images, or of the estimates without images."""
     if cameras:
         topic = topics.image(cameras[0].name)
     else:
@@ -116,7 +116,7 @@ def _rate(reader: SessionReader, cameras: Sequence[DatasetCamera]) -> int:
 
 
 def _first_sound(reader: SessionReader, topic: str) -> RawMessage | None:
-    """The first message of a topic that is not damaged."""
+    """The first undamaged message of a topic."""
     stored = ordered(reader.source, frozenset([topic]))
     return next(sound(stored, reader.source.left_out), None)
 
@@ -129,21 +129,19 @@ def _cameras(reader: SessionReader) -> Iterator[DatasetCamera]:
         data = sensors.unpack_image(raw.data).data
         size = image_size(data)
         if size is None:
-            raise FileError(f"{reader.path} has images of camera {name} that are no JPEG or PNG.")
+            raise FileError(f"The images of camera {name} in {reader.path} are not JPEG or PNG.")
         kind = "png" if data[:4] == b"\x89PNG" else "jpeg"
         yield DatasetCamera(name, size[1], size[0], kind)
 
 
 def _robot_names(reader: SessionReader) -> tuple[str, ...]:
-    """Of all robots' joints, with the robot's name before them where there are several."""
-    from tracker.session.ros import motion
-
-    told = robot_topics(reader)
+    """Joint names of all robots, prefixed with the robot's name if there are several."""
+    topics_of = robot_topics(reader)
     names: list[str] = []
-    for robot, topic in told.items():
+    for robot, topic in topics_of.items():
         raw = _first_sound(reader, topic)
         joints = motion.unpack_joints(raw.data).names if raw is not None else ()
-        names += [f"{robot}/{joint}" if len(told) > 1 else joint for joint in joints]
+        names += [f"{robot}/{joint}" if len(topics_of) > 1 else joint for joint in joints]
     return tuple(names)
 
 
@@ -155,7 +153,7 @@ def _check_same(first: Path, layout: Layout, source: Path, found: Layout) -> Non
     ):
         if ours != theirs:
             raise ConfigError(
-                f"{first} and {source} differ in their {what}: a data set has the same in all its "
+                f"{first} and {source} differ in their {what}, which must be the same for all "
                 "episodes. Export them one by one"
                 + (", or with --images none." if what == "cameras" else ".")
             )
@@ -171,7 +169,7 @@ def _episodes(
     own = "" if "notes" in options.anonymous else " ".join(reader.info.notes.split())
     out = []
     for part in parts:
-        task = options.dataset.task or part.note or own or UNTOLD
+        task = options.dataset.task or part.note or own or DEFAULT_TASK
         share = size * part.frames / total
         out.append(Episode(number, reader.path, part.start_ns, part.frames, first, task, share))
         number, first = number + 1, first + part.frames
@@ -195,7 +193,7 @@ def _parts(reader: SessionReader, fps: int, options: ExportOptions) -> Iterator[
 
 
 def tracked_span(reader: SessionReader) -> tuple[int, int]:
-    """Stamps of the first and the last estimate of any hand, ns. FileError where there is none."""
+    """Stamps in ns of the first and last estimate of any hand. Raises FileError without any."""
     stamps = []
     for side in hand_sides(reader):
         topic = topics.hand(side, "keypoints")
@@ -203,5 +201,5 @@ def tracked_span(reader: SessionReader) -> tuple[int, int]:
         last = last_before(reader.source, topic, reader.span_ns[1] + 1)
         stamps += [m.publish_time for m in (first, last) if m is not None]
     if not stamps:
-        raise FileError(f"{reader.path} holds no estimates; track it first.")
+        raise FileError(f"{reader.path} contains no estimates; track it first.")
     return min(stamps), max(stamps)

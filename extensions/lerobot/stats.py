@@ -1,4 +1,4 @@
-"""Figures of each feature, of an episode and of all: LeRobot scales by them."""
+"""Statistics of each feature, per episode and overall, by which LeRobot normalises."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from tracker.base.errors import FileError
 from tracker.messages import Array
 
 MOST_IMAGES = 100
-"""Of an episode and a camera, by which the images' figures are judged."""
+"""Images per episode and camera from which statistics are computed."""
 
 
 class Stats(NamedTuple):
-    """Of numbers (C,); of images (3, 1, 1) by colour, red first, 0 to 1."""
+    """Statistics of values (C,), or of images (3, 1, 1) per colour, red first, 0 to 1."""
 
     min: Array
     max: Array
@@ -26,12 +26,12 @@ class Stats(NamedTuple):
     frames: int
 
     def to_json(self) -> dict[str, Any]:
-        told = {name: np.asarray(v).tolist() for name, v in self._asdict().items()}
-        return {**told, "count": [told.pop("frames")]}
+        values = {name: np.asarray(v).tolist() for name, v in self._asdict().items()}
+        return {**values, "count": [values.pop("frames")]}
 
 
 def stats_of(values: NDArray[Any]) -> Stats:
-    """Of (N, C) numbers or (N,) of one."""
+    """Statistics of values (N, C) or (N,)."""
     table = np.asarray(values).reshape(len(values), -1)
     low, high = table.min(axis=0).astype(float), table.max(axis=0).astype(float)
     mean, std = table.mean(axis=0, dtype=float), table.std(axis=0, dtype=float)
@@ -39,12 +39,13 @@ def stats_of(values: NDArray[Any]) -> Stats:
 
 
 def image_rows(frames: int) -> frozenset[int]:
-    """Frames whose images are looked at."""
+    """Frames whose images are sampled."""
     return frozenset(np.linspace(0, frames - 1, min(frames, MOST_IMAGES)).round().astype(int))
 
 
 def image_stats(images: Iterable[bytes]) -> Stats:
-    """Of encoded images, at an eighth of their size. Raises FileError for a damaged one."""
+    """Statistics of encoded images at an eighth of their size. Raises FileError if one is
+    damaged."""
     found = []
     for data in images:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_REDUCED_COLOR_8)
@@ -62,7 +63,8 @@ def image_stats(images: Iterable[bytes]) -> Stats:
 
 
 def together(all_stats: Sequence[Mapping[str, Stats]]) -> dict[str, Stats]:
-    """Of all episodes; means and variances weighted by their frames."""
+    """Statistics over all episodes; means and variances are weighted by the number of frames."""
+
     return {key: _joined([s[key] for s in all_stats]) for key in all_stats[0]}
 
 

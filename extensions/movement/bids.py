@@ -1,5 +1,5 @@
-"""Motion-BIDS: a data set of one session with two tracking systems, the hand as computed and the
-IMUs as recorded (bids-specification.readthedocs.io, Motion)."""
+"""Exports a session as a Motion-BIDS data set with two tracking systems: the estimated hand and the
+recorded IMUs (bids-specification.readthedocs.io, Motion)."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ VERSION = "1.10.0"
 TASK = "movement"
 _IMU = {"acc": ("ACCEL", "m/s^2"), "gyr": ("GYRO", "rad/s")}
 _TYPES = ("POS", "ORNT", "JNTANG", "ACCEL", "GYRO", "MAGN", "VEL", "ANGACCEL", "LATENCY", "MISC")
-"""Types of channels whose numbers are told, also where there is none."""
+"""Types of channels whose counts are stated, including zero."""
 
 
 class MotionChannel(NamedTuple):
-    """A column of a motion file, as ``_channels.tsv`` tells it."""
+    """A column of a motion file, as described in ``_channels.tsv``."""
 
     name: str
     component: str
@@ -38,11 +38,11 @@ class MotionChannel(NamedTuple):
 
 
 class System(NamedTuple):
-    """A tracking system: (N, C) values, a row each ``1 / rate`` s except in holes; ``duration`` s
-    from the first row to the end of the last one's period."""
+    """A tracking system: values (N, C), one row per ``1 / rate`` s except in gaps; ``duration`` in
+    s from the first row to the end of the last row's period."""
 
     name: str
-    words: str
+    title: str
     rate: float
     channels: list[MotionChannel]
     values: Array
@@ -50,7 +50,7 @@ class System(NamedTuple):
 
 
 def export_bids(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``path`` becomes a folder. What is lost is ``n/a``."""
+    """Write the data set to the new folder ``path``. Lost values are ``n/a``."""
     m = load_series(reader, options, even=True)
     who = "" if "participant" in options.anonymous else m.info.participant
     subject = "sub-" + (re.sub(r"[^A-Za-z0-9]", "", who) or "01")
@@ -87,7 +87,7 @@ def _hand(m: EstimateSeries, unit: str) -> System:
 
 
 def _imu(raw: RawImu, m: EstimateSeries) -> System:
-    """All axes of all IMUs; the latency of each packet against the hand's first row."""
+    """All axes of all IMUs, and the latency of each packet relative to the hand's first row."""
     names, values = raw.channels()
     channels = [MotionChannel("latency", "n/a", "LATENCY", "n/a", "s")]
     for name in names:
@@ -110,32 +110,32 @@ def _write(stem: Path, system: System, m: EstimateSeries) -> None:
     _table(Path(f"{stem}_channels.tsv"), head, rows)
     used = sorted({_frame(c) for c in system.channels} - {"n/a"})
     frames = {f: _FRAMES[f].format(axes=m.notes["axes_are"]) for f in used}
-    told = {"reference_frame": {"Description": "What axes are those of", "Levels": frames}}
-    _json(Path(f"{stem}_channels.json"), told)
+    reference = {"reference_frame": {"Description": "Frame of the axes", "Levels": frames}}
+    _json(Path(f"{stem}_channels.json"), reference)
     types = [c.type for c in system.channels]
     counts = {f"{t}ChannelCount": types.count(t) for t in _TYPES}
     points = {c.tracked_point for c in system.channels} - {"n/a"}
-    said = {
+    sidecar = {
         "TaskName": TASK,
-        "TaskDescription": "Movement of a hand that wears a sensor glove",
+        "TaskDescription": "Movement of a hand wearing a sensor glove",
         "SamplingFrequency": round(system.rate, 6),
         "SamplingFrequencyEffective": round(len(system.values) / system.duration, 6),
         "MotionChannelCount": len(types),
         **counts,
         "TrackedPointsCount": len(points),
-        "TrackingSystemName": system.words,
+        "TrackingSystemName": system.title,
         "RecordingType": "continuous",
         "RecordingDuration": round(system.duration, 6),
         "SoftwareVersions": f"Glovetrack {__version__}",
         "MissingValues": "n/a",
     }
-    _json(Path(f"{stem}_motion.json"), said)
+    _json(Path(f"{stem}_motion.json"), sidecar)
 
 
 _FRAMES = {
-    "world": "World of the recording: {axes}. Quaternions are of the bone that begins at the "
-    "point: x along it to its tip, z out of the back of the hand.",
-    "sensor": "The sensor's own axes; accelerations are specific force.",
+    "world": "World of the recording: {axes}. Quaternions are those of the bone that begins at the "
+    "point: x along the bone to its tip, z out of the back of the hand.",
+    "sensor": "The sensor's axes; accelerations are specific force.",
     "joint": "Abduction about z, then flexion about y, then twist about x of the turned axes; "
     "flexion is positive towards the palm.",
 }
@@ -148,23 +148,26 @@ def _frame(c: MotionChannel) -> str:
 
 def _top(path: Path, subject: str, m: EstimateSeries) -> None:
     description = {
-        "Name": "Movement of a hand, tracked with a sensor glove",
+        "Name": "Hand movement tracked with a sensor glove",
         "BIDSVersion": VERSION,
         "DatasetType": "raw",
         "GeneratedBy": [{"Name": "Glovetrack", "Version": __version__}],
     }
     _json(path / "dataset_description.json", description)
-    text = "Exported by Glovetrack. `tracksys-hand` is what was computed, `tracksys-imu` what the "
-    text += "glove's inertial sensors measured.\n"
+    text = (
+        "Exported by Glovetrack. `tracksys-hand` contains the estimated hand, `tracksys-imu` the "
+    )
+    text += "measurements of the glove's inertial sensors.\n"
     (path / "README.md").write_text(text, "utf-8")
     _table(path / "participants.tsv", ("participant_id", "hand"), [(subject, m.info.side)])
-    told = {"hand": {"Description": "Hand that wore the glove", "Levels": {
+    columns = {"hand": {"Description": "Hand with the glove", "Levels": {
+
         "left": "left hand", "right": "right hand"}}}  # fmt: skip
-    _json(path / "participants.json", told)
+    _json(path / "participants.json", columns)
 
 
 def _events(stem: Path, reader: SessionReader, m: EstimateSeries) -> None:
-    """Notes, in s from the hand's first row; no file where there is none."""
+    """Write notes with times in s from the hand's first row; without notes no file is written."""
     zero = int(m.stamp_ns[0]) + m.zero_ns
     rows = [
         (f"{(t - zero) * 1e-9:.6f}", "0", " ".join(text.split()) or "n/a")
@@ -172,8 +175,8 @@ def _events(stem: Path, reader: SessionReader, m: EstimateSeries) -> None:
     ]
     if rows:
         _table(stem.with_suffix(".tsv"), ("onset", "duration", "trial_type"), rows)
-        said = {"trial_type": {"Description": "Note of the experimenter"}}
-        _json(stem.with_suffix(".json"), said)
+        columns = {"trial_type": {"Description": "Note of the experimenter"}}
+        _json(stem.with_suffix(".json"), columns)
 
 
 def _scans(

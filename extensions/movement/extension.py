@@ -1,4 +1,4 @@
-"""What movement science adds to the program: formats of exports and reports."""
+"""Descriptors of the movement extension: export formats and the report."""
 
 from __future__ import annotations
 

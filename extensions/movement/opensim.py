@@ -1,4 +1,4 @@
-"""OpenSim's tables: TRC, trajectories of markers, and MOT, angles of joints."""
+"""Exports OpenSim tables: marker trajectories (TRC) and joint angles (MOT)."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from tracker.session.reader import SessionReader
 
 
 def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """Keypoints and, unless joints are asked for by name, the glove's markers and a point above
-    each segment: what inverse kinematics needs to find the angles again."""
+    """Write keypoints and, unless joints are selected by name, the glove's markers and a point
+    above each segment, from which inverse kinematics recovers the angles."""
     m = load_series(reader, options, even=True, axes="opensim", segments=True)
     unit = options.units or "mm"
     names, points = m.keypoint_names, m.keypoints
@@ -28,7 +28,7 @@ def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> Est
         out.write(_header(m, names, path.name, unit))
         for i, t in enumerate(m.elapsed):
             cells = [f"{v:.6f}" if np.isfinite(v) else "" for v in rows[i]]
-            # OpenSim overlooks an empty cell at the end of a line, so a tab ends every cell
+            # OpenSim ignores an empty cell at the end of a line, so every cell ends with a tab
             out.write("\t".join([str(i + 1), f"{t:.6f}", *cells]) + "\t\n")
     return m
 

@@ -1,10 +1,11 @@
-"""OpenSim's model of the hand as tracked, and the orientations of its IMUs.
+"""Exports an OpenSim model of the tracked hand, and the orientations of its IMUs.
 
-The model has the coordinates of the MOT, the markers of the TRC and one frame ``<segment>_imu``
-per IMU, as the STO has. A joint has all three rotations: those that the hand file leaves out hardly
-turn but let the model follow what was tracked; they are named as the others and are in no MOT. In a
-joint without twist flexion comes last: abduction and twist would turn about the same line where a
-finger is flexed by 90°, and inverse kinematics could not tell one from the other.
+The model has the coordinates of the MOT file, the markers of the TRC file and one frame
+``<segment>_imu`` per IMU, as in the STO file. Each joint has all three rotations: those that the
+hand file does not define have narrow limits, so that the model can follow the tracked motion; they
+are named like the others but do not appear in the MOT file. In a joint without twist, flexion is
+the last rotation: otherwise abduction and twist would be about the same axis at 90° of flexion, and
+inverse kinematics could not distinguish them.
 """
 
 from __future__ import annotations
@@ -27,18 +28,18 @@ from tracker.session.reader import SessionReader
 
 _DOCUMENT = "40500"  # OpenSim 4.5 and newer read it
 _DENSITY = 1100.0  # kg/m³ of a hand
-_LOOSE = 0.35  # rad that an axis may turn which the hand file leaves out
-_STILL = 1e-3  # rad within which such an axis stands still, and is locked
+_LOOSE = 0.35  # rad: limit of an axis that the hand file does not define
+_STILL = 1e-3  # rad: such an axis is locked if it moves less than this
 _TURNS = ("abduction", "flexion", "twist")
 _FLEXED_LAST = ("abduction", "twist", "flexion")
-"""Turns of a joint that the hand file gives no twist, in order; see `JointMotion.flexed_last`."""
+"""Rotations, in order, of a joint without twist in the hand file (`JointMotion.flexed_last`)."""
 _AXIS_OF = {"abduction": "0 0 1", "flexion": "0 1 0", "twist": "1 0 0"}
 _AXES = ("0 0 1", "0 1 0", "1 0 0")
 _ROOT = ("turn_z", "turn_y", "turn_x", "x", "y", "z")
 
 
 def export_osim(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """Sizes are medians over the chosen part; it stands as the hand first stood. y is up."""
+    """Write the model: median sizes over the selected part, first pose, y up."""
     m = load_series(reader, options, axes="opensim", segments=True)
     motion = joint_motion(m)
     name = "hand" if "hand" in options.anonymous else m.info.hand.name
@@ -129,13 +130,13 @@ def _free(joint: ET.Element, m: EstimateSeries, i: int) -> None:
 
 
 def _turns(hand: HandModel, i: int) -> tuple[str, ...]:
-    """Of segment ``i``'s joint, in their order."""
+    """Rotations of segment ``i``'s joint, in order."""
     joint = hand.joint_of.get(hand.segments[i].name)
     return _TURNS if joint is not None and "twist" in joint.axes else _FLEXED_LAST
 
 
 def coordinate_names(hand: HandModel, i: int) -> list[str]:
-    """Of segment ``i``'s joint, in the order of its turns."""
+    """Coordinates of segment ``i``'s joint, in the order of its rotations."""
     joint = hand.joint_of.get(hand.segments[i].name)
     name = hand.segments[i].name if joint is None else joint.name
     return [f"{name}_{turn}" for turn in _turns(hand, i)]
@@ -174,7 +175,7 @@ def _coordinates(
 def _transform(
     joint: ET.Element, turns: list[str], moves: tuple[str, ...], about: tuple[str, ...] = _AXES
 ) -> None:
-    """Rotations about the axes ``about``, then translations along x, y, z where they have names."""
+    """Rotations about the axes ``about``, then translations along x, y, z for those with names."""
     transform = ET.SubElement(joint, "SpatialTransform")
     along = ("1 0 0", "0 1 0", "0 0 1")
     axes = [("rotation", k, n, a) for k, (n, a) in enumerate(zip(turns, about, strict=True), 1)]
@@ -191,7 +192,7 @@ def _transform(
 
 
 def _markers(model: ET.Element, m: EstimateSeries, scale: Array) -> None:
-    """Keypoints of the hand and the glove's markers, as the TRC has them."""
+    """Keypoints of the hand and the glove's markers, as in the TRC file."""
     hand, glove = m.info.hand, m.info.glove
     n = len(hand.segments)
     on = [*glove.keypoint_segments(hand), *glove.marker_segment(hand), *range(n)]
@@ -208,7 +209,7 @@ def _markers(model: ET.Element, m: EstimateSeries, scale: Array) -> None:
 
 
 def _keypoints(m: EstimateSeries, scale: Array) -> Array:
-    """(K, 3) m of each keypoint in its segment's B: the median, or as calibrated where unknown."""
+    """Keypoints (K, 3) m in their segments' B: medians, or calibrated positions where unknown."""
     hand, glove = m.info.hand, m.info.glove
     n = len(hand.segments)
     at_rest = np.tile(np.eye(3), (n, 1, 1)), np.zeros((n, 3))
@@ -223,7 +224,7 @@ def _keypoints(m: EstimateSeries, scale: Array) -> Array:
 
 
 def imu_turns(reader: SessionReader) -> Array:
-    """(n, 3, 3) R_BI of each IMU as last calibrated."""
+    """R_BI (n, 3, 3) of each IMU from the last calibration."""
     turns = {imu.segment: imu.R_BI for imu in reader.info.glove.imus}
     for c in reader.messages([Calibration]):
         assert isinstance(c, Calibration)
@@ -235,25 +236,25 @@ def imu_turns(reader: SessionReader) -> Array:
 
 
 def export_sto(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """The IMUs' orientations as OpenSim's table of quaternions (w, x, y, z); rows with one that is
-    lost are left out, since OpenSim takes every cell for a rotation."""
+    """Write the IMUs' orientations as OpenSim's quaternion table (w, x, y, z). Rows with a lost
+    orientation are omitted, because OpenSim interprets every cell as a rotation."""
     m = load_series(reader, options, even=True, axes="opensim", segments=True)
     glove, hand = m.info.glove, m.info.hand
     q = m.segment_q[:, glove.imu_segment(hand)]
-    kept = np.flatnonzero(np.isfinite(q).all(axis=(1, 2)))
-    turned = _mounted_all(q[kept], imu_turns(reader))
+    known = np.flatnonzero(np.isfinite(q).all(axis=(1, 2)))
+    turned = _mounted_all(q[known], imu_turns(reader))
     labels = [f"{imu.segment}_imu" for imu in glove.imus]
     head = [f"DataRate={m.rate:.6f}", "DataType=Quaternion", "version=3", "OpenSimVersion=4.5"]
     with path.open("w", encoding="utf-8", newline="\n") as out:
         out.write("\n".join([*head, "endheader", "\t".join(["time", *labels])]) + "\n")
-        for t, row in zip(m.elapsed[kept], turned, strict=True):
+        for t, row in zip(m.elapsed[known], turned, strict=True):
             cells = [",".join(f"{v:.9f}" for v in (x[3], x[0], x[1], x[2])) for x in row]
             out.write("\t".join([f"{t:.6f}", *cells]) + "\n")
     return m
 
 
 def _mounted_all(q: Array, R_BI: Array) -> Array:
-    """(N, n, 4) orientations of IMUs on segments with orientations (N, n, 4)."""
+    """Orientations (N, n, 4) of IMUs on segments with orientations (N, n, 4)."""
     out = np.empty_like(q)
     for k in range(q.shape[1]):
         if len(q):
@@ -269,7 +270,7 @@ def _objects(model: ET.Element, name: str) -> ET.Element:
 def _frame(
     parent: ET.Element, name: str, on: str, place: Array, R: Array | None = None
 ) -> ET.Element:
-    """A frame fixed to ``on``; OpenSim takes angles about its own x, then y, then z."""
+    """A frame fixed to ``on``; OpenSim expects body-fixed angles about x, then y, then z."""
     frame = ET.SubElement(parent, "PhysicalOffsetFrame", name=name)
     _text(frame, "socket_parent", on)
     _text(frame, "translation", _numbers(place))

@@ -360,7 +360,7 @@ def test_sessions_that_differ_are_refused_in_words(
         export_dataset([plain], "lerobot", tmp_path / "set", without)
     with pytest.raises(ConfigError, match="axes and joints"):
         export(plain, "lerobot", tmp_path / "x", ExportOptions(axes="unity", joints=("openxr",)))
-    with pytest.raises(ConfigError, match="whole frames"):
+    with pytest.raises(ConfigError, match="integer rate"):
         export(plain, "lerobot", tmp_path / "x", ExportOptions(rate=29.97))
     with pytest.raises(ConfigError, match="one session"):
         export_dataset([plain, images], "csv", tmp_path / "x", ExportOptions())
@@ -390,7 +390,7 @@ def test_films_are_made_by_the_systems_ffmpeg(
     images = [maker.image(20.0 * k, k) for k in range(20)]
     path = record(tmp_path / "a.mcap", sorted([*moving(20), *images], key=lambda m: m.t))
     options = ExportOptions(dataset=DatasetOptions(images="video"))
-    with pytest.raises(ConfigError, match="Films need ffmpeg"):
+    with pytest.raises(ConfigError, match="Videos require ffmpeg"):
         export(path, "lerobot", tmp_path / "set", options)
     program = programs / "ffmpeg"
     program.write_text(FAKE)

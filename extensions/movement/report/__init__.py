@@ -1,1 +1,1 @@
-"""What takes measured, for laboratories and clinics: one page and one table."""
+"""Reports on recordings for laboratories and clinics: one page and one table."""

@@ -1,8 +1,8 @@
-"""ISB's joint angles of a take, and how sure an angle is.
+"""ISB joint angles of a take, and standard deviations of angles.
 
-ISB (Wu et al. 2005, J. Biomech. 38:981) turns first about the proximal bone's flexion axis, then
-about the floating axis of abduction, then about the distal bone's own line. The session's angles
-turn about abduction first: R = Rz(abduction) Ry(flexion) Rx(twist).
+ISB (Wu et al. 2005, J. Biomech. 38:981) rotates first about the proximal bone's flexion axis, then
+about the floating abduction axis, then about the distal bone's long axis. The session's angles
+start with abduction: R = Rz(abduction) Ry(flexion) Rx(twist).
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ from tracker.session.motion import Take
 SEQUENCE = "y-z'-x'': flexion; abduction; rotation"
 RECORDED = "z-y'-x'': abduction; flexion; twist"
 ISB = ("flexion", "abduction", "rotation")
-_SHORTEST = 0.005  # m; the direction of a shorter bone says nothing
+_SHORTEST = 0.005  # m; the direction of a shorter bone is not used
 
 
 def isb_angles(take: Take, hand: HandModel) -> tuple[list[str], Array, list[int]]:
     """Names ``<joint>_isb_<flexion|abduction|rotation>``, (N, n) rad and the column of the
-    recorded angle whose state and sd hold for each. Joints with one axis are left out: theirs is
-    the recorded one.
+    recorded angle whose state and sd apply to each. Joints with one axis are omitted: their ISB
+    angle is the recorded one.
 
     Flexion is positive towards the palm, abduction of a right hand towards the thumb (of a left
     one towards the little finger: about the axis out of the back of the hand), rotation about the
-    bone's line to its tip.
+    bone's axis to its tip.
     """
     names: list[str] = []
     columns: list[Array] = []
@@ -58,12 +58,12 @@ def _isb(turns: Array) -> Array:
 
 
 def angle_sd(take: Take, hand: HandModel) -> Array:
-    """(N, J) rad that the tracker claims for angles; NaN where it follows from nothing known.
+    """Standard deviations (N, J) rad of angles; NaN if they do not follow from known values.
 
-    How much less sure a bone's end is than its beginning is its direction's doing: with the root
-    of the mean variance of both, σ_end² = σ_begin² + ²⁄₃ L² σ_direction². Its length's share is
-    taken to be that too, so that it is rather too large. A joint's angle has the errors of the two
-    bones' directions, taken to be independent.
+    The difference in variance between a bone's end and its beginning is attributed to its
+    direction: with the root of the mean variance per axis, σ_end² = σ_begin² + ²⁄₃ L² σ_direction².
+    The uncertainty of the length is attributed to the direction as well, so the result is an upper
+    bound. A joint's angle has the errors of both bones' directions, assumed to be independent.
     """
     out = np.full(take.angles.shape, np.nan)
     direction = {s.name: _direction_variance(take, hand, s.name) for s in hand.segments}
@@ -78,7 +78,7 @@ def angle_sd(take: Take, hand: HandModel) -> Array:
 
 
 def _direction_variance(take: Take, hand: HandModel, segment: str) -> Array:
-    """(N,) rad² of the direction of a finger's bone about either axis across it."""
+    """Variance (N,) rad² of a finger bone's direction about either transverse axis."""
     ends = _ends(take, hand, segment)
     none = np.full(len(take.t), np.nan)
     if ends is None:
@@ -91,7 +91,7 @@ def _direction_variance(take: Take, hand: HandModel, segment: str) -> Array:
 
 
 def _ends(take: Take, hand: HandModel, segment: str) -> tuple[int, int] | None:
-    """Columns of the points at which a bone begins and ends."""
+    """Columns of the points at a bone's beginning and end."""
     begin = [k for k, (s, tip) in KEYPOINTS.items() if s == segment and not tip]
     children = [s.name for s in hand.segments if s.parent == segment]
     end = [k for k, (s, tip) in KEYPOINTS.items() if (s == segment and tip)]

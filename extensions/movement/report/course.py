@@ -1,4 +1,4 @@
-"""What the course of one number tells: how smooth it is, and how often it was repeated."""
+"""Smoothness and repetitions of a time series."""
 
 from __future__ import annotations
 
@@ -11,19 +11,23 @@ from scipy.signal import butter, sosfiltfilt
 from tracker.messages import Array, IntArray
 from tracker.session.holes import runs
 
-CUTOFF = 6.0  # Hz, of a second-order Butterworth run both ways: hands do not move faster
-HIGHEST = 10.0  # Hz up to which the spectrum's arc is measured
-LOWEST_SHARE = 0.05  # of the spectrum's top, below which it ends
-PADDED = 4  # the spectrum is that many powers of two finer than the take
-BAND = 0.15  # of the range to both sides of its middle, which a repetition has to cross
-LEAST_RAD, LEAST_M = np.deg2rad(10.0), 0.01  # a smaller range is no movement
+CUTOFF = 6.0  # Hz, of a zero-phase second-order Butterworth filter: hands do not move faster
+HIGHEST = 10.0  # Hz: upper limit of the spectral arc length
+LOWEST_SHARE = 0.05  # of the spectrum's maximum, at which the arc ends
+PADDED = 4  # powers of two by which the spectrum is zero-padded
+BAND = 0.15  # of the range on both sides of its middle, which a repetition has to cross
+LEAST_RAD, LEAST_M = np.deg2rad(10.0), 0.01  # smaller ranges do not count as movement
 
 
 class Course(NamedTuple):
-    """Of the longest stretch without a gap: ``arc`` spectral arc length, ``jerk`` logarithm of the
-    dimensionless jerk (both negative, nearer to zero is smoother; NaN if it hardly moved);
-    ``repetitions`` over all of it, ``each`` the median range of one and ``each_sd`` how these
-    spread (NaN of fewer than two); ``fastest`` change per s and ``at`` s when."""
+    """Results for one time series.
+
+    Of the longest part without a gap: ``arc``, the spectral arc length, and ``jerk``, the logarithm
+    of the dimensionless jerk (both negative; nearer to zero is smoother; NaN without movement). Of
+    the whole series: ``repetitions``, their median range ``each`` and its standard deviation
+    ``each_sd`` (NaN for fewer than two), the largest rate of change ``fastest`` per s and its time
+    ``at`` in s.
+    """
 
     arc: float
     jerk: float
@@ -35,7 +39,7 @@ class Course(NamedTuple):
 
 
 def course(t: Array, values: Array, least: float) -> Course:
-    """Of values (N,) at t (N,) s; less than ``least`` of range is no movement."""
+    """Analyse values (N,) at t (N,) s; a range below ``least`` does not count as movement."""
     stretches = [even(t[r], values[r]) for r in runs(t, np.asarray(np.isfinite(values)))]
     long = [s for s in stretches if len(s[0]) > 30]
     if not long:
@@ -63,7 +67,7 @@ def course(t: Array, values: Array, least: float) -> Course:
 
 
 def even(t: Array, values: Array) -> tuple[Array, Array]:
-    """What is known, by a cubic spline at even steps of the median."""
+    """The known values resampled at the median interval by a cubic spline."""
     known = np.isfinite(values)
     t, values = t[known], values[known]
     rising = np.r_[True, np.diff(t) > 0] if len(t) else np.zeros(0, bool)
@@ -76,7 +80,7 @@ def even(t: Array, values: Array) -> tuple[Array, Array]:
 
 
 def low_passed(values: Array, step: float) -> Array:
-    """Without noise above `CUTOFF`; as it is where the rate is too low for that."""
+    """Values without noise above `CUTOFF`; unchanged if the rate is too low for the filter."""
     share = CUTOFF * 2 * step
     if share >= 1 or len(values) < 20:
         return values
@@ -85,8 +89,8 @@ def low_passed(values: Array, step: float) -> Array:
 
 
 def arc_length(v: Array, step: float) -> float:
-    """Spectral arc length of a speed (N,), Balasubramanian et al. 2015, J. NeuroEng. Rehabil.
-    12:112, eq. 11 with its parameters: up to 10 Hz, down to 5 % of the top."""
+    """Spectral arc length of a speed (N,): Balasubramanian et al. 2015, J. NeuroEng. Rehabil.
+    12:112, eq. 11 with its parameters: up to 10 Hz, down to 5 % of the maximum."""
     n = 2 ** (int(np.ceil(np.log2(len(v)))) + PADDED)
     frequency = np.fft.rfftfreq(n, step)
     magnitude = np.abs(np.fft.rfft(np.abs(v), n))
@@ -102,7 +106,7 @@ def arc_length(v: Array, step: float) -> float:
 
 
 def jerk(v: Array, step: float) -> float:
-    """Minus the logarithm of the dimensionless jerk, of a speed; the same paper, eq. 3 and 4."""
+    """Negative logarithm of the dimensionless jerk of a speed; the same paper, eq. 3 and 4."""
     peak = float(np.abs(v).max())
     if peak == 0 or len(v) < 4:
         return float("nan")
@@ -112,18 +116,18 @@ def jerk(v: Array, step: float) -> float:
 
 
 def repetitions(values: Array, low: float, high: float) -> int:
-    """How often values go from one side of the range to the other and the larger number of both
-    ways; what does not cross a band about the middle is none."""
+    """Number of crossings of the band around the middle of the range, in the direction with more
+    crossings."""
     side, _ = _sides(values, low, high)
     change = np.diff(side)
     return int(max((change > 0).sum(), (change < 0).sum()))
 
 
 def turns(values: Array, low: float, high: float) -> Array:
-    """(n,) from each turning point to the next, where those are counted that `repetitions` counts.
+    """Ranges (n,) between successive turning points of the movements that `repetitions` counts.
 
-    One movement takes seconds, in which an estimate drifts little, where the range of a whole take
-    has the drift between its least and its greatest in it.
+    A single movement takes seconds, in which an estimate drifts little, whereas the range of a
+    whole take includes the drift between its minimum and maximum.
     """
     side, rows = _sides(values, low, high)
     if len(side) == 0:
@@ -135,7 +139,7 @@ def turns(values: Array, low: float, high: float) -> Array:
 
 
 def _sides(values: Array, low: float, high: float) -> tuple[IntArray, IntArray]:
-    """On which side of the band about the middle values are, 1 or -1, and the rows of these."""
+    """Side of the band around the middle, 1 or -1, of the values outside it, and their rows."""
     middle, band = 0.5 * (low + high), BAND * (high - low)
     side = np.where(values > middle + band, 1, np.where(values < middle - band, -1, 0))
     rows = np.flatnonzero(side)

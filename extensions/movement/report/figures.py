@@ -1,4 +1,4 @@
-"""Figures of a report, as SVG to be put into a page."""
+"""Draws the figures of a report, as SVG to embed in a page."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ _SHADES = {
     int(Validity.LOST): "#e3c5c5",
     _INTERPOLATED: "#c9d7ef",
 }
-"""Behind a curve; the last one where an edit filled a gap."""
+"""Background colours of curves by state; the last one marks interpolated gaps."""
 DOTS = 150
-"""An inch, of a figure as PNG."""
-_MOST = 3000  # points of a curve; more are not to be seen
+"""Dots per inch of PNG figures."""
+_MOST = 3000  # points per curve; more are not visible
 
 
 def svg(figure: Figure) -> str:
-    """The same figure gives the same text; without the XML's head."""
+    """SVG text without the XML declaration; deterministic."""
     with mpl.rc_context({"svg.hashsalt": "glovetrack", "svg.fonttype": "none"}):
         out = io.StringIO()
         FigureCanvasSVG(figure).print_svg(out, metadata={"Date": None, "Creator": None})
@@ -41,21 +41,22 @@ def svg(figure: Figure) -> str:
 
 
 def png(figure: Figure) -> bytes:
-    """At 150 dots an inch; the same figure gives the same bytes."""
+    """PNG bytes at 150 dots per inch; deterministic."""
     out = io.BytesIO()
-    figure.set_dpi(DOTS)  # drawing it as SVG leaves 72 behind
+    figure.set_dpi(DOTS)  # drawing as SVG sets it to 72
+
     FigureCanvasAgg(figure).print_png(out, metadata={"Software": None})
     return out.getvalue()
 
 
 def flexion_names(measured: MeasuredTake) -> list[str]:
-    """Flexions of fingers and thumb."""
+    """Names of the flexion angles of fingers and thumb."""
     names = measured.take.angle_names
     return [n for n in names if n.endswith("_flexion") and n.split("_")[0] in CHAINS]
 
 
 def all_figures(takes: Sequence[MeasuredTake]) -> Iterator[tuple[str, Figure]]:
-    """Each figure of a report with a name for its file."""
+    """Yields each figure of a report with a name for its file."""
     for name, draw in _drawn(takes):
         yield name, draw()
 
@@ -74,13 +75,13 @@ def _drawn(takes: Sequence[MeasuredTake]) -> Iterator[tuple[str, Callable[[], Fi
 
 
 def aperture_names(measured: MeasuredTake) -> list[str]:
-    """Of the distances between the thumb's tip and the fingers'."""
+    """Names of the distances between the tips of thumb and fingers."""
     return [r.measure.name for r in measured.rows if not r.measure.is_angle]
 
 
 def ranges(takes: Sequence[MeasuredTake]) -> Figure:
-    """From least to greatest of every recorded angle, takes beside each other; twice the claimed
-    standard deviation at both ends."""
+    """Ranges of all recorded angles, takes side by side, with two standard deviations at both
+    ends."""
     names = [r.measure.name for r in takes[0].rows if r.measure.is_angle and not r.isb]
     figure = Figure(figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
     axes = figure.add_subplot()
@@ -107,7 +108,7 @@ def ranges(takes: Sequence[MeasuredTake]) -> Figure:
 
 
 def courses(measured: MeasuredTake, names: Sequence[str]) -> Figure:
-    """Angles (deg) over time, each in a row of its own, over what was inferred and lost."""
+    """Angles (deg) over time, one row each, with inferred and lost parts shaded."""
     take = measured.take
     figure = Figure(figsize=(9, 0.6 + 1.05 * len(names)))
     for k, name in enumerate(names):
@@ -126,17 +127,17 @@ def courses(measured: MeasuredTake, names: Sequence[str]) -> Figure:
 
 
 def apertures(measured: MeasuredTake) -> Figure:
-    """Distances (mm) between the thumb's tip and the fingers' over time, their greatest marked."""
+    """Distances (mm) between the tips of thumb and fingers over time, with marked maxima."""
     figure = Figure(figsize=(9, 2.6))
     axes = figure.add_subplot()
     for k, name in enumerate(aperture_names(measured)):
         away, _, state = distance(measured.take, pair_of(name))
-        kept = 1e3 * np.where(state == Validity.LOST, np.nan, away)
+        shown = 1e3 * np.where(state == Validity.LOST, np.nan, away)
         colour = _COLOURS[k % len(_COLOURS)]
-        _curve(axes, measured.take.t, kept, colour, name.split(" - ")[1].removesuffix("_tip"))
-        if np.isfinite(kept).any():
-            top = int(np.nanargmax(kept))
-            axes.plot(measured.take.t[top], kept[top], "v", color=colour, ms=5)
+        _curve(axes, measured.take.t, shown, colour, name.split(" - ")[1].removesuffix("_tip"))
+        if np.isfinite(shown).any():
+            top = int(np.nanargmax(shown))
+            axes.plot(measured.take.t[top], shown[top], "v", color=colour, ms=5)
     axes.set_xlim(measured.take.t[0], measured.take.t[-1])
     axes.set_xlabel("s")
     axes.set_ylabel("mm")
@@ -152,7 +153,7 @@ def _curve(axes: Axes, t: Array, values: Array, colour: str, label: str = "") ->
 
 
 def _shade(axes: Axes, take: Take, state: IntArray, filled: Mask | None, j: int) -> None:
-    """Behind the curve, where a number was not measured; ``filled`` (N, J): interpolated ones."""
+    """Shade the parts of a curve that were not measured; ``filled`` (N, J): interpolated ones."""
     if filled is not None:
         state = np.where(filled[:, j], _INTERPOLATED, state)
     edges = np.flatnonzero(np.diff(state)) + 1

@@ -1,4 +1,4 @@
-"""What a report says of one take."""
+"""Measures of one take for a report."""
 
 from __future__ import annotations
 
@@ -21,23 +21,23 @@ THUMB = "thumb_tip"
 
 @dataclass(frozen=True)
 class Row:
-    """One number of a take: its measure, its course, and whether its angle is ISB's."""
+    """One quantity of a take: its measure, its course, and whether it is an ISB angle."""
 
     measure: Measure
     course: Course
     isb: bool = False
-    peak_at: float = float("nan")  # s when it was greatest
+    peak_at: float = float("nan")  # s, time of the maximum
 
     @property
     def range_sd(self) -> float:
-        """Of the range: of two values whose errors are taken to be independent."""
+        """Standard deviation of the range: two values with errors assumed to be independent."""
         return self.measure.claimed_sd * np.sqrt(2.0)
 
 
 @dataclass(frozen=True, eq=False)
 class MeasuredTake:
-    """A take with its rows. ``wearer`` empty where it is not known or left out; ``session``: which
-    one of a report's sessions it is of, from 0."""
+    """A take with its rows. ``wearer`` is empty if unknown or omitted; ``session``: number of the
+    session in the report, from 0."""
 
     name: str
     wearer: str
@@ -55,16 +55,16 @@ class MeasuredTake:
         return next((r for r in self.rows if r.measure.name == name), None)
 
 
-def tell_hands(path: Path, anonymous: bool = False) -> list[MeasuredTake]:
-    """`tell` of each hand that the session is of."""
+def measure_hands(path: Path, anonymous: bool = False) -> list[MeasuredTake]:
+    """Measures of each hand of a session."""
     with SessionReader(path) as reader:
         sides = reader.sides or ("",)
-    return [tell(path, anonymous, side) for side in sides]
+    return [measure(path, anonymous, side) for side in sides]
 
 
-def tell(path: Path, anonymous: bool = False, side: str = "") -> MeasuredTake:
-    """Of the hand of that side, in a session of both. Raises FileError where the session holds no
-    estimates."""
+def measure(path: Path, anonymous: bool = False, side: str = "") -> MeasuredTake:
+    """Measures of one hand; ``side`` selects it in a session with both. Raises FileError if the
+    session contains no estimates."""
     with SessionReader(path, side=side) as reader:
         take, info, edits = read_take(reader), reader.info, reader.edits
     return MeasuredTake(
@@ -82,7 +82,7 @@ def tell(path: Path, anonymous: bool = False, side: str = "") -> MeasuredTake:
 
 
 def rows(take: Take, hand: HandModel) -> list[Row]:
-    """Recorded angles, ISB's of joints with several axes, then apertures of the thumb."""
+    """Rows of the recorded angles, ISB angles of joints with several axes, and thumb apertures."""
     sd = angle_sd(take, hand)
     out = [_angle_row(take, m, j, take.angles[:, j], sd) for j, m in _angles(take)]
     names, values, of = isb_angles(take, hand)
@@ -110,11 +110,11 @@ def _angles(take: Take) -> list[tuple[int, Measure]]:
 
 
 def _angle_row(take: Take, m: Measure, j: int, values: Array, sd: Array) -> Row:
-    kept = np.where(take.angle_state[:, j] == Validity.LOST, np.nan, values)
-    known = sd[np.isfinite(kept) & np.isfinite(sd[:, j]), j]
+    known_values = np.where(take.angle_state[:, j] == Validity.LOST, np.nan, values)
+    known = sd[np.isfinite(known_values) & np.isfinite(sd[:, j]), j]
     claimed = float(known.mean()) if len(known) else float("nan")
-    found = course(take.t, kept, LEAST_RAD)
-    return Row(replace(m, claimed_sd=claimed), found, peak_at=_peak(take.t, kept))
+    found = course(take.t, known_values, LEAST_RAD)
+    return Row(replace(m, claimed_sd=claimed), found, peak_at=_peak(take.t, known_values))
 
 
 def _peak(t: Array, values: Array) -> float:

@@ -1,4 +1,4 @@
-"""The numbers of a report for other programs: angles in degrees, distances in mm."""
+"""The values of a report as JSON: angles in degrees, distances in mm."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from extensions.movement.report.table import scaled
 
 
 def as_json(takes: Sequence[MeasuredTake]) -> dict[str, Any]:
-    """``hand`` by side of one session; of several ``sessions``, a list of such objects."""
+    """``hand`` by side for one session; for several, ``sessions`` is a list of such objects."""
     sessions: dict[int, dict[str, Any]] = {}
     for measured in takes:
         found = sessions.setdefault(measured.session, {"hand": {}})
@@ -46,5 +46,5 @@ def _row(row: Row, unit: str) -> dict[str, float | int]:
 
 
 def _percent(shares: Sequence[float]) -> float:
-    """Mean over the recorded angles."""
+    """Mean over the recorded angles in percent."""
     return 100.0 * float(np.mean(shares)) if shares else float("nan")

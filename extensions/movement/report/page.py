@@ -1,4 +1,4 @@
-"""One page that opens without a network: figures and the table are inside it."""
+"""The report as one HTML page that contains its figures and table."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ thead th { border-bottom: 2px solid #888; vertical-align: bottom }
 @media print { .wide { overflow: visible } body { font-size: 10px } }
 """
 _HEAD = (
-    "", "unit", "least", "greatest", "range", "± of range", "mean", "sd", "± of a value",
-    "peak speed /s", "at s", "greatest at s", "arc length", "log jerk", "repetitions",
+    "", "unit", "minimum", "maximum", "range", "± of range", "mean", "sd", "± of a value",
+    "peak speed /s", "at s", "maximum at s", "arc length", "log jerk", "repetitions",
     "range of one", "sd of one", "measured %", "inferred %", "lost %",
     "interpolated %",
 )  # fmt: skip
 
 
 def page(takes: Sequence[MeasuredTake], drawn: Mapping[str, str]) -> str:
-    """The report of one take or several, as HTML; ``drawn``: `figures.all_figures` as SVG."""
+    """The report of one or several takes as HTML; ``drawn``: `figures.all_figures` as SVG."""
     csv = base64.b64encode(table(takes).encode()).decode()
     link = f'<a download="report.csv" href="data:text/csv;base64,{csv}">all numbers as CSV</a>'
     parts = [
-        f"<h1>Movement of the hand</h1><p>{len(takes)} take{'s' * (len(takes) > 1)}; {link}.</p>",
+        f"<h1>Hand movement</h1><p>{len(takes)} recording{'s' * (len(takes) > 1)}; {link}.</p>",
         _takes(takes),
         "<h2>Ranges of motion</h2>",
         drawn["ranges"],
@@ -50,7 +50,7 @@ def page(takes: Sequence[MeasuredTake], drawn: Mapping[str, str]) -> str:
         parts += [_compared(takes), _wearers(takes)]
     for number, measured in enumerate(takes, 1):
         parts += _one(measured, number, drawn)
-    parts.append(_words())
+    parts.append(_definitions())
     body = "\n".join(parts)
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
@@ -77,7 +77,7 @@ def _one(measured: MeasuredTake, number: int, drawn: Mapping[str, str]) -> list[
     isb = [r for r in measured.rows if r.isb]
     apart = [r for r in measured.rows if not r.measure.is_angle]
     legend = (
-        '<p class="note">Behind the curves: <span class="key" style="background:#f4e3b2"></span> '
+        '<p class="note">Shading: <span class="key" style="background:#f4e3b2"></span> '
         'inferred, <span class="key" style="background:#c9d7ef"></span> interpolated, '
         '<span class="key" style="background:#e3c5c5"></span> lost.</p>'
     )
@@ -118,7 +118,7 @@ def _cells(row: Row) -> list[str]:
 
 
 def _compared(takes: Sequence[MeasuredTake]) -> str:
-    """Ranges of the takes beside each other, and how they spread."""
+    """Ranges of the takes side by side, and their spread."""
     head = ["range", *(name_of(t, n) for n, t in enumerate(takes, 1)), "mean", "sd"]
     rows = []
     for row in takes[0].rows:
@@ -132,7 +132,7 @@ def _compared(takes: Sequence[MeasuredTake]) -> str:
 
 
 def _wearers(takes: Sequence[MeasuredTake]) -> str:
-    """Mean range ± sd of each wearer, where there are several."""
+    """Mean range ± sd of each wearer, if there are several."""
     of: dict[str, list[MeasuredTake]] = defaultdict(list)
     for measured in takes:
         of[measured.wearer].append(measured)
@@ -164,23 +164,24 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return f'<div class="wide"><table><thead><tr>{top}</tr></thead>\n{body}</table></div>'
 
 
-def _words() -> str:
-    said = (
-        "Flexion is positive towards the palm; abduction turns about the axis out of the back of "
-        "the hand, of a right hand towards the thumb, of a left one towards the little finger.",
-        "± is the standard deviation that the tracker claims: of an angle from how much less sure "
-        "a bone's end is than its beginning, of a distance from its two points, errors taken to be "
-        "independent; of a range, √2 of that. It is empty where the tracker claims nothing.",
-        f"Peak speed, smoothness and repetitions are those of the curve below {CUTOFF:g} Hz "
-        "(second-order Butterworth, both ways), over stretches without a gap. Spectral arc length "
-        "and logarithm of the dimensionless jerk: Balasubramanian et al. 2015, of the longest "
-        "stretch; nearer to zero is smoother. A repetition goes through the middle of the range; "
-        "the range of one is the median from one turning point to the next. A take's range has in "
-        "it how the cloth slipped and the calibration went on between its ends; the range of one "
-        "hardly has.",
-        "Measured: an IMU or a marker saw the part within the last half second. Inferred: by "
-        "synergy or from what was known before. What is lost counts for nothing. Interpolated: an "
-        "edit filled a gap; part of what is inferred, and never measured.",
+def _definitions() -> str:
+    definitions = (
+        "Flexion is positive towards the palm. Abduction is about the axis out of the back of the "
+        "hand: towards the thumb for a right hand, towards the little finger for a left hand.",
+        "± is the standard deviation reported by the tracker. That of an angle follows from the "
+        "standard deviations at both ends of the bones, that of a distance from its two points, "
+        "with errors assumed to be independent; that of a range is √2 times larger. The cell is "
+        "empty if the tracker reports none.",
+        f"Peak speed, smoothness and repetitions are computed below {CUTOFF:g} Hz (zero-phase "
+        "second-order Butterworth filter) from parts without gaps. Spectral arc length and "
+        "logarithm of the dimensionless jerk: Balasubramanian et al. 2015, of the longest part; "
+        "nearer to zero is smoother. A repetition crosses the middle of the range; the range of "
+        "one is the median between successive turning points. The range of a whole recording "
+        "includes slip of the cloth and changes of the calibration; the range of one repetition "
+        "includes very little of both.",
+        "Measured: the part was seen by an IMU or a marker within the last half second. Inferred: "
+        "by synergy or from earlier measurements. Lost values are not used. Interpolated: an edit "
+        "filled a gap; these values count as inferred, not as measured.",
     )
-    items = "".join(f"<li>{escape(s)}</li>" for s in said)
-    return f"<h2>What the words mean</h2><ul>{items}</ul><p>Glovetrack {escape(__version__)}</p>"
+    items = "".join(f"<li>{escape(s)}</li>" for s in definitions)
+    return f"<h2>Definitions</h2><ul>{items}</ul><p>Glovetrack {escape(__version__)}</p>"

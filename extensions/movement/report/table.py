@@ -1,4 +1,4 @@
-"""A report's numbers as CSV: one line per take and number, units in their own column."""
+"""The values of a report as CSV: one line per take and quantity, with a column for the unit."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _UNITS = Units()
 
 
 def table(takes: Sequence[MeasuredTake]) -> str:
-    """Angles in degrees, distances in mm; empty where nothing is known."""
+    """CSV text: angles in degrees, distances in mm, empty cells for unknown values."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(COLUMNS)

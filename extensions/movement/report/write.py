@@ -1,4 +1,4 @@
-"""`write_report`: the page and, beside it, its numbers and its figures."""
+"""`write_report` writes the page, the table and the figures of a report."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from extensions.movement.report.measure import MeasuredTake, tell_hands
+from extensions.movement.report.measure import MeasuredTake, measure_hands
 from tracker.base.errors import ConfigError
 from tracker.base.files import check_target, whole_files
 
@@ -20,20 +20,20 @@ def write_report(
     force: bool = False,
     watch: Callable[[float], None] = lambda share: None,
 ) -> list[MeasuredTake]:
-    """``out`` (HTML), a CSV of the same name and each figure as ``NAME_ranges.png`` and ``.svg``,
-    ``NAME_1_flexion.png``…; all whole or none.
+    """Write ``out`` (HTML), a CSV file of the same name and each figure as ``NAME_ranges.png`` and
+    ``.svg``, ``NAME_1_flexion.png``…; either all files are written or none.
 
-    ``watch`` hears which share of the sessions is read, and may raise to end it. Raises
-    ConfigError for a name that does not end in .html, FileError for a session without estimates.
+    ``watch`` receives the share of sessions read so far and may raise to cancel. Raises ConfigError
+    if the name does not end in .html, FileError for a session without estimates.
     """
     if out.suffix.lower() not in (".html", ".htm"):
-        raise ConfigError(f"A report is a page: {out.name} should end in .html.")
+        raise ConfigError(f"The report is an HTML page: {out.name} must end in .html.")
     for target in (out, out.with_suffix(".csv")):
         check_target(target, force, sessions)
     takes = []
     for k, path in enumerate(sessions):
         watch(k / len(sessions))
-        takes += [replace(told, session=k) for told in tell_hands(path, anonymous)]
+        takes += [replace(hand, session=k) for hand in measure_hands(path, anonymous)]
     from extensions.movement.report.figures import all_figures, figure_names, png, svg
     from extensions.movement.report.page import page
     from extensions.movement.report.table import table

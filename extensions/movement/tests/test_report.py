@@ -21,7 +21,7 @@ from extensions.movement.report.course import (
     repetitions,
     turns,
 )
-from extensions.movement.report.measure import rows, tell
+from extensions.movement.report.measure import measure, rows
 from tracker.base.errors import ConfigError
 from tracker.cli import main
 from tracker.hand.model import HandModel
@@ -84,13 +84,13 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 
 
 def test_a_simulated_take_is_told_as_it_was(sessions: tuple[Path, Path]) -> None:
-    told = tell(sessions[1])
+    found = measure(sessions[1])
     with SessionReader(sessions[0]) as reader:
         truth = list(reader.truth())
         names = reader.info.hand.joint_names
     t, angles = np.array([e.t for e in truth]), np.rad2deg([e.angles for e in truth])
     for joint in ("index_mcp", "index_pip", "middle_mcp", "middle_pip", "thumb_mcp"):
-        row = told.row(f"{joint}_flexion")
+        row = found.row(f"{joint}_flexion")
         true = angles[:, names.index(f"{joint}_flexion")]
         assert row is not None and row.course.repetitions == FISTS, joint
         assert np.rad2deg(row.measure.range) == pytest.approx(np.ptp(true), abs=2.0), joint
@@ -110,10 +110,10 @@ def test_the_range_of_one_repetition_holds_for_a_wearer_whose_cloth_slips(
         for m in sim.messages(images=False):
             recorder.write(m)
     track(tmp_path / "a.mcap", tmp_path / "b.mcap", TrackOptions("chain", smooth=True))
-    told = tell(tmp_path / "b.mcap")
+    found = measure(tmp_path / "b.mcap")
     true = np.array([sim.truth(t).angles for t in np.arange(0.5, LEAD + FISTS * PERIOD, 0.05)])
     for joint in ("index_mcp", "index_pip", "middle_mcp", "middle_pip", "thumb_mcp"):
-        row = told.row(f"{joint}_flexion")
+        row = found.row(f"{joint}_flexion")
         span = np.ptp(true[:, info.hand.angle_index[f"{joint}_flexion"]])
         assert row is not None and row.course.repetitions == FISTS
         assert row.course.each == pytest.approx(span, abs=np.deg2rad(2.0)), joint
@@ -165,8 +165,8 @@ def test_smoothness_has_the_values_of_a_minimum_jerk_reach_and_falls_with_tremor
 def test_isb_turns_about_flexion_first(sessions: tuple[Path, Path]) -> None:
     with SessionReader(sessions[1]) as reader:
         hand = reader.info.hand
-    told = tell(sessions[1])
-    take = replace(told.take, t=told.take.t[:1], angles=np.zeros((1, len(hand.joint_names))))
+    found = measure(sessions[1])
+    take = replace(found.take, t=found.take.t[:1], angles=np.zeros((1, len(hand.joint_names))))
     take.angles[0, hand.angle_index["index_mcp_flexion"]] = 0.9
     take.angles[0, hand.angle_index["index_mcp_abduction"]] = 0.3
     names, values, _ = isb_angles(take, hand)
@@ -180,7 +180,7 @@ def test_isb_turns_about_flexion_first(sessions: tuple[Path, Path]) -> None:
 def test_nothing_known_is_told_as_nothing(sessions: tuple[Path, Path]) -> None:
     with SessionReader(sessions[1]) as reader:
         hand = reader.info.hand
-    take = tell(sessions[1]).take
+    take = measure(sessions[1]).take
     take = replace(take, angles=np.full_like(take.angles, np.nan),
                    angle_state=np.zeros_like(take.angle_state))  # fmt: skip
     row = rows(take, hand)[0]
@@ -214,9 +214,9 @@ def test_the_page_is_whole_without_a_network_and_its_numbers_are_the_tables(
     with (tmp_path / "r.csv").open() as file:
         read = list(csv.DictReader(file))
     row = next(r for r in read if r["name"] == "index_mcp_flexion")
-    told = tell(sessions[1]).row("index_mcp_flexion")
-    assert told is not None
-    assert float(row["range"]) == pytest.approx(np.rad2deg(told.measure.range), abs=1e-3)
+    found = measure(sessions[1]).row("index_mcp_flexion")
+    assert found is not None
+    assert float(row["range"]) == pytest.approx(np.rad2deg(found.measure.range), abs=1e-3)
     assert row["repetitions"] == str(FISTS) and row["unit"] == "deg"
     assert main(["report", str(sessions[1]), "-o", str(out)]) == 1, "nothing is written over"
     kinds = [f"{n}_{what}" for n in (1, 2) for what in ("flexion", "aperture")]

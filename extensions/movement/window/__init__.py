@@ -1,1 +1,1 @@
-"""A report as a job of the window."""
+"""The report in the window."""

@@ -1,4 +1,4 @@
-"""What the movement report adds to the window."""
+"""Window commands of the movement report."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from extensions.movement.window.report_job import report_job
 
 
 def _report(on: CommandContext) -> None:
-    """One page about all of them, next to the first, and shown in the browser."""
+    """Write one page about all recordings next to the first, and open it in the browser."""
     paths = on.recordings
     title = tr("Report of {}").format(paths[0].stem)
     if len(paths) > 1:

@@ -1,4 +1,4 @@
-"""A report of takes as a job."""
+"""Writes a report in a background job."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from app.platform.tasks import Job, JobProgress
 
 
 def report_job(sessions: Sequence[Path]) -> Job:
-    """A job whose result is the page: ``report.html`` beside the first, or with a number."""
+    """A job that returns the path of the page: ``report.html``, or with a number if it exists."""
     takes = sorted(sessions)
 
     def run(progress: JobProgress) -> Path:
@@ -30,7 +30,8 @@ def _write(takes: Sequence[Path], progress: Callable[..., None]) -> Path:
 
 
 def free_page(folder: Path) -> Path:
-    """Where neither a page nor its table or figures are yet."""
+    """A path at which neither a page nor its table or figures exist."""
+
     out, n = folder / "report.html", 1
     while any(folder.glob(f"{out.stem}.*")) or any(folder.glob(f"{out.stem}_ranges.*")):
         n += 1
