@@ -173,7 +173,7 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 
 
 THREADS = {
-    "app/engines/demo_guide.py": "finds how the simulated wearer touches his fingertips",
+    "app/engines/demo_wearer.py": "finds how the simulated wearer touches his fingertips",
     "app/engines/replay/thread.py": "plays a session beside the window",
     "tracker/simulation/rig_camera.py": "sends images as a device of its own does",
     "app/platform/tasks.py": "jobs of the window",

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from app.engines.demo_camera import DURATION, DemoChoice, demo_spec, start_camera
-from app.engines.demo_guide import DemoGuide
-from app.engines.engine import EngineSetup, RecordingRequest, ReferenceHand, seen_from_main
-from app.engines.guide import WearersGuide
+from app.engines.demo_wearer import GuidedWearer
+from app.engines.engine import CameraPart, EngineSetup, GlovePart, LivePart, seen_from_main
+from app.engines.protocols import ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -90,27 +89,22 @@ def _setup_with(
     progress(0.9, tr("devices"))
     if not camera.wait_ready(START_TIMEOUT):
         raise DeviceError(tr("The simulated camera did not start."))
-    paths = worn.paths(START_TIMEOUT)
-    gloves = {side: DemoGlove(simulation, paths[side]) for side, simulation in wearers.items()}
+    gloves = _gloves(wearers, worn)
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)
     worn.begin(t_0)
     links = {side: glove.link for side, glove in gloves.items()}
-    hands = _hands(wearers, has_camera)
-    tracker = LiveTracker(hands, profile, make_detector, links, camera)
-    rig = spec.rig if has_camera else None
-    info = _info(spec, rig, colours_text, tracker.settings)
+    tracker = LiveTracker(_hands(wearers, has_camera), profile, make_detector, links, camera)
+    info = _info(spec, spec.rig if has_camera else None, colours_text, tracker.settings)
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()
-
-    guide = None
-    if len(wearers) == 1:  # two who meet are asked for nothing
-        tracked = tracker.hand(first.glove.side)
-        guide = DemoGuide(tracked, first, (camera, worn), lambda: time.monotonic() - t_0)
+    wearer = None
+    if len(wearers) == 1:  # two wearers follow no guidance
+        wearer = GuidedWearer(first, (camera, worn), lambda: time.monotonic() - t_0)
 
     def close() -> None:
-        if guide is not None:
-            guide.close()
+        if wearer is not None:
+            wearer.close()
         worn.close()
         recorders.close()
 
@@ -119,64 +113,75 @@ def _setup_with(
         return recorders.record(path, about, companion=companion)
 
     make_recorder = recorder_maker(tracker, info, record)
-    fps = spec.fps if has_camera else 0.0
-    used = shown_application(spec.motion)
-    shared = SharedSetup(profile, info.anchor, close, make_recorder, fps, guide, used)
-    return seen_from_main([_seen_from(g, tracker, t_0, shared) for g in gloves.values()])
+    camera_part = _camera(first.rig, spec.fps if has_camera else 0.0)
+    return seen_from_main(
+        [
+            replace(
+                _seen_from(glove, tracker, camera_part, profile, close),
+                live=LivePart(tracker, tracker.hand(side), make_recorder, wearer),
+                truth=SimulatedTruth(glove.simulation, t_0),
+                application=shown_application(spec.motion),
+            )
+            for side, glove in gloves.items()
+        ]
+    )
 
 
-@dataclass(frozen=True, eq=False)
-class SharedSetup:
-    """What of an `EngineSetup` is the same for both hands; ``fps`` is 0 without a camera."""
-
-    profile: ColourProfile
-    anchor: ClockAnchor
-    close: Callable[[], None]
-    make_recorder: Callable[[RecordingRequest], Recorder]
-    fps: float
-    guide: DemoGuide | None
-    application: tuple[str, Mapping[str, Any]]
+def _gloves(wearers: Mapping[str, Simulation], worn: GloveProcess) -> dict[str, DemoGlove]:
+    paths = worn.paths(START_TIMEOUT)
+    return {side: DemoGlove(simulation, paths[side]) for side, simulation in wearers.items()}
 
 
 def _seen_from(
-    glove: DemoGlove, tracker: LiveTracker, t_0: float, shared: SharedSetup
+    glove: DemoGlove,
+    tracker: LiveTracker,
+    camera: CameraPart,
+    profile: ColourProfile,
+    close: Callable[[], None],
 ) -> EngineSetup:
     simulation = glove.simulation
-    tracked = tracker.hand(simulation.glove.side)
-
-    def truth(t: float) -> ReferenceHand:
-        true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
-        return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
-
+    hand = tracker.hand(simulation.glove.side)
+    alone = tr("The hand is shown by its IMUs alone, without a place.")
     return EngineSetup(
         name="demo",
         engine=tracker,
-        tracked=tracked,
+        tracked=hand,
         hand=simulation.hand,
         glove=simulation.glove,
-        rig=simulation.rig,
-        profile=shared.profile,
-        anchor=shared.anchor,
-        close=shared.close,
-        make_recorder=shared.make_recorder,
-        truth=truth,
+        camera=camera,
+        profile=profile,
+        close=close,
+        connection=GlovePart(device=glove.link),
         simulated=True,
-        followed=tracked,
-        right_of_way=tracker.right_of_way,
-        vibrate=glove.link.vibrate,
-        glove_settings=glove.link,
-        guide=shared.guide or WearersGuide(tracked),
-        command=tracked.command,
-        reset_pose=tracked.reset_pose,
-        listeners=tracked.attach_listeners(glove.link.vibrate),
-        application=shared.application,
-        reference_tracking=tracked if shared.fps else None,
-        camera=CAMERA if shared.fps else "",
-        image_rate=(lambda: shared.fps) if shared.fps else None,
-        has_camera=bool(shared.fps),
-        camera_calibrated=bool(shared.fps),
-        missing="" if shared.fps else tr("The hand is shown by its IMUs alone, without a place."),
+        listeners=hand.attach_listeners(glove.link.vibrate),
+        missing="" if camera.present else alone,
     )
+
+
+@dataclass(frozen=True)
+class SimulatedRate:
+    """The device of a `CameraPart`: a simulated camera delivers the rate that it was set to."""
+
+    fps: float
+    unfit: None = None
+
+
+def _camera(rig: StereoRig, fps: float) -> CameraPart:
+    """``fps``: 0 without a camera."""
+    if not fps:
+        return CameraPart(rig, present=False, calibrated=False)
+    return CameraPart(rig, name=CAMERA, device=SimulatedRate(fps))
+
+
+class SimulatedTruth:
+    """The simulated hand; ``t_0`` (s) is when its motion begins."""
+
+    def __init__(self, simulation: Simulation, t_0: float) -> None:
+        self._simulation, self._t_0 = simulation, t_0
+
+    def at(self, t: float) -> ReferenceHand:
+        true = self._simulation.truth(min(max(t - self._t_0, 0.0), DURATION - 0.1))
+        return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
 
 def _hands(wearers: Mapping[str, Simulation], has_camera: bool) -> Hands:

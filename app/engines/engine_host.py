@@ -11,9 +11,10 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from app.engines.engine import EngineSetup, RecordingRequest
+from app.engines.engine import EngineSetup
 from app.engines.hand_looks import Looks
 from app.engines.notes import Notes
+from app.engines.protocols import RecordingRequest
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
@@ -166,11 +167,12 @@ class EngineHost(QObject):
     @property
     def records(self) -> bool:
         """Whether what is open can be recorded; a replay cannot."""
-        return self._setup is not None and self._setup.make_recorder is not None
+        return self._setup is not None and self._setup.live is not None
 
     def record(self, request: RecordingRequest) -> bool:
         """Begin a file; False, with an `error`, where that is impossible."""
-        return self._setup is not None and self.recording.begin(self._setup, request)
+        live = self._setup.live if self._setup is not None else None
+        return live is not None and self.recording.begin(live, request)
 
     def toggle_recording(self, ask: Callable[[], RecordingRequest]) -> None:
         """End the file that is being written, or begin the one that ``ask`` tells of."""
@@ -208,10 +210,10 @@ class EngineHost(QObject):
 
     def set_engine(self, name: str) -> None:
         """Track with another engine from now on."""
-        if self._setup is None:
+        if self._setup is None or self._setup.live is None:
             return
         try:
-            self._setup.engine.set_engine(name)
+            self._setup.live.engine.set_engine(name)
         except GlovetrackError as error:  # half a rig does not serve every engine
             self.error.emit(str(error))
             return
@@ -229,9 +231,9 @@ class EngineHost(QObject):
         setup = self._setup
         if setup is not None and side:
             setup = setup.seen_from(side)
-        if setup is None or setup.command is None:
+        if setup is None or setup.live is None:
             return False
-        setup.command(work)
+        setup.live.hand.command(work)
         return True
 
     # --- what panels see
@@ -253,8 +255,9 @@ class EngineHost(QObject):
         setup = self._follow_colours(setup)
         for event in setup.engine.take_events():
             self.happened.emit(event)
-        if self.running and setup.engine.failure:
-            self._end_failed(setup.engine.failure)
-        if self._spent and setup.player is None:
+        live = setup.live
+        if self.running and live is not None and live.engine.failure:
+            self._end_failed(live.engine.failure)
+        if self._spent and live is not None:
             return Snapshot(setup=setup, running=False)  # what was live is no more
         return self._looks.look(setup, self.running)

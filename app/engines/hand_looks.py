@@ -6,7 +6,8 @@ import time
 from collections import deque
 from dataclasses import replace
 
-from app.engines.engine import EngineSetup, TrackedHand
+from app.engines.engine import EngineSetup
+from app.engines.protocols import TrackedHand
 from app.engines.snapshot import Snapshot, nearest
 from tracker.messages import Estimate, Status
 

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
 from app.engines.camera_choice import ChosenCamera, choose
-from app.engines.engine import EngineSetup, seen_from_main
+from app.engines.engine import (
+    CameraPart,
+    EngineSetup,
+    GlovePart,
+    LivePart,
+    seen_from_main,
+)
 from app.engines.found_gloves import WornGlove, find_worn
-from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -28,8 +33,9 @@ from tracker.engine.settings import Settings
 from tracker.firmware.versions import advice
 from tracker.glove import library
 from tracker.live.runner import LiveTracker
-from tracker.sensors.camera import StereoCamera
+from tracker.sensors.camera import StereoCamera, UnfitImages
 from tracker.sensors.glove_link import GloveLink
+from tracker.sensors.image_input import ImageInput
 from tracker.sensors.sources import CameraSource, GloveSource, NoCamera, NoGlove
 from tracker.session.description import SessionInfo, of_hands
 from tracker.session.recording.process import RecorderProcesses
@@ -100,55 +106,53 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     info = _info(worn, pipeline, colours_text)
     recorders = RecorderProcesses()
     recorders.warm()
-    shared = EngineSetup(
-        name=found.name,
-        engine=tracker,
-        tracked=tracker.hand(pipeline.glove.side),
-        hand=pipeline.hand,
-        glove=pipeline.glove,
+    camera_part = CameraPart(
         rig=pipeline.rig,
-        profile=profile,
-        anchor=info.anchor,
-        close=recorders.close,
-        right_of_way=tracker.right_of_way,
-        make_recorder=recorder_maker(tracker, info, recorders.record),
-        # a calibration file's name holds a ZED's serial number
-        camera=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",
-        camera_controls=chosen.controls if chosen else None,
+        present=chosen is not None,
+        calibrated=found.rig is not None,
+        # the name of a ZED's calibration file contains its serial number
+        name=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",
         calibration_file=settings.calibration,
-        has_camera=chosen is not None,
-        camera_calibrated=found.rig is not None,
-        missing=" ".join(found.missing),
-        image_rate=(lambda: chosen.source.fps) if chosen else None,
-        unfit_images=(lambda: device.unfit) if device else None,
+        device=OpenCamera(chosen.source, device) if chosen and device else None,
+        controls=chosen.controls if chosen else None,
     )
-    return seen_from_main([_seen_from(w, shared, tracker, links.get(w.side)) for w in worn])
+    make_recorder = recorder_maker(tracker, info, recorders.record)
+
+    def seen_from(glove: WornGlove) -> EngineSetup:
+        hand, link = tracker.hand(glove.side), links.get(glove.side)
+        hello = glove.report.hello if glove.report else None
+        firmware_advice = advice(hello.firmware) if hello else ""
+        return EngineSetup(
+            name=found.name,
+            engine=tracker,
+            tracked=hand,
+            hand=glove.hand,
+            glove=glove.glove,
+            camera=camera_part,
+            profile=profile,
+            close=recorders.close,
+            connection=GlovePart(link is not None, glove.glove_id, firmware_advice, link),
+            live=LivePart(tracker, hand, make_recorder),
+            listeners=hand.attach_listeners(link.vibrate if link else None),
+            missing=" ".join(found.missing),
+        )
+
+    return seen_from_main([seen_from(glove) for glove in worn])
 
 
-def _seen_from(
-    worn: WornGlove, shared: EngineSetup, tracker: LiveTracker, link: GloveLink | None
-) -> EngineSetup:
-    """The engine as it is seen from one hand."""
-    tracked = tracker.hand(worn.side)
-    hello = worn.report.hello if worn.report else None
-    whole = link is not None and shared.has_camera and shared.camera_calibrated
-    return replace(
-        shared,
-        tracked=tracked,
-        hand=worn.hand,
-        glove=worn.glove,
-        glove_id=worn.glove_id,
-        firmware_advice=advice(hello.firmware) if hello else "",
-        followed=tracked,
-        vibrate=link.vibrate if link else None,
-        glove_settings=link,
-        guide=WearersGuide(tracked),
-        command=tracked.command,
-        reset_pose=tracked.reset_pose,
-        listeners=tracked.attach_listeners(link.vibrate if link else None),
-        reference_tracking=tracked if whole else None,
-        has_glove=link is not None,
-    )
+class OpenCamera:
+    """A camera that the engine reads from: its nominal rate, and images that do not fit."""
+
+    def __init__(self, source: ImageInput, camera: StereoCamera) -> None:
+        self._source, self._camera = source, camera
+
+    @property
+    def fps(self) -> float:
+        return self._source.fps
+
+    @property
+    def unfit(self) -> UnfitImages | None:
+        return self._camera.unfit
 
 
 def find_devices(progress: JobProgress, settings: AppSettings) -> Found:

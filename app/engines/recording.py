@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.engines.engine import EngineSetup, RecordingRequest
+from app.engines.engine import LivePart
+from app.engines.protocols import RecordingRequest
 from app.words import tr
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
@@ -96,7 +97,7 @@ class Recording(QObject):
     ) -> None:
         super().__init__(parent)
         self._clock = clock
-        self._setup: EngineSetup | None = None
+        self._live: LivePart | None = None  # that is recorded
         self._recorder: PausableRecorder | None = None
         self._began = 0.0
         self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is behind
@@ -128,9 +129,9 @@ class Recording(QObject):
         """s since the recording began; 0 where there is none."""
         return self._clock() - self._began if self.request is not None else 0.0
 
-    def begin(self, setup: EngineSetup, request: RecordingRequest) -> bool:
+    def begin(self, live: LivePart, request: RecordingRequest) -> bool:
         """Begin a file; False, with `failed`, where that is impossible."""
-        if setup.make_recorder is None or self.request is not None:
+        if self.request is not None:
             return False
         self.look()
         if self._closing is not None:
@@ -141,24 +142,24 @@ class Recording(QObject):
             )
             return False
         try:
-            self._recorder = PausableRecorder(setup.make_recorder(request))
+            self._recorder = PausableRecorder(live.make_recorder(request))
         except (GlovetrackError, OSError) as error:
             self.failed.emit(str(error))
             return False
-        self._setup, self.request, self._began = setup, request, self._clock()
+        self._live, self.request, self._began = live, request, self._clock()
         self.ended_by = ""
-        setup.engine.set_recorder(self._recorder)
+        live.engine.set_recorder(self._recorder)
         self.changed.emit(True)
         self.begun.emit()
         return True
 
     def pause(self, on: bool) -> None:
         """Hold the file back or let it go on."""
-        if self._recorder is None or self._setup is None:
+        if self._recorder is None or self._live is None:
             return
         self._recorder.paused = on
         if not on:
-            self._setup.engine.keep_state()  # it has gone on meanwhile
+            self._live.engine.keep_state()  # it has gone on meanwhile
         self.changed.emit(True)
 
     def look(self) -> None:
@@ -204,12 +205,12 @@ class Recording(QObject):
 
         `finished` comes when it is closed, by `look`. ``by``: the reason, where the user does not.
         """
-        if self._setup is None or self.request is None or self._recorder is None:
+        if self._live is None or self.request is None or self._recorder is None:
             return
         self.ended_by = by
         self._closing, self._left = (self.request.path, self._recorder), False
-        self._setup.engine.set_recorder(None)
-        self._setup = self._recorder = self.request = None
+        self._live.engine.set_recorder(None)
+        self._live = self._recorder = self.request = None
         self.changed.emit(False)
         self.look()
 

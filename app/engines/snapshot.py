@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from app.engines.engine import EngineSetup, ReferenceHand
+from app.engines.engine import EngineSetup
+from app.engines.protocols import ReferenceHand
 from tracker.live.history import SearchedImage
 from tracker.messages import (
     BlobFrame,
@@ -91,20 +92,21 @@ class Snapshot:
     @property
     def unfit(self) -> UnfitImages | None:
         """Images that come now and that the camera's calibration is not for."""
-        return self.setup.unfit_images() if self.setup.unfit_images is not None else None
+        device = self.setup.camera.device
+        return device.unfit if device is not None else None
 
     def truth(self) -> ReferenceHand | None:
         """The simulated hand at the instant of the estimate; a millisecond's work, so on demand."""
         if self.setup.truth is None or self.estimate is None:
             return None
-        return self.setup.truth(self.estimate.t)
+        return self.setup.truth.at(self.estimate.t)
 
     def reference(self) -> ReferenceHand | None:
         """The hand to compare with: a replay's second tracking, or a second engine, where one is
         set, else the truth. One that is set and has no hand now is never replaced by the truth."""
-        player, reference_tracking = self.setup.player, self.setup.reference_tracking
+        player, compared = self.setup.player, self.setup.comparable
         other = player.reference(self.setup.side) if player is not None else None
-        second = reference_tracking.reference_estimate() if reference_tracking is not None else None
+        second = compared.reference_estimate() if compared is not None else None
         if second is not None:
             there = second.tracking != Tracking.LOST and bool(np.isfinite(second.segment_p).all())
             return (

@@ -49,7 +49,7 @@ class CalibrationCommands(QObject):
     def available(self) -> bool:
         """Whether there is an engine that takes commands: not in a replay, nor after a stop."""
         setup = self._host.setup
-        return setup is not None and setup.command is not None and self._host.running
+        return setup is not None and setup.live is not None and self._host.running
 
     def reset(self, segments: Sequence[str] | None) -> bool:
         """Forget some segments, or (None) all."""

@@ -31,7 +31,7 @@ def apply_changes(
             _set_rate(setup.seen_from(device.removeprefix("glove_")), wanted)
             if not setup.simulated:
                 store.update(glove_rate=wanted)
-    controls = setup.camera_controls
+    controls = setup.camera.controls
     if controls is not None and any(f"camera.{name}" in edits for name in CONTROLS):
         locks = locks_of(values, edits)
         controls.want(locks)
@@ -39,10 +39,10 @@ def apply_changes(
 
 
 def _set_rate(setup: EngineSetup, rate_hz: int) -> None:
-    if setup.glove_settings is None:
+    if setup.connection.device is None:
         return
     try:
-        setup.glove_settings.want_rate(rate_hz)
+        setup.connection.device.want_rate(rate_hz)
     except ValueError as error:
         raise DeviceError(tr("The glove cannot be set: {}.").format(error)) from error
 

@@ -141,13 +141,15 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
         """Let one motor run, to feel whether it does."""
         setup = self._host.setup
-        if setup is not None and setup.vibrate is not None:
-            setup.vibrate(channel, amplitude, duration_ms)
+        glove = setup.connection.device if setup is not None else None
+        if glove is not None:
+            glove.vibrate(channel, amplitude, duration_ms)
 
     @property
     def can_vibrate(self) -> bool:
         setup = self._host.setup
-        return setup is not None and setup.vibrate is not None and self._host.running
+        has_motors = setup is not None and setup.connection.device is not None
+        return has_motors and self._host.running
 
     def is_on(self, name: str) -> bool:
         return self.rule.on if name == HAPTICS else super().is_on(name)
@@ -175,7 +177,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         setup = self._host.setup
         if setup is None or not self._host.running or not self.is_on(name):
             return None
-        return setup if name != HAPTICS or setup.vibrate is not None else None
+        return setup if name != HAPTICS or setup.connection.device is not None else None
 
     def _made(self, name: str, setup: EngineSetup) -> HandsOutput:
         """Open one output. Raises StreamError in words."""
@@ -212,6 +214,11 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
 
 
 def _haptic(setup: EngineSetup, sphere: Sphere) -> Publisher:
-    """A glove without motors feels nothing."""
-    vibrate = setup.vibrate or (lambda channel, amplitude, duration_ms: False)
+    """Drives the motors of the hand's glove, if it is connected."""
+    glove = setup.connection.device
+    vibrate = glove.vibrate if glove is not None else _no_motors
     return HapticPublisher(Names.of(setup.hand, setup.glove), [sphere], vibrate)
+
+
+def _no_motors(channel: int, amplitude: int, duration_ms: int) -> bool:
+    return False

@@ -38,7 +38,7 @@ class PoseReset(QObject):
     def available(self) -> bool:
         """Whether a hand is tracked live."""
         setup = self._host.setup
-        return self._host.running and setup is not None and setup.reset_pose is not None
+        return self._host.running and setup is not None and setup.live is not None
 
     # --- by key
 
@@ -83,16 +83,17 @@ class PoseReset(QObject):
         """Of all hands at once."""
         setup = self._host.setup
         for hand in setup.hands if setup is not None else ():
-            if hand.reset_pose is not None:
-                hand.reset_pose()
+            if hand.live is not None:
+                hand.live.hand.reset_pose()
         if self._store.value.pose_reset_sound:
             QApplication.beep()
         self._show("")
 
     def _show(self, pose: str) -> None:
         setup = self._host.setup
-        if setup is not None and setup.guide is not None:
-            setup.guide.show(pose)
+        live = setup.live if setup is not None else None
+        if live is not None and live.wearer is not None:
+            live.wearer.show(pose)
 
     # --- by double tap
 

@@ -108,7 +108,9 @@ def _images(
     progress: JobProgress,
 ) -> Rows:
     """Which blob is which marker is not recorded: it follows from the recorded estimates."""
-    teller = MarkerTeller(setup.hand, setup.glove, setup.rig) if setup.camera_calibrated else None
+    teller = (
+        MarkerTeller(setup.hand, setup.glove, setup.camera.rig) if setup.camera.calibrated else None
+    )
     images = []
     for i, frame in enumerate(blobs):
         if i % AT_ONCE == 0:

@@ -97,7 +97,7 @@ class RemoteAnswers(QObject):
             return Reply(False, request.do, f"{name} is being recorded already.")
         if setup is None or not self._host.running:
             return Reply(False, request.do, "Nothing can be recorded: no device is running.")
-        if setup.make_recorder is None:
+        if setup.live is None:
             return Reply(False, request.do, "A session that is replayed cannot be recorded.")
         problems: list[str] = []
 
@@ -152,13 +152,14 @@ class RemoteAnswers(QObject):
     def _vibrate(self, request: Request) -> Reply:
         """From any thread, as the glove's link takes it."""
         setup = self._host.setup
-        if setup is None or setup.vibrate is None or not self._host.running:
+        glove = setup.connection.device if setup is not None else None
+        if glove is None or not self._host.running:
             return Reply(False, request.do, "No glove with motors is running.")
         if not self._motors[request.finger].take(request.t):
             limit = f"A motor takes at most {MOTOR_HZ:.0f} requests a second."
             return Reply(False, request.do, limit)
         motor = MOTORS.index(request.finger)
-        if not setup.vibrate(motor, request.amplitude, request.duration_ms):
+        if not glove.vibrate(motor, request.amplitude, request.duration_ms):
             return Reply(False, request.do, "The glove's line has no room; the motor was not told.")
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
@@ -171,18 +172,18 @@ class RemoteAnswers(QObject):
             limit = f"A finger takes at most {MOTOR_HZ:.0f} contacts a second."
             return Reply(False, request.do, limit)
         self._record(self._contacts.tell(request))
-        if setup.vibrate is not None:
+        if setup.connection.device is not None:
             strongest = self._contacts.strength(request.finger)
-            setup.vibrate(MOTORS.index(request.finger), *motor_of(strongest))
+            setup.connection.device.vibrate(MOTORS.index(request.finger), *motor_of(strongest))
         word = "touches" if request.strength > 0 else "lets go of"
         return Reply(True, request.do, f"The {request.finger} {word} {request.object or 'it'}.")
 
     def _record(self, events: list[Event]) -> None:
         """In the session that is recorded, if any."""
         setup = self._host.setup
-        if setup is not None and setup.followed is not None:
+        if setup is not None and setup.live is not None:
             for event in events:
-                setup.followed.record(event)
+                setup.live.hand.record(event)
 
     def end(self) -> None:
         """Nothing is done any more; who still waits is told."""

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
-from app.engines.engine import EngineSetup, one_camera
+from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
@@ -129,9 +129,9 @@ class CamerasPanel(Panel):
             self._controls.add(box)
         self._toggle_masks(self.masks.isChecked())
         self._waiting = (
-            self.tr("No image yet") if setup.has_camera else self.tr("There is no camera")
+            self.tr("No image yet") if setup.camera.present else self.tr("There is no camera")
         )
-        self._show_sides(one_camera(setup, None) or not setup.has_camera)
+        self._show_sides(setup.camera.is_single() or not setup.camera.present)
 
     def _toggle_masks(self, on: bool) -> None:
         for box in self.hue_boxes.values():
@@ -189,7 +189,7 @@ class CamerasPanel(Panel):
             self._view = view
         else:  # masks of a held image are those of the colours as they are now
             self._view = replace(self._view, setup=view.setup)
-        alone = one_camera(view.setup, view.frame)
+        alone = view.setup.camera.is_single(view.frame)
         if alone != self._alone:
             self._show_sides(alone)
         self._redraw()
@@ -226,7 +226,7 @@ class CamerasPanel(Panel):
         """The image or its masks; black where the file holds none."""
         hues = self._shown_hues()
         if image is None:
-            camera = view.setup.rig.right if right else view.setup.rig.left
+            camera = view.setup.camera.rig.right if right else view.setup.camera.rig.left
             return np.zeros((camera.height, camera.width), np.uint8)
         if hues is None:
             return image

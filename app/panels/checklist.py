@@ -93,7 +93,7 @@ class ChecklistPanel(Panel):
             return
         frame, setup = view.frame, view.setup
         image = frame.left if frame.left is not None else frame.right
-        work = self.light.work(image, setup.profile, setup.rig.fx, frame.t)
+        work = self.light.work(image, setup.profile, setup.camera.rig.fx, frame.t)
         if work is not None:
             self._light_job.run(lambda _progress: work(), self.light.took)
 

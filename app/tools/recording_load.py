@@ -26,7 +26,7 @@ import psutil
 from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import DemoChoice, start_camera
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.platform.process_tuning import tune_process
 from tracker.base.files import check_target, write_whole
 from tracker.base.terminal import add_force

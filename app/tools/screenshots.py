@@ -17,7 +17,7 @@ import numpy as np
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
 from app.tools.screenshots_set_up import take_set_up

@@ -183,7 +183,7 @@ def calibration_view(
 def by_one_camera(view: Snapshot) -> bool:
     """Whether one camera alone shows the hand: there is no other, or it shows no marker, as an
     infrared one."""
-    if view.setup.rig.one_camera:
+    if view.setup.camera.rig.one_camera:
         return True
     in_both = view.status.values.get("stereo_points") if view.status is not None else None
     return in_both == 0 and view.calibration is not None and not is_measured(view.calibration)

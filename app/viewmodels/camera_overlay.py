@@ -151,7 +151,7 @@ def _marker_pixels(view: Snapshot, right: bool) -> Array:
 
 def _outside(uv: Array, colour: str, view: Snapshot, right: bool) -> list[Shape]:
     """A dim cross at the edge of the image, on the side where the marker is."""
-    camera = view.setup.rig.right if right else view.setup.rig.left
+    camera = view.setup.camera.rig.right if right else view.setup.camera.rig.left
     if not np.isfinite(uv).all():
         return []
     edge = np.clip(uv, EDGE_PX, [camera.width - EDGE_PX, camera.height - EDGE_PX])
@@ -211,7 +211,7 @@ def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] |
         return None
     low, high = pixels.min(axis=0), pixels.max(axis=0)
     (u, v), (w, h) = (low + high) / 2, high - low
-    camera = view.setup.rig.right if right else view.setup.rig.left
+    camera = view.setup.camera.rig.right if right else view.setup.camera.rig.left
     if not (0 <= u < camera.width and 0 <= v < camera.height):
         return None
     return float(u), float(v), float(w), float(h)
@@ -219,7 +219,7 @@ def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] |
 
 def project(view: Snapshot, p_G: Array, right: bool) -> Array:
     """Points (n, 3) of G to pixels (n, 2) of the image as recorded."""
-    rig: StereoRig = view.setup.rig
+    rig: StereoRig = view.setup.camera.rig
     pose = rig.pose
     if view.frame is not None and view.frame.pose is not None:
         pose = view.frame.pose

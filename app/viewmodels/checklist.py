@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 
-from app.engines.engine import one_camera
 from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import (
     SETTLED,
@@ -88,8 +87,8 @@ def _glove(view: Snapshot | None) -> SetUpStep:
     name = tr("Glove found")
     if view is not None and packets_arrive(view):
         glove = view.setup.glove.name
-        if view.setup.firmware_advice:
-            advice = told(view.setup.firmware_advice)
+        if view.setup.connection.firmware_advice:
+            advice = told(view.setup.connection.firmware_advice)
             glove = f"{glove}. {advice} {tr('Update it under Set-up, Glove firmware.')}"
         return SetUpStep(name, True, glove)
     if view is not None and len(view.imu) > 0:
@@ -143,7 +142,7 @@ def _camera(view: Snapshot | None) -> SetUpStep:
         reason = tr("The camera does not respond. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Search again"))
     if view is not None and view.frame is not None:
-        if view.frame.left is not None and one_camera(view.setup, view.frame):
+        if view.frame.left is not None and view.setup.camera.is_single(view.frame):
             return SetUpStep(name, True, tr("images of one camera arrive"))
         if view.frame.left is not None and view.frame.right is not None:
             return SetUpStep(name, True, right_camera_time(view.status) or tr("both images arrive"))
@@ -167,12 +166,12 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
         return SetUpStep(
             name, False, tr("Show a printed board to the camera."), "stereo", tr("Calibrate")
         )
-    if not view.setup.camera_calibrated:
+    if not view.setup.camera.calibrated:
         reason = tr("Show a printed board to the camera.")
         return SetUpStep(name, False, reason, "stereo", tr("Calibrate"))
-    if view.setup.rig.one_camera:
+    if view.setup.camera.rig.one_camera:
         return SetUpStep(name, True, tr("one camera: distances are as sure as the hand's size"))
-    baseline = view.setup.rig.baseline * 1000
+    baseline = view.setup.camera.rig.baseline * 1000
     return SetUpStep(name, True, tr("baseline {:.1f} mm").format(local(baseline)))
 
 
@@ -184,13 +183,13 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
         return SetUpStep(name, False, tr("Waits for images."), waits=True)
     if view.setup.simulated or view.setup.player is not None:
         return SetUpStep(name, True, tr("it does not change here"))
-    if view.setup.camera_controls is None:
+    if view.setup.camera.controls is None:
         words = tr(
             "Cannot be verified: this source has no exposure control. Fix the exposure at the "
             "source itself."
         )
         return SetUpStep(name, False, words, check=True)
-    controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
+    controls = {c.name: c for c in view.setup.camera.controls.controls() if c.available}
     open_ones = [tr(CONTROLS[n]) for n, c in controls.items() if c.is_open and n != "gain"]
     unsure = [tr(CONTROLS[n]) for n, c in controls.items() if c.is_unverified]
     if not controls:
@@ -306,6 +305,6 @@ def _calibration(view: Snapshot | None, least: float) -> SetUpStep:
     if share >= least:
         return SetUpStep(name, True, tr("hand length {}").format(shown.hand_length))
     reason = f"{100 * share:.0f} %. {shown.advice}"
-    if view.setup.guide is not None and not (alone and not is_measured(view.calibration)):
+    if view.setup.live is not None and not (alone and not is_measured(view.calibration)):
         return SetUpStep(name, False, reason, "guided", tr("Hold poses"))
     return SetUpStep(name, False, reason, "show_calibration", tr("Show"))

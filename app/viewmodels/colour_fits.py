@@ -32,7 +32,7 @@ def image_fit(image: Image | None, profile: ColourProfile, setup: EngineSetup) -
     """
     if image is None:
         raise ConfigError(tr("There is no image yet to fit the colours to."))
-    size, fx = float(setup.glove.marker_size.mean()), setup.rig.fx
+    size, fx = float(setup.glove.marker_size.mean()), setup.camera.rig.fx
     return lambda: learn_image(image, profile, size, fx)
 
 

@@ -143,7 +143,7 @@ def _fitted(
 def _worn(setup: EngineSetup) -> WatchedGlove:
     from tracker.offline.colours_fit import WatchedGlove  # deferred: loads SciPy
 
-    return WatchedGlove(setup.hand, setup.glove, setup.rig)
+    return WatchedGlove(setup.hand, setup.glove, setup.camera.rig)
 
 
 def _of_session(fit: SessionFit) -> Fit:

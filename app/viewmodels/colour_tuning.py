@@ -154,7 +154,7 @@ class ColourTuning:
         self.setup = setup
         self.hue = 0  # row of the one that is tuned
         self.markers, self.live = MarkerWatch(setup), LiveImages(setup)
-        self.last_words = tr("Colours of {}").format(setup.camera) if kept is not None else ""
+        self.last_words = tr("Colours of {}").format(setup.camera.name) if kept is not None else ""
         self.room: dict[str, float] = {}
         self._history = ProfileHistory(Tuned(kept or setup.profile, self.last_words))
         self._dragging = False
@@ -263,7 +263,7 @@ class ColourTuning:
         picks = list(self._picks.values())
         self._history.now = replace(self._history.now, picks={})
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
-        learned = partial(learn_picked, picks, profile, size, self.setup.rig.fx)
+        learned = partial(learn_picked, picks, profile, size, self.setup.camera.rig.fx)
         return self.live.after(learned, self.setup.profile)
 
     def take(self, profile: ColourProfile, words: str) -> None:
@@ -337,7 +337,7 @@ class ColourTuning:
         if image is None:
             return None
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
-        return lambda: Detector(profile, size, self.setup.rig.fx).detect(image)[0]
+        return lambda: Detector(profile, size, self.setup.camera.rig.fx).detect(image)[0]
 
     def _is_mine(self, shown: ShownImage) -> bool:
         """Whether no engine searches the image with these colours: a kept or a frozen one, or a

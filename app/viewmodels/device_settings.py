@@ -110,7 +110,7 @@ def glove_device(side: str) -> str:
 
 def _glove(setup: EngineSetup, view: Snapshot) -> list[DeviceValue]:
     prefix, device = f"glove_{setup.side}", glove_device(setup.side)
-    report = setup.glove_settings.report() if setup.glove_settings is not None else None
+    report = setup.connection.device.report() if setup.connection.device is not None else None
     out = [
         _entry(
             prefix, device, "", "file", tr("Glove file"), setup.glove.name, confirmed=Confirmed.FILE
@@ -240,17 +240,17 @@ def _bias(calibration: Calibration | None, segment: str, kind: str) -> str | Non
 
 def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
     setup = view.setup
-    if not setup.has_camera:
+    if not setup.camera.present:
         return []
     prefix, device = "camera", tr("Camera")
-    controls = setup.camera_controls
-    out = [_entry(prefix, device, "", "name", tr("Name"), setup.camera)]
+    controls = setup.camera.controls
+    out = [_entry(prefix, device, "", "name", tr("Name"), setup.camera.name)]
     image = view.frame.left if view.frame is not None else None
     size = f"{image.shape[1]} × {image.shape[0]}" if image is not None else None
     rate = view.status.values.get("frame_rate_hz") if view.status is not None else None
-    asked_rate = setup.image_rate() if setup.image_rate is not None else None
-    calibration = setup.calibration_file or (
-        tr("in the recording") if setup.player is not None and setup.camera_calibrated else None
+    asked_rate = setup.camera.device.fps if setup.camera.device is not None else None
+    calibration = setup.camera.calibration_file or (
+        tr("in the recording") if setup.player is not None and setup.camera.calibrated else None
     )
     measured = Confirmed.MEASURED if rate is not None else Confirmed.UNKNOWN
     out += [

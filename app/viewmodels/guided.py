@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from enum import Enum
 
-from app.engines.guide import PoseGuide
+from app.engines.engine import LivePart
 from tracker.hand.holding import NOTHING_ARRIVES, Holding
 from tracker.hand.poses import BETWEEN, HELD, POSES
 
@@ -36,8 +36,8 @@ class GuidedRun:
     ``held`` are the outcomes so far by pose: True held, False left out.
     """
 
-    def __init__(self, guide: PoseGuide, judge: Judge, poses: Sequence[str] = tuple(POSES)) -> None:
-        self._guide, self._judge = guide, judge
+    def __init__(self, live: LivePart, judge: Judge, poses: Sequence[str] = tuple(POSES)) -> None:
+        self._hand, self._wearer, self._judge = live.hand, live.wearer, judge
         self.poses = tuple(poses)
         self.phase = GuidedPhase.WAITING
         self.number = 0
@@ -88,7 +88,7 @@ class GuidedRun:
         """Leave this pose out."""
         if self.is_running:
             if self.phase == GuidedPhase.REACHING:
-                self._guide.hold(self.pose)  # a recording tells what was skipped
+                self._hand.hold(self.pose)  # a recording tells what was skipped
             self._end(False, t)
 
     def repeat(self, t: float) -> None:
@@ -96,7 +96,7 @@ class GuidedRun:
         if self.phase == GuidedPhase.WAITING:
             return
         if self.phase == GuidedPhase.HOLDING:
-            self._guide.let_go(self.pose, False)
+            self._hand.let_go(self.pose, False)
             self._ask(self.number, t)
         else:
             self._ask(max(self.number - 1, 0), t)
@@ -104,9 +104,9 @@ class GuidedRun:
     def cancel(self) -> None:
         """Nothing more is asked for; what was held counts."""
         if self.phase == GuidedPhase.HOLDING:
-            self._guide.let_go(self.pose, False)
+            self._hand.let_go(self.pose, False)
         if self.is_running:
-            self._guide.show("")
+            self._show("")
         self.phase = GuidedPhase.DONE
 
     # --- as time goes on
@@ -134,27 +134,32 @@ class GuidedRun:
         if self.share >= 1.0:
             self._end(True, t)
 
+    def _show(self, pose: str) -> None:
+        """To a simulated wearer, who takes the pose; a real one reads the screen."""
+        if self._wearer is not None:
+            self._wearer.show(pose)
+
     def _ask(self, number: int, t: float) -> None:
         self.number, self.phase, self.share = number, GuidedPhase.REACHING, 0.0
         self._asked, self._last, self.insisted, self.late = t, t, False, False
         self._missed = 0.0
-        self._guide.show(self.pose)
+        self._show(self.pose)
 
     def _begin(self, t: float) -> None:
         self.phase, self.share, self._well, self._last = GuidedPhase.HOLDING, 0.0, t, t
-        self._guide.hold(self.pose)
+        self._hand.hold(self.pose)
 
     def _lost(self, t: float) -> None:
         """Let go too early: the same pose from its beginning, without a pause."""
-        self._guide.let_go(self.pose, False)
+        self._hand.let_go(self.pose, False)
         self.phase, self.share, self._asked = GuidedPhase.REACHING, 0.0, t - BETWEEN
 
     def _end(self, held: bool, t: float) -> None:
-        self._guide.let_go(self.pose, held)
+        self._hand.let_go(self.pose, held)
         self.held[self.pose] = held
         if self.number + 1 < len(self.poses):
             self._ask(self.number + 1, t)
         else:
             self.number += 1
             self.phase = GuidedPhase.DONE
-            self._guide.show("")
+            self._show("")

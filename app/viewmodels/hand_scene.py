@@ -198,7 +198,7 @@ class HandSceneModel:
         R, p = self._last
         other = view.reference() if with_reference else None
         scale = scales(view.setup.hand, view.calibration)
-        pose = view.setup.rig.pose
+        pose = view.setup.camera.rig.pose
         if view.frame is not None and view.frame.pose is not None:
             pose = view.frame.pose
         return HandScene(

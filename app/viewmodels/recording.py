@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
 from app.words import decimal, local, tr
 from tracker.base.errors import ConfigError, FileError

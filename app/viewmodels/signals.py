@@ -228,7 +228,7 @@ def _gestures(setup: EngineSetup) -> list[Signal]:
 
 def _images(setup: EngineSetup) -> list[Signal]:
     """A replay has no predictions: its residuals are those of the recorded estimates."""
-    if not setup.has_camera:
+    if not setup.camera.present:
         return []
     of = tr("of the estimate") if setup.player is not None else tr("of the prediction")
     rows = (

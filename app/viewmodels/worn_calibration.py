@@ -131,7 +131,7 @@ class WearersOfHands:
         """Turn to this hand; the name of who wore its glove last."""
         self.worn = self.by_side[setup.side]
         settings = self._store.value
-        own = bound(settings, setup.glove_id)  # of a glove that is known again
+        own = bound(settings, setup.connection.number)  # of a glove that is known again
         if own is not None:
             return own.wearer
         name = wearer_of(settings, setup.side, setup.simulated)
@@ -144,9 +144,9 @@ class WearersOfHands:
         if setup is None:
             return
         settings = self._store.value
-        own = bound(settings, setup.glove_id)
-        if setup.glove_id is not None and own is not None:
-            gloves = with_bound(settings, setup.glove_id, replace(own, wearer=name))
+        own = bound(settings, setup.connection.number)
+        if setup.connection.number is not None and own is not None:
+            gloves = with_bound(settings, setup.connection.number, replace(own, wearer=name))
             self._store.update(gloves=gloves)
         if setup.simulated:
             self._store.update(demo_wearers={**settings.demo_wearers, setup.side: name})

@@ -11,8 +11,8 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QObject, QPoint, QRec
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
-from app.engines.engine import RecordingRequest
 from app.engines.engine_host import EngineHost
+from app.engines.protocols import RecordingRequest
 from app.panels.bug_report_dialog import BugReportDialog
 from app.platform.bug_report import Choice, Material, machine, write_bundle
 from app.platform.crash import CrashWatch
@@ -135,9 +135,9 @@ class BugReports(QObject):
         """The seconds in memory, in a file made like any recording, with nobody's name."""
         host = self._sources.host
         setup = host.setup
-        if setup is None or setup.make_recorder is None:
+        if setup is None or setup.live is None:
             return
-        recorder = setup.make_recorder(RecordingRequest(path, "", ""))
+        recorder = setup.live.make_recorder(RecordingRequest(path, "", ""))
         try:
             for message in host.recent():
                 recorder.write(message)

@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from PySide6.QtCore import QBuffer, QByteArray, QEventLoop, QIODevice, QTimer
 
-from app.engines.engine import RecordingRequest
 from app.engines.engine_host import SetupFactory
+from app.engines.protocols import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportRequest, export_job
 from app.platform.tasks import JobProgress

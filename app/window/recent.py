@@ -71,7 +71,7 @@ class RecentSessions(QObject):
             return
         path = setup.player.path
         self._remember(path)
-        if setup.cut_off:
+        if setup.player.cut_off:
             self._offer_recovery(path)
 
     def _begun(self) -> None:

@@ -134,18 +134,18 @@ class SetUpDialogs(QObject):
     def lock_camera(self) -> None:
         """Lock what the camera has found by itself, as it is now."""
         setup = self._host.setup
-        if setup is None or setup.camera_controls is None:
+        if setup is None or setup.camera.controls is None:
             return
-        found = {c.name: c.value for c in setup.camera_controls.controls() if c.available}
+        found = {c.name: c.value for c in setup.camera.controls.controls() if c.available}
         self._store.update(camera_locks=locks_text(Locks(**found)))
-        setup.camera_controls.want(Locks(**found))
+        setup.camera.controls.want(Locks(**found))
 
     # --- the wearer
 
     def open_guided(self) -> None:
         """Poses that the wearer holds on request."""
         setup = self._host.setup
-        if self._raise("guided") or setup is None or setup.guide is None or not self._host.running:
+        if self._raise("guided") or setup is None or setup.live is None or not self._host.running:
             return
         if not learns_wearer(self._store.value.engine):
             self.error.emit(
@@ -155,7 +155,7 @@ class SetUpDialogs(QObject):
         from app.wizards.guided.dialog import GuidedDialog
 
         scene = theme.colours(self._store.value.theme).scene
-        dialog = GuidedDialog(self._host, setup, setup.guide, self._store, scene, self._window)
+        dialog = GuidedDialog(self._host, setup, setup.live, self._store, scene, self._window)
         dialog.kept.connect(self.learned)
         self.show_dialog("guided", dialog)
 

@@ -163,10 +163,10 @@ class Sources(QObject):
             self.plugged.begin()
         else:
             self.plugged.rest()
-        if setup.others and setup.glove_id is not None:
+        if setup.others and setup.connection.number is not None:
             self._store.update(both_hands=True)  # one that is unplugged is expected from now on
-        if setup.whole:
-            setup.engine.set_engine(self._store.value.engine)
+        if setup.whole and setup.live is not None:
+            setup.live.engine.set_engine(self._store.value.engine)
         elif setup.missing:
             self.tell_of_devices(setup.missing)
 

@@ -79,9 +79,9 @@ class Takes(QObject):
             return
         if self._running.isValid() and self._running.elapsed() < STARTING_MS:
             return  # devices that have just been opened send nothing yet
-        rate = setup.image_rate() if setup.image_rate is not None else 0.0
+        rate = setup.camera.device.fps if setup.camera.device is not None else 0.0
         hands = [_now(hand) for hand in setup.hands]
-        self._report(self._missing.look(missing_now(hands, rate if setup.has_camera else None)))
+        self._report(self._missing.look(missing_now(hands, rate if setup.camera.present else None)))
 
     def _report(self, missing: Missing) -> None:
         """Again where something else is missing, or where another message is gone by now."""
@@ -165,4 +165,4 @@ def _now(setup: EngineSetup) -> HandNow:
     """Of the hand that it is seen from."""
     hand = setup.tracked
     imus = setup.glove.imu_names
-    return HandNow(setup.side, hand.status(), hand.recent_imu(), imus, setup.has_glove)
+    return HandNow(setup.side, hand.status(), hand.recent_imu(), imus, setup.connection.present)

@@ -78,7 +78,8 @@ class Ticker(QObject):
     def _tick(self) -> None:
         now = time.monotonic()
         setup, hurried = self._host.setup, self.is_waited_for()
-        PAINTING.to = setup.right_of_way if setup is not None and hurried else None
+        live = setup.live if setup is not None else None
+        PAINTING.to = live.engine.right_of_way if live is not None and hurried else None
         if not self._pace.is_due(now, time.thread_time(), hurried):
             return
         self.ticks += 1
@@ -114,7 +115,7 @@ class Ticker(QObject):
             self._counted = (now, self.ticks)
 
     def _refresh_status(self, view: Snapshot | None) -> None:
-        placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
+        placed = view is None or (view.setup.camera.present and view.setup.camera.calibrated)
         replayed = view is not None and view.setup.player is not None
         self._bar.show_status(view.status if view else None, self._host.running, placed, replayed)
         hands = (view, *view.others) if view is not None else ()

@@ -308,7 +308,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     host, w = on.host, on.window
     opened = host.setup is not None
     tracks = host.setup is not None and host.setup.player is None
-    guided = host.setup is not None and host.setup.guide is not None
+    guided = host.setup is not None and host.setup.live is not None
     recording = host.recording.request is not None
     both = host.setup is not None and bool(host.setup.others)
     for key, able in (

@@ -31,7 +31,6 @@ from app.engines.camera_choice import (
     is_address,
     told_count,
 )
-from app.engines.engine import one_camera
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
@@ -203,7 +202,7 @@ class CameraSetup(FormDialog):
     def _tick(self) -> None:
         setup = self._host.setup
         self.arriving.setText(self._arriving())
-        controls = setup.camera_controls if setup is not None else None
+        controls = setup.camera.controls if setup is not None else None
         if setup is not None and setup.simulated:
             self.locks.show_nothing(self.tr("The simulated camera's exposure is fixed."))
         elif controls is None:
@@ -223,7 +222,7 @@ class CameraSetup(FormDialog):
         if view is None or view.frame is None or not view.images_arrive:
             self._show_pair((None, None))
             return ""
-        alone = one_camera(view.setup, view.frame)
+        alone = view.setup.camera.is_single(view.frame)
         self._name_images(alone)
         self._show_pair((view.frame.left, view.frame.right))
         image = view.frame.left if view.frame.left is not None else view.frame.right
@@ -251,8 +250,8 @@ class CameraSetup(FormDialog):
     def _lock(self, locks: Locks) -> None:
         self._store.update(camera_locks=locks_text(locks))
         setup = self._host.setup
-        if setup is not None and setup.camera_controls is not None:
-            setup.camera_controls.want(locks)
+        if setup is not None and setup.camera.controls is not None:
+            setup.camera.controls.want(locks)
 
     def done(self, result: int) -> None:
         self._timer.stop()

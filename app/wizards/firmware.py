@@ -83,7 +83,7 @@ class FirmwareSetup(FormDialog):
         """Whether tracking holds a real glove's port."""
         setup = self._host.setup
         live = setup is not None and not setup.simulated and setup.player is None
-        return live and setup is not None and setup.has_glove
+        return live and setup is not None and setup.connection.present
 
     def look(self) -> None:
         """Ask the ports who is there; those in use are left alone."""

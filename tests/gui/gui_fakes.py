@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import threading
 import time
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
-from app.engines.engine import EngineSetup, ReferenceHand
+from app.engines.engine import CameraPart, EngineSetup, LivePart
+from app.engines.protocols import ReferenceHand
 from resources import folder
-from tracker.base.clock import ClockAnchor
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.live.history import SearchedImage
+from tracker.live.right_of_way import RightOfWay
 from tracker.messages import (
     Calibration,
     Estimate,
@@ -24,6 +26,8 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
+from tracker.sensors.glove_report import GloveReport
+from tracker.sensors.serial_line import UsbPort
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import parse_profile
@@ -58,7 +62,10 @@ def frame_and_blobs(i: int):
 
 
 class ScriptedEngine:
-    """A `LiveEngine` without threads that stands at one instant, ``frame``."""
+    """A `LiveEngine` and its hand, without threads, at one instant, ``frame``.
+
+    ``commands`` are those that were given to the hand, by name.
+    """
 
     def __init__(self, frame: int = 30, tracking: Tracking = Tracking.TRACKING) -> None:
         self.frame = frame
@@ -72,6 +79,8 @@ class ScriptedEngine:
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
         self._looked_at: list[Estimate] = []
+        self.right_of_way = RightOfWay()
+        self.commands: list[str] = []
         self.events = [Event(0.0, "device", "Glove found.")]
 
     def start(self) -> None:
@@ -209,6 +218,89 @@ class ScriptedEngine:
         if self.recorder is not None:
             self.recorder.write(event)
 
+    # --- the hand's commands
+
+    def command(self, work) -> None:
+        self.commands.append("command")
+
+    def reset_pose(self) -> None:
+        self.commands.append("reset_pose")
+
+    def hold(self, pose: str) -> None:
+        self.commands.append(f"hold {pose}")
+
+    def let_go(self, pose: str, held: bool) -> None:
+        self.commands.append(f"let_go {pose}")
+
+    def follow(self, follower) -> None:
+        self.commands.append("follow")
+
+    def record(self, message) -> None:
+        self.commands.append("record")
+
+    def set_reference(self, name: str | None) -> None:
+        self.commands.append(f"set_reference {name}")
+
+    def reference_estimate(self) -> Estimate | None:
+        return None
+
+
+GLOVE_REPORT = GloveReport(
+    port="/dev/ttyUSB0",
+    adapter=UsbPort("/dev/ttyUSB0", 0x0403, 0x6001, "A10K"),
+    state="streaming",
+    baud=250_000,
+    rates_hz=(50, 100, 200),
+    rate_asked_hz=100,
+    rate_hz=100.02,
+    glove_id=1234,
+    firmware=(1, 2, 0),
+    protocol=1,
+    motors=2,
+    accel_range_g=16.0,
+    gyro_range_dps=2000.0,
+    imu_ok=(True,) * 6 + (False,),
+    battery_mV=3712,
+    temperature_cC=2950,
+    latency_ms=16,
+    skew_ppm=-12.5,
+)
+
+
+class ScriptedGlove:
+    """An open glove; it takes another rate where it ``obeys``; ``vibrated`` are motor commands."""
+
+    def __init__(self) -> None:
+        self.now, self.obeys = GLOVE_REPORT, True
+        self.vibrated: list[tuple[int, int, int]] = []
+
+    def report(self) -> GloveReport:
+        return self.now
+
+    def want_rate(self, rate_hz: int) -> None:
+        measured = float(rate_hz) if self.obeys else self.now.rate_hz
+        self.now = self.now._replace(rate_asked_hz=rate_hz, rate_hz=measured)
+
+    def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
+        self.vibrated.append((channel, amplitude, duration_ms))
+        return True
+
+
+def with_glove(setup: EngineSetup, device=None, **changes) -> EngineSetup:
+    """The same with this open glove, or with other fields of its `GlovePart`."""
+    connection = replace(setup.connection, device=device, **changes)
+    return replace(setup, connection=connection)
+
+
+def with_camera(setup: EngineSetup, **changes) -> EngineSetup:
+    """The same with another camera: fields of `CameraPart`."""
+    return replace(setup, camera=replace(setup.camera, **changes))
+
+
+def with_live(setup: EngineSetup, **changes) -> EngineSetup:
+    """The same with other fields of its `LivePart`."""
+    return replace(setup, live=replace(setup.live, **changes))
+
 
 @lru_cache
 def _imu():
@@ -234,6 +326,14 @@ class MemoryRecorder:
         self.closed = True
 
 
+class ScriptedTruth:
+    """The simulated hand."""
+
+    def at(self, t: float) -> ReferenceHand:
+        true = truth_at(t)
+        return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
+
+
 def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> EngineSetup:
     hand, glove, profile = models()
     made = recorders if recorders is not None else []
@@ -242,22 +342,17 @@ def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> Eng
         made.append(MemoryRecorder(request.path))
         return made[-1]
 
-    def truth(t: float) -> ReferenceHand:
-        true = truth_at(t)
-        return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
-
     return EngineSetup(
         name="scripted",
         engine=engine,
         tracked=engine,
         hand=hand,
         glove=glove,
-        rig=simulation().rig,
+        camera=CameraPart(simulation().rig),
         profile=profile,
-        anchor=ClockAnchor(0, 0),
         close=lambda: None,
-        make_recorder=make_recorder,
-        truth=truth,
+        live=LivePart(engine, engine, make_recorder),
+        truth=ScriptedTruth(),
         simulated=True,
     )
 

@@ -45,7 +45,7 @@ class Commanded(ScriptedEngine):
 
 
 def setup_of(engine: Commanded):
-    return dataclasses.replace(scripted_setup(engine), command=engine.command, simulated=False)
+    return dataclasses.replace(scripted_setup(engine), simulated=False)
 
 
 def calibration_covariance(engine: ChainEngine) -> Array:
@@ -239,7 +239,7 @@ def test_a_removed_wearer_comes_back_with_undo(panel, store, qtbot):
 
 
 def test_without_an_engine_that_listens_nothing_can_be_changed(window):
-    window.host.adopt(scripted_setup(ScriptedEngine()))  # as a replay
+    window.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), live=None))  # a replay
     row = window.calibration.wearer
     assert not any(w.isEnabled() for w in (row.choice, row.reset_button, row.frozen))
     assert row.comparing.isEnabled()

@@ -16,7 +16,7 @@ from app.storage.settings import AppSettings
 from app.viewmodels.checklist import steps
 from app.viewmodels.states import WARN
 from app.wizards.camera import CameraSetup
-from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, with_camera
 from tracker.base.errors import DeviceError
 from tracker.calibration.still import StillImu, StillPose
 from tracker.engine.pipeline import Pipeline
@@ -65,7 +65,7 @@ class Controls:
 def controls(window) -> Controls:
     """The window on a real camera that can be locked."""
     made = Controls()
-    setup = replace(scripted_setup(ScriptedEngine()), simulated=False, camera_controls=made)
+    setup = with_camera(replace(scripted_setup(ScriptedEngine()), simulated=False), controls=made)
     window.host.adopt(setup)
     return made
 
@@ -96,7 +96,7 @@ def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls
 @pytest.mark.parametrize("controls", [None, SimpleNamespace(controls=lambda: (Control("gain"),))])
 def test_exposure_that_cannot_be_read_is_to_be_checked_and_not_done(window, controls):
     setup = scripted_setup(ScriptedEngine())
-    window.host.adopt(replace(setup, simulated=False, camera_controls=controls))
+    window.host.adopt(with_camera(replace(setup, simulated=False), controls=controls))
     step = exposure_step(window)
     assert not step.done and step.passes and step.look(reachable=False) is WARN
     assert step.reason.startswith("Cannot be verified")
@@ -146,7 +146,7 @@ class OneDevice:
 def test_a_lock_that_the_camera_does_not_confirm_is_never_shown_as_done(window, qtbot, device):
     source = ControlledInput(OneDevice(device), Locks(exposure=157.0, white_balance=4600.0))
     setup = scripted_setup(ScriptedEngine())
-    window.host.adopt(replace(setup, simulated=False, camera_controls=source))
+    window.host.adopt(with_camera(replace(setup, simulated=False), controls=source))
     source.read()
     step = exposure_step(window)
     assert not step.done and step.look(reachable=False) is WARN
@@ -309,8 +309,9 @@ def test_biases_measured_at_rest_reach_the_engine(window):
     hand, glove, _ = models()
     engine = Pipeline(hand, glove, ideal_rig()).engine
     assert isinstance(engine, ChainEngine)
-    told = replace(scripted_setup(ScriptedEngine()), command=lambda work: work(engine))
-    window.host.adopt(told)
+    scripted = ScriptedEngine()
+    scripted.command = lambda work: work(engine)
+    window.host.adopt(scripted_setup(scripted))
     bias = np.array([0.01, -0.02, 0.03])
     imu = StillImu("", bias, 1e-4, 1e-4, np.zeros(3))
     window.set_up.take_bias(StillPose((imu,) * len(glove.imus)))

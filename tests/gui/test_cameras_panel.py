@@ -117,7 +117,7 @@ def test_blobs_of_markers_that_both_cameras_see_are_filled(view):
 
 def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
     """The camera is moved so that the hand stands left of the image, as a turned head does."""
-    pose = view.setup.rig.pose
+    pose = view.setup.camera.rig.pose
     moved = CameraPose(pose.R_GC, pose.p_GC + pose.R_GC @ [0.6, 0.0, 0.0])
     result = dataclasses.replace(
         view.result, predicted_left=np.full_like(view.result.predicted_left, np.nan)

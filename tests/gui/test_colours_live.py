@@ -9,7 +9,7 @@ import pytest
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
 from tests.benchmarks.desk import detection, folder, load
-from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup, with_camera
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.glove import library
@@ -73,7 +73,7 @@ def test_a_fit_without_a_hand_is_refused_in_words() -> None:
 
 
 def test_without_calibrated_cameras_the_fit_says_what_serves_instead() -> None:
-    live = LiveImages(dataclasses.replace(SETUP, camera_calibrated=False))
+    live = LiveImages(with_camera(SETUP, calibrated=False))
     with pytest.raises(GlovetrackError, match="one image instead"):
         live.ask()
 
@@ -136,7 +136,8 @@ def test_clicks_learn_from_the_images_around_them_as_a_fit_does() -> None:
     assert SCENES is not None
     scene = load(SCENES / "lamp")
     info = scene.info
-    setup = dataclasses.replace(SETUP, hand=info.hand, glove=info.glove, rig=info.rig)
+    setup = dataclasses.replace(SETUP, hand=info.hand, glove=info.glove)
+    setup = with_camera(setup, rig=info.rig)
     live = LiveImages(setup)
     imu = [m for m in scene.messages if isinstance(m, ImuSample)]
     for frame in scene.frames[: 2 * ENOUGH + 2]:

@@ -22,7 +22,7 @@ from app.viewmodels.colours import hue_colours, seen_rows
 from app.viewmodels.states import GOOD, WARN
 from app.widgets.range_row import HueRangeSlider
 from app.window.main_window import MainWindow
-from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, with_camera
 from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.light_meter import LightMeter
 from tracker.messages import Tracking
@@ -41,7 +41,7 @@ CAMERA = "Test Cam SN 0815"
 
 
 def setup_of(engine: ScriptedEngine):
-    return dataclasses.replace(scripted_setup(engine), camera=CAMERA)
+    return with_camera(scripted_setup(engine), name=CAMERA)
 
 
 @pytest.fixture
@@ -219,7 +219,7 @@ def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store,
     reopened.host.adopt(setup_of(again))
     assert again.profiles[-1] == reopened.colours.tuning.profile == tuned
     assert reopened.host.setup.profile == tuned  # a checklist and colours on screen follow
-    reopened.host.adopt(dataclasses.replace(scripted_setup(other), camera="Another"))
+    reopened.host.adopt(with_camera(scripted_setup(other), name="Another"))
     assert reopened.colours.tuning.profile == models()[2] and other.profiles == []
     reopened.colours.tools.take_over.emit(reopened.colours.keeper.others()[0])
     assert other.profiles[-1] == tuned
@@ -250,7 +250,7 @@ def test_a_kept_image_is_tuned_on_while_the_live_one_moves(colours, engine, qtbo
     colours.image.source.side.setCurrentIndex(1)
     assert np.array_equal(colours.image.source.image(), image.right)
     size = float(models()[1].marker_size.mean())
-    fx = colours.host.setup.rig.fx
+    fx = colours.host.setup.camera.rig.fx
     found = Detector(colours.tuning.profile, size, fx).detect(image.right)[0]
     count = f"{int((found.hue == 0).sum())}"
     qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
@@ -299,7 +299,7 @@ def test_a_kept_image_is_searched_beside_the_window(colours, held, qtbot):
     assert threading.get_ident() not in held.threads
     held.go_on.set()
     image = colours.image.source.image()
-    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.camera.rig.fx
     found = Detector(models()[2], size, fx).detect(image)[0]
     count = f"{int((found.hue == 0).sum())}"
     qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
@@ -311,7 +311,7 @@ def test_a_replay_is_searched_with_the_colours_that_are_tuned(colours, qtbot):
     index = colours.tuning.profile.hue_names.index("green")
     chip = colours.ranges.hues.chips[index]
     image = colours.image.source.image()
-    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.camera.rig.fx
     found = Detector(models()[2], size, fx).detect(image)[0]
     count = int((found.hue == index).sum())
     assert count > 0
@@ -440,7 +440,7 @@ def test_a_frozen_image_is_counted_with_the_colours_as_they_are_now(colours, eng
     assert missed().look is WARN
     assert colours.image.source.image() is image
     colours.undo()
-    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.camera.rig.fx
     found = int((Detector(models()[2], size, fx).detect(image)[0].hue == index).sum())
     assert found > 0
     qtbot.waitUntil(lambda: missed().count.startswith(f"{found} of about "), timeout=30_000)
@@ -452,7 +452,7 @@ def test_a_frozen_image_is_counted_with_the_colours_as_they_are_now(colours, eng
 
 def test_another_camera_begins_live(colours):
     colours.image.source.freeze.setChecked(True)
-    colours.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), camera="Another"))
+    colours.host.adopt(with_camera(scripted_setup(ScriptedEngine()), name="Another"))
     assert not colours.image.source.freeze.isChecked()
 
 
@@ -621,7 +621,9 @@ def test_missed_markers_of_a_frozen_image_are_those_of_that_image(colours, engin
     colours.image.source.freeze.setChecked(True)
     qtbot.waitUntil(lambda: light.watch.is_of(newest), timeout=30_000)
     rings = light.rings(colours.image.shown())
-    missed = LightMeter(colours.tuning.profile, colours.host.setup.rig.fx).read(newest).missed
+    missed = (
+        LightMeter(colours.tuning.profile, colours.host.setup.camera.rig.fx).read(newest).missed
+    )
     assert [(r.u, r.v) for r in rings] == [tuple(uv) for uv in missed / MASK_STEP]
 
 
@@ -736,7 +738,7 @@ def test_setting_from_a_pixel_makes_a_moved_hue_find_its_markers_again(colours, 
     tuned = engine.profiles[-1].hues[hue]
     assert tuned == colours.tuning.profile.hues[hue]
     assert tuned.width < 40 and tuned.hue == colours.ranges.rows["hue"].values()
-    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.camera.rig.fx
     found = Detector(colours.tuning.profile, size, fx).detect(image.left)[0]
     gaps = np.linalg.norm(found.uv[found.hue == hue] - largest, axis=1)
     assert gaps.min() < 4

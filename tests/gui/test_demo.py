@@ -98,7 +98,9 @@ def test_the_wearer_does_what_the_guidance_shows_and_closing_leaves_it_in_a_whol
     dialog = demo.set_up.dialogs["guided"]
     dialog.run.poses = ("fist",)
     dialog.start()
-    qtbot.waitUntil(lambda: reach(demo.host.setup.truth(time.monotonic())) < FIST, timeout=60_000)
+    qtbot.waitUntil(
+        lambda: reach(demo.host.setup.truth.at(time.monotonic())) < FIST, timeout=60_000
+    )
     begin = time.monotonic()
     qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > begin + 0.5, timeout=60_000)
     demo.close()
@@ -116,7 +118,7 @@ def test_the_wearer_follows_the_conformance_script(demo, qtbot, tmp_path):
     demo.run_command("conformance")
     dialog = demo.set_up.dialogs["conformance"]
     dialog.start()
-    shown = lambda: reach(demo.host.setup.truth(time.monotonic()))  # noqa: E731
+    shown = lambda: reach(demo.host.setup.truth.at(time.monotonic()))  # noqa: E731
     qtbot.waitUntil(lambda: dialog.run.cue == StepCue(CuePhase.HOLDING, 0, 0, ANY), timeout=30_000)
     qtbot.waitUntil(lambda: dialog.run.label == "open_hand_open" and shown() > OPEN, timeout=5_000)
     qtbot.waitUntil(lambda: dialog.run.label == "fist" and shown() < FIST, timeout=15_000)
@@ -180,7 +182,7 @@ def test_one_hand_is_over_a_desk_where_the_computer_can_draw_it():
 def test_the_truth_of_the_demo_is_the_simulated_hand(no_leaks):
     setup = demo_setup(lambda *_: None, 1, DemoChoice())
     hand, glove, _ = models()
-    true = setup.truth(setup.anchor.monotonic_ns / 1e9 + 1.0)
+    true = setup.truth.at(time.monotonic() + 1.0)
     setup.engine.stop()
     setup.close()
     assert true.keypoints.shape == (len(glove.keypoint_names(hand)), 3)

@@ -3,56 +3,23 @@
 from __future__ import annotations
 
 import dataclasses
+from types import SimpleNamespace
 
 import pytest
 
 from app.viewmodels.device_settings import AUTOMATIC, Confirmed, differences, to_file
-from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.gui_fakes import (
+    ScriptedEngine,
+    ScriptedGlove,
+    scripted_setup,
+    with_camera,
+    with_glove,
+)
 from tracker.base.toml_reader import parse_toml
 from tracker.sensors.camera_controls import CameraReport, Control, Locks
-from tracker.sensors.glove_report import GloveReport
-from tracker.sensors.serial_line import UsbPort
 from tracker.sensors.v4l2 import Limits
 
 RATE = "glove_right.rate_hz"
-REPORT = GloveReport(
-    port="/dev/ttyUSB0",
-    adapter=UsbPort("/dev/ttyUSB0", 0x0403, 0x6001, "A10K"),
-    state="streaming",
-    baud=250_000,
-    rates_hz=(50, 100, 200),
-    rate_asked_hz=100,
-    rate_hz=100.02,
-    glove_id=1234,
-    firmware=(1, 2, 0),
-    protocol=1,
-    motors=2,
-    accel_range_g=16.0,
-    gyro_range_dps=2000.0,
-    imu_ok=(True,) * 6 + (False,),
-    battery_mV=3712,
-    temperature_cC=2950,
-    latency_ms=16,
-    skew_ppm=-12.5,
-)
-
-
-class Glove:
-    """Reports, and takes another rate where it ``obeys``."""
-
-    def __init__(self) -> None:
-        self.now, self.obeys, self.ran = REPORT, True, []
-
-    def report(self) -> GloveReport:
-        return self.now
-
-    def want_rate(self, rate_hz: int) -> None:
-        measured = float(rate_hz) if self.obeys else self.now.rate_hz
-        self.now = self.now._replace(rate_asked_hz=rate_hz, rate_hz=measured)
-
-    def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
-        self.ran.append((channel, amplitude, duration_ms))
-        return True
 
 
 class Camera:
@@ -89,8 +56,8 @@ class Camera:
 
 
 @pytest.fixture
-def glove() -> Glove:
-    return Glove()
+def glove() -> ScriptedGlove:
+    return ScriptedGlove()
 
 
 @pytest.fixture
@@ -104,12 +71,13 @@ def devices(window, glove, camera, qtbot):
     setup = dataclasses.replace(
         scripted_setup(ScriptedEngine()),
         simulated=False,
-        camera="ZED Mini",
+    )
+    setup = with_camera(
+        with_glove(setup, glove),
+        name="ZED Mini",
         calibration_file="SN77.conf",
-        image_rate=lambda: 60.0,
-        glove_settings=glove,
-        camera_controls=camera,
-        vibrate=glove.vibrate,
+        device=SimpleNamespace(fps=60.0, unfit=None),
+        controls=camera,
     )
     window.host.adopt(setup)
     window.run_command("show_devices")
@@ -218,7 +186,7 @@ def test_what_is_out_of_its_limits_is_refused_in_words(devices, camera):
 
 def test_motors_run_at_a_press(devices, glove):
     devices.tree.motor.emit("glove_right.motor_1")
-    assert glove.ran == [(1, 160, 300)]
+    assert glove.vibrated == [(1, 160, 300)]
     assert devices.tree.itemWidget(devices.tree.items["glove_right.motor_0"], 1) is not None
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from app.storage.bound_gloves import BoundGlove, bound, with_bound
 from app.viewmodels.glove_setup import SetUpPhase, StillRun, WiggleRun
-from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation, with_glove
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.wiggles import Wiggle, wiggling_wearer
@@ -92,7 +92,9 @@ def test_the_place_of_the_glove_in_use_is_that_glove(window, store, qtbot, tmp_p
     port = str(tmp_path / "glove_left")
     known = BoundGlove("right", "vist-small", "reference-right", "", port)
     store.update(gloves=with_bound(store.value, 7, known), port=port)
-    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False, glove_id=7))
+    window.host.adopt(
+        with_glove(replace(scripted_setup(ScriptedEngine()), simulated=False), number=7)
+    )
     window.run_command("glove_setup")
     dialog = window.set_up.dialogs["glove"]
     dialog.choice.add_port(port)
@@ -164,7 +166,9 @@ def test_the_set_up_says_which_glove_sends(window, store, qtbot, monkeypatch):
 
 def test_the_set_up_names_the_glove_in_use_and_one_at_a_port(window, qtbot, monkeypatch, tmp_path):
     monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", list)
-    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False, glove_id=7))
+    window.host.adopt(
+        with_glove(replace(scripted_setup(ScriptedEngine()), simulated=False), number=7)
+    )
     window.run_command("glove_setup")
     dialog = window.set_up.dialogs["glove"]
     qtbot.waitUntil(lambda: dialog.state.text().startswith("Glove 7 in use: "), timeout=30_000)

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from app.engines.guide import WearersGuide
 from app.viewmodels.guided import GuidedPhase
 from app.viewmodels.guided_hand import DrawnHand
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
@@ -106,10 +105,7 @@ def recorders() -> list:
 @pytest.fixture
 def guided(window, engine, clock, recorders, qtbot, monkeypatch):
     """The dialog, opened by its key."""
-    setup = dataclasses.replace(
-        scripted_setup(engine, recorders), command=engine.command, guide=WearersGuide(engine)
-    )
-    window.host.adopt(setup)
+    window.host.adopt(scripted_setup(engine, recorders))
     with qtbot.waitActive(window):
         window.activateWindow()
     qtbot.keyClick(window, Qt.Key.Key_F6)
@@ -341,11 +337,8 @@ def test_it_ends_with_the_tracking(guided, window, clock, engine):
 
 
 def test_without_an_engine_that_learns_it_is_not_begun(window, engine):
-    setup = dataclasses.replace(
-        scripted_setup(engine), command=engine.command, guide=WearersGuide(engine)
-    )
     window.store.update(engine="vist")
-    window.host.adopt(setup)
+    window.host.adopt(scripted_setup(engine))
     window.run_command("guided")
     assert "guided" not in window.set_up.dialogs
     assert "chain" in window.banner.text()
@@ -477,10 +470,7 @@ def test_once_more_and_ended_at_once_still_shows_what_was_taught_before(
 def both(window, clock, qtbot, monkeypatch):
     """The dialog for the right one of two hands, each with its own engine."""
     right, left = Posed(), Posed()
-    setups = [
-        dataclasses.replace(scripted_setup(e), command=e.command, guide=WearersGuide(e), tracked=e)
-        for e in (right, left)
-    ]
+    setups = [scripted_setup(e) for e in (right, left)]
     glove = dataclasses.replace(setups[1].glove, side="left")
     other = dataclasses.replace(setups[1], glove=glove, engine=right)
     window.host.adopt(dataclasses.replace(setups[0], others=(other,)))

@@ -16,7 +16,7 @@ from app.platform.tasks import TaskOwner
 from app.viewmodels.hand_scene import TRAIL_POINTS, followed
 from app.widgets.view3d.view_3d import View3D
 from app.window.main_window import MainWindow
-from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, with_live
 from tracker.base.errors import ConfigError
 from tracker.engine.kinds import ENGINES
 from tracker.kernels import are_compiled
@@ -25,11 +25,12 @@ from tracker.messages import Tracking
 ROOT = Path(__file__).parents[2]
 
 
-class Second:
-    """A second engine whose hand is a decimetre to the side of the first one's."""
+class Second(ScriptedEngine):
+    """Tracks with a second engine too, whose hand is a decimetre to the side of the first one's."""
 
     def __init__(self, engine: ScriptedEngine) -> None:
-        self.engine, self.names, self.lost = engine, [], False
+        super().__init__()
+        self.engine, self.names, self.is_lost = engine, [], False
 
     def set_reference(self, name) -> None:
         if name == "vist":
@@ -40,16 +41,14 @@ class Second:
         if not self.names or self.names[-1] is None:
             return None
         estimate = self.engine.latest_estimate()
-        tracking = Tracking.LOST if self.lost else estimate.tracking
+        tracking = Tracking.LOST if self.is_lost else estimate.tracking
         aside = estimate.segment_p + [0.0, 0.1, 0.0]
         return dataclasses.replace(estimate, segment_p=aside, tracking=tracking)
 
 
 @pytest.fixture
 def hand(window, engine, qtbot):
-    window.host.adopt(
-        dataclasses.replace(scripted_setup(engine), reference_tracking=Second(engine))
-    )
+    window.host.adopt(with_live(scripted_setup(engine), hand=Second(engine)))
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
     return window.hand
 
@@ -95,7 +94,7 @@ def test_axes_stand_at_the_joints_along_their_segments(hand):
 
 
 def test_the_reference_is_the_truth_or_another_engine(hand, engine):
-    second = hand.host.setup.reference_tracking
+    second = hand.host.setup.comparable
     choose(hand.controls.reference, "other")
     scene = see(hand)
     np.testing.assert_allclose(scene.reference[1], scene.segment_p)  # the scripted hand is true
@@ -103,7 +102,7 @@ def test_the_reference_is_the_truth_or_another_engine(hand, engine):
     assert second.names[-1] == "madgwick"
     scene = see(hand)
     np.testing.assert_allclose(scene.reference[1] - scene.segment_p, np.tile([0, 0.1, 0], (16, 1)))
-    second.lost = True
+    second.is_lost = True
     assert see(hand).reference is None
     choose(hand.controls.reference, "")
     assert second.names[-1] is None
@@ -146,7 +145,7 @@ def test_an_engine_that_cannot_run_is_said(hand):
 
 
 def test_a_replay_offers_no_second_engine(window):
-    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), live=None))
     reference = window.hand.controls.reference
     able = [reference.model().item(i).isEnabled() for i in range(reference.count())]
     assert able == [True, True] + [False] * len(ENGINES.names())

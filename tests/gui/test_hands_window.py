@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.storage.bound_gloves import BoundGlove, with_bound
 from app.storage.settings import AppSettings
 from app.viewmodels.camera_overlay import Layers, overlay
@@ -192,7 +192,7 @@ def told(window, text: str) -> int:
 
 def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, two_gloves, tmp_path):
     opened(window, qtbot)
-    sides = {hand.setup.glove_id: hand.setup.side for hand in looks(window)}
+    sides = {hand.setup.connection.number: hand.setup.side for hand in looks(window)}
     assert sides == {11: "right", 22: "left"}
     assert window.store.value.both_hands
     for side in ("left", "right"):

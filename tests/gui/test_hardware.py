@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.viewmodels.checklist import steps
 from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import IDLE
@@ -82,7 +82,7 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
         s for s in steps(connected.host.snapshot()) if s.name == "Exposure locked"
     )  # of a film
     assert exposure.check and exposure.reason.startswith("Cannot be verified")
-    assert connected.host.setup.camera.endswith("mine")
+    assert connected.host.setup.camera.name.endswith("mine")
     found = next(s for s in steps(connected.host.snapshot()) if s.name == "Glove found")
     assert "(installed: 0.9.0)" in found.reason
     # the hand lies still: the biases are measured through the glove in use, and the engine has them
@@ -162,7 +162,7 @@ def test_one_webcam_is_a_whole_rig(window, qtbot, store, tmp_path, device):
     store.update(port=device.path, camera=str(path), calibration=calibration)
     window.sources.open_devices()
     qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
-    assert window.host.setup.whole and window.host.setup.rig.one_camera
+    assert window.host.setup.whole and window.host.setup.camera.rig.one_camera
     qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=30_000)
     frame = window.host.snapshot().frame
     assert frame.left.shape == (720, 1280, 3) and frame.right is None
@@ -180,7 +180,9 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
     assert not _done(window, "Glove found") and not _done(window, "Camera calibrated")
     view = window.host.snapshot()
     assert view.frame.left is not None and len(view.blobs.left) > 5, "colours can be tuned"
-    assert window.host.setup.image_rate() == pytest.approx(FPS), "a film is paced by its own rate"
+    assert window.host.setup.camera.device.fps == pytest.approx(FPS), (
+        "a film is paced by its own rate"
+    )
 
 
 def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot, device):

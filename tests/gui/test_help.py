@@ -1,7 +1,6 @@
 """The guide and the keys in the Help menu, and a status bar that cuts no sentence off."""
 
 import re
-from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QUrl
@@ -13,7 +12,7 @@ from app.viewmodels.status import tracking_look
 from app.widgets.chip import Chip
 from app.window.dialogs import Dialogs
 from app.window.help import GuideDialog, KeysDialog, key_of, plain
-from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, with_camera
 from tracker.messages import Status, Tracking
 
 
@@ -87,7 +86,7 @@ def test_a_chip_without_room_ends_in_dots_and_never_in_half_a_letter(qtbot):
 def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, values, words):
     engine = ScriptedEngine()
     engine.status = lambda: Status(0.0, int(Tracking.LOST), values)
-    window.host.adopt(replace(scripted_setup(engine), has_camera=placed))
+    window.host.adopt(with_camera(scripted_setup(engine), present=placed))
     qtbot.waitUntil(lambda: window.bar.tracking.text() == words, timeout=30_000)
     assert tracking_look(None, True, placed).word == "Stopped"
 

@@ -4,7 +4,6 @@ import contextlib
 import json
 import re
 import socket
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -15,7 +14,7 @@ from app.jobs.outputs import HAPTICS, HapticRule
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from extensions.conformance.isaac.reader import read_records
-from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, ScriptedGlove, scripted_setup, with_glove
 from tracker.base.errors import FileError
 from tracker.streaming.registry import StreamSettings, stream_kinds
 
@@ -49,16 +48,22 @@ def received(qtbot, listener) -> dict:
 
 
 @pytest.fixture
-def motors():
-    """Calls of the glove's motors: channel, amplitude, ms."""
-    return []
+def glove():
+    """Its motors take every command."""
+    return ScriptedGlove()
 
 
 @pytest.fixture
-def panel(window, motors, qtbot):
+def motors(glove):
+    """Calls of the glove's motors: channel, amplitude, ms."""
+    return glove.vibrated
+
+
+@pytest.fixture
+def panel(window, glove, qtbot):
     """The panel in sight, on an engine whose glove has motors."""
     setup = scripted_setup(ScriptedEngine())
-    window.host.adopt(replace(setup, vibrate=lambda *call: motors.append(call)))
+    window.host.adopt(with_glove(setup, glove))
     window.run_command("show_streams")
     return window.panels["streams"]
 

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import QPoint, QRect
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.jobs.plugged import Newcomers, PlugWatch, plugged_in
 from app.storage.settings import AppSettings
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup

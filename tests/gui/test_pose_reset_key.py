@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QDialog, QLineEdit
 from app.engines.demo_camera import DemoChoice
 from app.window.countdown import Countdown
 from app.window.help import KeysDialog
-from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, with_live
 from tracker.glove import library
 from tracker.messages import Event, ImuSample
 from tracker.offline.track import track
@@ -21,6 +21,17 @@ from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 
 TICK_MS = 150
+
+
+class Resettable(ScriptedEngine):
+    """A hand that adds its side to ``resets`` when its pose is reset."""
+
+    def __init__(self, side: str, resets: list[str]) -> None:
+        super().__init__()
+        self._side, self._resets = side, resets
+
+    def reset_pose(self) -> None:
+        self._resets.append(self._side)
 
 
 @pytest.fixture
@@ -34,8 +45,9 @@ def both(window, engine, resets):
     """The window on both hands, with a countdown of three short seconds."""
     window.pose_reset._timer.setInterval(TICK_MS)
     hand, glove = library.load("vist-small-left", "reference-left")
-    right = replace(scripted_setup(engine), reset_pose=lambda: resets.append("right"))
-    left = replace(right, hand=hand, glove=glove, reset_pose=lambda: resets.append("left"))
+    right = with_live(scripted_setup(engine), hand=Resettable("right", resets))
+    left = replace(right, hand=hand, glove=glove)
+    left = with_live(left, hand=Resettable("left", resets))
     window.host.adopt(replace(right, others=(left,)))
     window.counted = []
     window.pose_reset.counted.connect(window.counted.append)
@@ -64,7 +76,7 @@ def test_escape_or_the_key_again_cancels_it(both, qtbot, resets, key):
 
 
 def test_a_replay_has_no_reset(window, engine, qtbot):
-    window.host.adopt(scripted_setup(engine))
+    window.host.adopt(replace(scripted_setup(engine), live=None))
     assert not window.commands.actions["pose_reset"].isEnabled()
 
 
@@ -130,7 +142,7 @@ def test_a_double_tap_begins_it_where_the_settings_say_so(
     assert not store.value.pose_reset_tap, "off by default"
     engine = Tapped(taps)
     window.pose_reset._timer.setInterval(TICK_MS)
-    window.host.adopt(replace(scripted_setup(engine), reset_pose=lambda: resets.append("right")))
+    window.host.adopt(with_live(scripted_setup(engine), hand=Resettable("right", resets)))
     dialog = settings(window)
     dialog.tap.setChecked(on)
     dialog.save.click()

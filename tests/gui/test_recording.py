@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.engines.recording import PausableRecorder, Recording
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import (
@@ -93,7 +93,9 @@ def test_a_recording_whose_file_takes_no_more_ends_and_the_next_one_may_begin(
 
 def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
     setup = scripted_setup(engine, recorders)
-    recorder = PausableRecorder(setup.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", "")))
+    recorder = PausableRecorder(
+        setup.live.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", ""))
+    )
     recorder.write(engine.latest_estimate())
     recorder.paused = True
     recorder.write(engine.latest_estimate())
@@ -115,7 +117,9 @@ def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tm
     now = [100.0]
     recording = Recording(clock=lambda: now[0])
     assert recording.elapsed == 0.0
-    assert recording.begin(scripted_setup(engine), RecordingRequest(tmp_path / "a.mcap", "", ""))
+    assert recording.begin(
+        scripted_setup(engine).live, RecordingRequest(tmp_path / "a.mcap", "", "")
+    )
     now[0] += 7.5
     recording.pause(True)
     now[0] += 2.5
@@ -157,17 +161,17 @@ def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeyp
     recording.finished.connect(finished.append)
     recording.failed.connect(said.append)
     setup, path = scripted_setup(engine), tmp_path / "a.mcap"
-    assert recording.begin(setup, RecordingRequest(path, "", ""))
+    assert recording.begin(setup.live, RecordingRequest(path, "", ""))
     behind = engine.recorder
     monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)
     recording.end()
     assert recording.request is None and recording.closing and finished == []
-    assert not recording.begin(setup, RecordingRequest(tmp_path / "b.mcap", "", ""))
+    assert not recording.begin(setup.live, RecordingRequest(tmp_path / "b.mcap", "", ""))
     assert "a.mcap is still being written" in said[0]
     behind.close()
     recording.look()
     assert finished == [path] and not recording.closing
-    assert recording.begin(setup, RecordingRequest(tmp_path / "b.mcap", "", ""))
+    assert recording.begin(setup.live, RecordingRequest(tmp_path / "b.mcap", "", ""))
 
 
 def test_what_was_typed_is_there_at_the_next_start(store, tmp_path):
@@ -360,7 +364,7 @@ def test_what_a_note_keeps_beside_its_text_stays_with_another_wording(recording,
 def test_a_replay_offers_no_recording_and_counts_nothing_down(window, engine, store):
     store.update(countdown=3)
     setup = scripted_setup(engine)
-    window.host.adopt(dataclasses.replace(setup, make_recorder=None))
+    window.host.adopt(dataclasses.replace(setup, live=None))
     assert window.host.running
     assert not window.recording.record_button.isEnabled()
     assert not window.recording.note_text.isEnabled()

@@ -10,9 +10,7 @@ import sys
 import threading
 import time
 import uuid
-from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from PySide6.QtNetwork import QLocalSocket
@@ -23,7 +21,7 @@ from app.jobs.remote import MOTOR_HZ
 from app.platform.own_socket import addresses
 from app.platform.single_instance import Instance, ask
 from app.storage.settings import SettingsStore
-from tests.gui.gui_fakes import scripted_setup
+from tests.gui.gui_fakes import ScriptedGlove, scripted_setup, with_glove
 from tracker.base.clock import monotonic
 from tracker.cli import main
 from tracker.streaming.remote.client import ask as ask_over_udp
@@ -147,9 +145,9 @@ def test_osc_and_web_socket_control_it_too(window, engine, qtbot):
 
 
 def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
-    buzzed = []
-    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command) is None)
-    window.host.adopt(setup)
+    glove = ScriptedGlove()
+    buzzed = glove.vibrated
+    window.host.adopt(with_glove(scripted_setup(engine), glove))
     line = json.dumps({"do": "vibrate", "finger": "middle", "amplitude": 90, "duration_ms": 40})
     assert json.loads(window.remote.answers.answer_line(line))["ok"]
     assert buzzed == [(2, 90, 40)]
@@ -161,14 +159,10 @@ def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
 
 
 def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engine, qtbot):
-    buzzed, kept = [], []
-    followed = SimpleNamespace(follow=lambda follower: None, record=kept.append)
-    setup = replace(
-        scripted_setup(engine),
-        vibrate=lambda *command: buzzed.append(command) is None,
-        followed=followed,
-    )
-    window.host.adopt(setup)
+    glove, recorded = ScriptedGlove(), []
+    buzzed = glove.vibrated
+    engine.record = recorded.append
+    window.host.adopt(with_glove(scripted_setup(engine), glove))
 
     def say(strength: float) -> dict:
         said = {"do": "contact", "finger": "thumb", "strength": strength, "object": "cup"}
@@ -178,22 +172,22 @@ def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engi
     assert say(0.25)["ok"] and say(0.0)["text"] == "The thumb lets go of cup."
     assert [command[0] for command in buzzed] == [0, 0, 0]
     assert buzzed[0][1] == 255 > buzzed[1][1] > buzzed[2][1] == 0
-    assert [(e.kind, e.data["phase"], e.data["object"]) for e in kept] == [
+    assert [(e.kind, e.data["phase"], e.data["object"]) for e in recorded] == [
         ("contact", "begin", "cup"),
         ("contact", "end", "cup"),
     ]
     say(1.0)  # and nobody tells of its end
-    qtbot.waitUntil(lambda: len(kept) == 4, timeout=20_000)
-    assert kept[-1].data["phase"] == "end"
+    qtbot.waitUntil(lambda: len(recorded) == 4, timeout=20_000)
+    assert recorded[-1].data["phase"] == "end"
 
 
 def test_contacts_and_vibration_come_by_osc_and_by_web_socket(window, engine, qtbot):
     pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
     from websockets.sync.client import connect
 
-    buzzed = []
-    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command) is None)
-    window.host.adopt(setup)
+    glove = ScriptedGlove()
+    buzzed = glove.vibrated
+    window.host.adopt(with_glove(scripted_setup(engine), glove))
     osc, web = open_at(window, qtbot, "osc"), open_at(window, qtbot, "websocket")
 
     def by_osc():

@@ -267,7 +267,7 @@ def test_a_session_of_a_glove_alone_says_that_there_was_no_camera(sessions, tmp_
     for path, has_camera in ((alone, False), (sessions["vist"], True)):
         setup = open_replay(path, lambda *_: None)
         setup.close()
-        assert setup.has_camera == has_camera
+        assert setup.camera.present == has_camera
 
 
 def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
@@ -304,12 +304,13 @@ def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtb
     qtbot.waitUntil(lambda: replay.player.reference("right") is None, timeout=10_000)
 
 
-@pytest.mark.parametrize(("compared", "told"), [(True, None), (False, "the truth")])
-def test_where_the_other_tracking_has_no_hand_the_truth_does_not_stand_for_it(compared, told):
+@pytest.mark.parametrize(("compared", "shown"), [(True, None), (False, "the truth")])
+def test_where_the_other_tracking_has_no_hand_the_truth_does_not_stand_for_it(compared, shown):
     player = SimpleNamespace(is_compared=compared, reference=lambda side: None)
-    setup = replace(scripted_setup(ScriptedEngine()), player=player, truth=lambda t: "the truth")
+    truth = SimpleNamespace(at=lambda t: "the truth")
+    setup = replace(scripted_setup(ScriptedEngine()), player=player, live=None, truth=truth)
     view = Snapshot(setup=setup, running=True, estimate=SimpleNamespace(t=1.0))
-    assert view.reference() == told
+    assert view.reference() == shown
 
 
 def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):

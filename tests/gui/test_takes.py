@@ -5,13 +5,14 @@ from __future__ import annotations
 import shutil
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QInputDialog
 
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.engines.recording import recorder_maker
 from app.engines.replay.engine import open_replay
 from app.jobs.take_check import check_job
@@ -29,7 +30,15 @@ from app.viewmodels.takes import (
     report_text,
 )
 from resources import folder
-from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
+from tests.gui.gui_fakes import (
+    ScriptedEngine,
+    frame_and_blobs,
+    models,
+    scripted_setup,
+    simulation,
+    with_camera,
+    with_live,
+)
 from tracker.base.clock import ClockAnchor, seconds
 from tracker.base.errors import FileError
 from tracker.engine.hands import Hands, Sided
@@ -326,7 +335,9 @@ class Copying:
 @pytest.fixture
 def recorded(window, take, qtbot):
     """The window after a recording, which has been checked."""
-    setup = replace(scripted_setup(ScriptedEngine()), make_recorder=lambda r: Copying(r.path, take))
+    setup = with_live(
+        scripted_setup(ScriptedEngine()), make_recorder=lambda r: Copying(r.path, take)
+    )
     window.host.adopt(setup)
     window.recording.participant.setText("P07")
     window.run_command("record")
@@ -419,8 +430,8 @@ def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
     qtbot, window, engine
 ):
     """Not while the devices have only just been opened: then nothing has come yet."""
-    wanted_hz = [60.0]
-    window.host.adopt(replace(scripted_setup(engine), image_rate=lambda: wanted_hz[0]))
+    camera = SimpleNamespace(fps=60.0)
+    window.host.adopt(with_camera(scripted_setup(engine), device=camera))
     silent, samples = 2, engine.recent_imu()
     name = models()[1].imu_names[silent].replace("_", " ")
     valid = samples[0].valid.copy()
@@ -434,7 +445,7 @@ def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
     engine.recent_imu = lambda: samples  # one of the two has come
     qtbot.waitUntil(lambda: "IMU" not in window.banner.text(), timeout=10_000)
     assert "of 60 images" in window.banner.text()
-    wanted_hz[0] = 30.0
+    camera.fps = 30.0
     qtbot.waitUntil(lambda: not window.messages.isVisibleTo(window), timeout=10_000)
     window.run_command("record")
 

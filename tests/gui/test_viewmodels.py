@@ -25,7 +25,7 @@ from app.viewmodels.status import fields, tracking_look
 from app.widgets.image_shapes import Cross, Ellipse, ImageLine, Ring
 from app.widgets.view3d.orbit import Orbit
 from resources import folder
-from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
+from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, with_camera
 from tracker.engine.kinds import engine_kinds
 from tracker.glove import library
 from tracker.messages import Status, Tracking, Validity
@@ -256,7 +256,7 @@ def test_with_one_camera_the_hands_length_is_asked_for_and_not_motion():
     assert "Spread" in calibration_view(stranger).advice
     assert "Hand length…" in calibration_view(stranger, one_camera=True).advice
     setup = scripted_setup(engine)
-    setup = dataclasses.replace(setup, rig=with_one_camera(setup.rig))
+    setup = with_camera(setup, rig=with_one_camera(setup.camera.rig))
     view = Snapshot(setup, running=True, calibration=stranger)
     step = next(s for s in steps(view) if s.name == "Calibration settled")
     assert "ruler" in step.reason and step.command == "show_calibration"

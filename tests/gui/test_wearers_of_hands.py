@@ -45,7 +45,6 @@ class Worn(ScriptedEngine):
             scripted_setup(self),
             hand=self.hand,
             glove=self.glove,
-            command=self.command,
             simulated=simulated,
         )
 

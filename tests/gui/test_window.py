@@ -3,7 +3,6 @@
 import gc
 import threading
 import time
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -372,8 +371,7 @@ def test_the_wearer_is_saved_by_a_command_of_its_own(live, engine, monkeypatch):
     """Three menus deep in a narrow panel nobody finds it."""
     asked = []
     monkeypatch.setattr("app.panels.calibration.wearer_row.answer", lambda *a: asked.append(a))
-    engine_setup = replace(scripted_setup(engine), command=lambda _work: None)
-    live.host.adopt(engine_setup)
+    live.host.adopt(scripted_setup(engine))
     assert live.commands.actions["save_wearer"].isEnabled()
     live.run_command("save_wearer")
     assert len(asked) == 1

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from itertools import islice
 from pathlib import Path
 
-from app.engines.engine import EngineSetup, seen_from_main
+from app.engines.engine import CameraPart, EngineSetup, seen_from_main
 from app.engines.replay.colours import ColoursOfFile
 from app.engines.replay.hands import HandsInFile, holds
 from app.engines.replay.sights import first_sight
@@ -16,7 +16,6 @@ from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
 from resources import folder
 from tracker.base.errors import FileError, GlovetrackError
-from tracker.live.recording import Recorder
 from tracker.messages import Event
 from tracker.session.description import SessionInfo
 from tracker.session.notes import standing
@@ -30,13 +29,15 @@ FROM_IMAGES = ("/image/compressed", "/blobs")
 
 
 class ReplayEngine:
-    """A `LiveEngine` of a file; its ``player`` moves through it."""
+    """A `WindowEngine` of a file; its ``player`` moves through it."""
 
     def __init__(self, path: Path) -> None:
         self.hands = HandsInFile(path)
         self._reader, self.info = self.hands.main, self.hands.main.info
         tracked = holds(self._reader, "/hand/")
-        self.player = ReplayPlayer(path, self._reader.duration, self.hands.references, tracked)
+        cut_off = not self._reader.source.contents.finished
+        duration, references = self._reader.duration, self.hands.references
+        self.player = ReplayPlayer(path, duration, references, tracked, cut_off)
         self._thread = ReplayThread(self.hands, self.player)
         try:
             self._colours = ColoursOfFile(_first_colours(self.info, path), ())
@@ -60,11 +61,6 @@ class ReplayEngine:
         return self.rig is not None or any(
             t.endswith(FROM_IMAGES) for t in self._reader.topic_names
         )
-
-    @property
-    def is_finished(self) -> bool:
-        """Whether the recording was ended, and not cut off."""
-        return self._reader.source.contents.finished
 
     def read_events(self) -> None:
         """Find the notes and events for the timeline, and begin where there is something to see; a
@@ -96,11 +92,6 @@ class ReplayEngine:
         return self.hands.take_events()
 
     @property
-    def failure(self) -> str:
-        """A replay does not end by itself: what cannot be read is left out and counted."""
-        return ""
-
-    @property
     def profile(self) -> ColourProfile:
         """The colours that were looked for where it stands, or those that are tried."""
         return self._colours.at(self.player.position)
@@ -108,15 +99,6 @@ class ReplayEngine:
     def set_profile(self, profile: ColourProfile) -> None:
         """A replay shows what was found when it was recorded; the colours panel searches anew."""
         self._colours.tried(profile)
-
-    def set_engine(self, name: str) -> None:
-        """A replay shows what was tracked when it was recorded."""
-
-    def keep_state(self) -> None:
-        """A replay has no engine whose state could be kept."""
-
-    def set_recorder(self, recorder: Recorder | None) -> None:
-        """A replay is not recorded again."""
 
     def note(
         self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
@@ -150,16 +132,12 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
             tracked=engine.hands.moments[seen.side],
             hand=seen.hand,
             glove=seen.glove,
-            rig=rig or ideal_rig(),
-            has_camera=engine.has_camera,
-            camera_calibrated=rig is not None,
+            camera=CameraPart(rig or ideal_rig(), engine.has_camera, rig is not None),
             profile=engine.profile,
-            anchor=info.anchor,
             close=engine.close,
             truth=engine.hands.references[seen.side].truth(),
             simulated=info.simulated,
             player=engine.player,
-            cut_off=not engine.is_finished,
             listeners=engine.hands.listeners[seen.side].by_name,
         )
         for seen in info.hands

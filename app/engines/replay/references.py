@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
-from app.engines.engine import ReferenceHand
+from app.engines.protocols import ReferenceHand
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -89,9 +89,9 @@ class References:
         self.true_hand: ReferenceHand | None = None
         self.other_hand: ReferenceHand | None = None
 
-    def truth(self) -> Callable[[float], ReferenceHand | None] | None:
-        """What gives the true hand at the instant of the latest estimate; None without truth."""
-        return None if self._truth is None else lambda _t: self.true_hand
+    def truth(self) -> ReplayedTruth | None:
+        """The true hand at the instant of the latest estimate; None without truth."""
+        return None if self._truth is None else ReplayedTruth(self)
 
     def want(self, path: Path | None, shift: float = 0.0) -> None:
         """The tracking in ``path``, from the next `seek` on. Raises FileError in words."""
@@ -124,3 +124,13 @@ class References:
         for track in {self._truth, self._other, self._wanted}:
             if track is not None:
                 track.close()
+
+
+class ReplayedTruth:
+    """The true hand of a replay: at the instant of the latest estimate, for any ``t``."""
+
+    def __init__(self, references: References) -> None:
+        self._references = references
+
+    def at(self, t: float) -> ReferenceHand | None:
+        return self._references.true_hand

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from app.engines.engine import ReferenceHand
+from app.engines.protocols import ReferenceHand
 from app.engines.replay.references import References
 from tracker.messages import Event
 
@@ -77,10 +77,15 @@ class ReplayPlayer(Transport):
     their sides."""
 
     def __init__(
-        self, path: Path, duration: float, references: Mapping[str, References], tracked: bool
+        self,
+        path: Path,
+        duration: float,
+        references: Mapping[str, References],
+        tracked: bool,
+        cut_off: bool,
     ) -> None:
         super().__init__(duration)
-        self.path, self.tracked = path, tracked
+        self.path, self.tracked, self.cut_off = path, tracked, cut_off
         self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
         self._references = references
         self.is_compared = False

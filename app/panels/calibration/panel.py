@@ -187,7 +187,7 @@ class CalibrationPanel(Panel):
 
     def _enable(self) -> None:
         setup = self.host.setup
-        guided = setup is not None and setup.guide is not None
+        guided = setup is not None and setup.live is not None
         self.wearer.set_available(self.profiles.link.available, guided)
 
     def _open(self, setup: EngineSetup) -> None:

@@ -64,9 +64,9 @@ class WearerProfiles(QObject):
         first, self._first = self._first, None
         for hand in hands:
             self.show_hand(hand)
-            if first is not None and hand is setup and setup.command is not None:
+            if first is not None and hand is setup and setup.live is not None:
                 self.take_in(first)
-            elif self._row.name and hand.command is not None:
+            elif self._row.name and hand.live is not None:
                 self._put_on(self._row.name, hand)
 
     def show_hand(self, setup: EngineSetup) -> None:

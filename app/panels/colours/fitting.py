@@ -139,7 +139,7 @@ class ColoursLight(QWidget):
         """Have the image read if it is time."""
         view = shown.view if not shown.frozen else None
         t = view.frame.t if view is not None and view.frame is not None else None
-        work = self.watch.work(shown.image, tuning.profile, tuning.setup.rig.fx, t)
+        work = self.watch.work(shown.image, tuning.profile, tuning.setup.camera.rig.fx, t)
         if work is not None:
             self._job.run(lambda _progress: work(), self._took)
 

@@ -110,7 +110,7 @@ class ColoursPanel(Panel):
     # --- the profile
 
     def _open(self, setup: EngineSetup) -> None:
-        kept = self.keeper.open(setup.camera, setup.profile)
+        kept = self.keeper.open(setup.camera.name, setup.profile)
         self.tuning = ColourTuning(setup, kept)
         self.files.tuning = self.image.tuning = self.fitting.tuning = self.tuning
         self.ranges.hues.fill(setup.profile.hue_names)

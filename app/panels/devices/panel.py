@@ -156,9 +156,10 @@ class DevicesPanel(Panel):
     def _run_motor(self, key: str) -> None:
         side, channel = motor_of(key)
         setup = self.host.setup.seen_from(side) if self.host.setup is not None else None
-        if setup is None or setup.vibrate is None:
+        glove = setup.connection.device if setup is not None else None
+        if glove is None:
             return
-        if not setup.vibrate(channel, MOTOR_AMPLITUDE, MOTOR_MS):
+        if not glove.vibrate(channel, MOTOR_AMPLITUDE, MOTOR_MS):
             self._say(self.tr("The motor was not run: the glove is disconnected."))
 
     # --- files

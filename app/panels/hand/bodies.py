@@ -106,7 +106,7 @@ class HandBodies:
             Surface(faces, np.full(len(faces), TRAIL_PART), np.zeros(2 * TRAIL_POINTS))
         )
         self._ground = HandGround()
-        self._has_place = setup.camera_calibrated
+        self._has_place = setup.camera.calibrated
         for body in (*self._axes, *self._world, self._camera):
             body.show(False)  # nothing has its place before the first hand
 
@@ -191,7 +191,7 @@ def _axis(k: int, radius: float) -> Lines:
 
 def _frustum(setup: EngineSetup) -> Lines:
     """The left camera's field of view to `FRUSTUM_DEPTH`, in C."""
-    rig, z = setup.rig, FRUSTUM_DEPTH
+    rig, z = setup.camera.rig, FRUSTUM_DEPTH
     us, vs = (0, rig.left.width - 1), (0, rig.left.height - 1)
     corners = [(u, v) for u, v in ((us[0], vs[0]), (us[1], vs[0]), (us[1], vs[1]), (us[0], vs[1]))]
     points = [((u - rig.cx) / rig.fx * z, (v - rig.cy) / rig.fy * z, z) for u, v in corners]

@@ -157,10 +157,11 @@ class HandPanel(Panel):
     def _choose_reference(self, engine: str) -> None:
         """Start or end the second engine."""
         setup = self.host.setup
-        if setup is None or setup.reference_tracking is None:
+        compared = setup.comparable if setup is not None else None
+        if compared is None:
             return
         try:
-            setup.reference_tracking.set_reference(engine or None)
+            compared.set_reference(engine or None)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
 
@@ -180,7 +181,7 @@ class HandPanel(Panel):
         self._hands = [HandInScene(s, k == 0, of_two) for k, s in enumerate(setup.hands)]
         self._gestures = ShownGestures(setup)
         tips = self._hands[0].model.tip_names
-        self.controls.offer(tips, setup.reference_tracking is not None)
+        self.controls.offer(tips, setup.comparable is not None)
         self.controls.name_other(self.tr("truth") if setup.truth is not None else "")
         if self.controls.engine:
             self._choose_reference(self.controls.engine)

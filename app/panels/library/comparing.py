@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine import Player
 from app.engines.engine_host import EngineHost
+from app.engines.protocols import Player
 from app.jobs.offline_tracking import compare_job, free_name, track_job
 from app.jobs.recording_curves import two_takes_job
 from app.panels.library.two_takes_dialog import TwoTakesDialog

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine import Player
+from app.engines.protocols import Player
 from app.jobs.derived_sessions import fill_job, list_gaps_job
 from app.platform.tasks import LatestJob, TaskOwner
 from app.viewmodels.gaps import (

@@ -10,8 +10,9 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QTabBar, QVBoxLayout, QWidget
 
-from app.engines.engine import EngineSetup, Player
+from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
+from app.engines.protocols import Player
 from app.engines.snapshot import Snapshot
 from app.jobs.library_scan import LibraryScan
 from app.panels.command_kind import RecordingAction

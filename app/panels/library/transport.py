@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine import Player
+from app.engines.protocols import Player
 from app.viewmodels.gaps import INTERPOLATED
 from app.viewmodels.log import KINDS, kind_of, words_of
 from app.viewmodels.recording import position_text

@@ -60,7 +60,7 @@ class SessionFeed:
     @property
     def glove_id(self) -> int | None:
         setup = self._host.setup
-        return setup.glove_id if setup is not None else None
+        return setup.connection.number if setup is not None else None
 
     def recent(self) -> Sequence[ImuSample]:
         setup = self._host.setup

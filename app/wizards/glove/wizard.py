@@ -57,7 +57,7 @@ class GloveSetup(QDialog):
         self._source: tuple[str, str, str, int] | None = None
         setup = host.setup
         real = setup is not None and not setup.simulated and setup.player is None
-        in_use = real and setup is not None and setup.has_glove
+        in_use = real and setup is not None and setup.connection.present
         self.choice = ChoicePage(
             store.value, WearerStore(store.path.parent / "wearers").names(), in_use
         )
@@ -147,8 +147,8 @@ class GloveSetup(QDialog):
         setup = self._host.setup
         if setup is None or setup.simulated or setup.player is not None or not self._host.running:
             return False
-        known = bound(self._store.value, setup.glove_id)
-        return setup.has_glove and known is not None and known.port == port
+        known = bound(self._store.value, setup.connection.number)
+        return setup.connection.present and known is not None and known.port == port
 
     def _simulated(self, hand: HandModel, glove: GloveModel) -> GloveFeed | None:
         """None, with the reason on the page, on a system that cannot."""

@@ -6,9 +6,8 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from app.engines.engine import EngineSetup
+from app.engines.engine import EngineSetup, LivePart
 from app.engines.engine_host import EngineHost
-from app.engines.guide import PoseGuide
 from app.jobs.guided_poses import GuidedCommands
 from app.storage.settings import SettingsStore
 from app.viewmodels.guided import GuidedPhase, GuidedRun
@@ -127,7 +126,7 @@ class GuidedDialog(LeadingDialog):
         self,
         host: EngineHost,
         setup: EngineSetup,
-        guide: PoseGuide,
+        live: LivePart,
         store: SettingsStore,
         background: str,
         parent: QWidget | None = None,
@@ -140,7 +139,7 @@ class GuidedDialog(LeadingDialog):
         self._taught = False  # some pose was held since then
         self._outcomes = self._answers = 0
         judge = LiveJudge(setup.tracked.latest_estimate, setup.hand, monotonic)
-        self.run = GuidedRun(guide, judge)
+        self.run = GuidedRun(live, judge)
         self._commands = GuidedCommands(host, setup.side, self)
         self._thinking = QTimer(self)
         self._thinking.setSingleShot(True)

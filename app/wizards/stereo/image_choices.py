@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from app.engines.camera_choice import NAME, PAIR, choose
-from app.engines.engine import one_camera
 from app.engines.engine_host import EngineHost
 from app.engines.hardware import FPS, HEIGHT, WIDTH
 from app.storage.settings import AppSettings
@@ -42,7 +41,7 @@ class SessionImages:
         setup = self.host.setup
         if setup is None:
             raise DeviceError(tr("The camera in use was closed: start glove and camera again."))
-        unfit = setup.unfit_images() if setup.unfit_images is not None else None
+        unfit = setup.camera.device.unfit if setup.camera.device is not None else None
         if unfit is not None:  # a calibration of another camera: here it gets its own
             return self._once(unfit.pair)
         latest = setup.tracked.latest_frame()
@@ -50,7 +49,7 @@ class SessionImages:
             return None
         frame = latest[0]
         self._last = frame.index
-        if frame.left is None or (frame.right is None and not one_camera(setup, frame)):
+        if frame.left is None or (frame.right is None and not setup.camera.is_single(frame)):
             return None
         return frame.left, frame.right
 
@@ -96,7 +95,7 @@ def camera_in_use(host: EngineHost) -> bool:
     setup = host.setup
     if setup is None or setup.player is not None or setup.simulated:
         return False
-    return setup.has_camera
+    return setup.camera.present
 
 
 def image_choices(
@@ -108,7 +107,7 @@ def image_choices(
     )
 
     setup = host.setup
-    rig = setup.rig if setup is not None and setup.simulated else ideal_rig()
+    rig = setup.camera.rig if setup is not None and setup.simulated else ideal_rig()
     simulated = ImageChoice(tr("Simulated board (demo)"), lambda spec: BoardCamera(rig, spec), True)
 
     def choice(title: str, camera: str) -> ImageChoice:
@@ -127,7 +126,7 @@ def image_choices(
         found.insert(0, replace(chosen, make=lambda spec: ChosenImages(host, make(spec))))
     if camera_in_use(host):
         return [ImageChoice(tr("Camera in use"), lambda _spec: SessionImages(host)), simulated]
-    in_demo = setup is not None and setup.simulated and setup.has_camera
+    in_demo = setup is not None and setup.simulated and setup.camera.present
     return [simulated, *found] if in_demo else [*found, simulated]
 
 

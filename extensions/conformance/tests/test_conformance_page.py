@@ -10,13 +10,12 @@ import pytest
 from PySide6.QtCore import QObject, Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 
-from app.engines.guide import WearersGuide
 from app.viewmodels.guided_hand import DRAWN, DrawnHand
 from extensions.conformance.run import WARM_UP, cues
 from extensions.conformance.take import BEAT, BEATS, GRASPS, SCRIPT
 from extensions.conformance.window.view_model import CuePhase, ScriptRun
 from resources import folder
-from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation, with_live
 from tracker.base.clock import ClockAnchor
 from tracker.geometry import so3
 from tracker.messages import Estimate, Tracking
@@ -109,7 +108,7 @@ def engine(clock) -> Follower:
 @pytest.fixture
 def dialog(window, engine, clock, tmp_path, qtbot):
     """Opened from the menu, on an engine that records into ``tmp_path / "takes"``."""
-    setup = dataclasses.replace(scripted_setup(engine, []), make_recorder=recorder_of(clock))
+    setup = with_live(scripted_setup(engine, []), make_recorder=recorder_of(clock))
     assert not window.commands.actions["conformance"].isEnabled()
     window.host.adopt(setup)
     takes = tmp_path / "takes"
@@ -257,8 +256,7 @@ def test_the_drawn_hand_turns_from_side_to_side():
 
 @pytest.mark.parametrize(("simulated", "words"), [(True, "do not follow"), (False, "Open the")])
 def test_a_simulated_wearer_who_does_not_follow_is_said_to(window, engine, simulated, words):
-    guide = WearersGuide(engine)
-    setup = dataclasses.replace(scripted_setup(engine), simulated=simulated, guide=guide)
+    setup = dataclasses.replace(scripted_setup(engine), simulated=simulated)
     window.host.adopt(setup)
     window.commands.actions["conformance"].trigger()
     assert words in window.set_up.dialogs["conformance"].lead.notes.text()

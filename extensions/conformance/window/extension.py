@@ -10,7 +10,7 @@ from app.words import mark
 def _can_run(on: CommandContext) -> bool:
     """Whether there is a hand that is tracked and can be recorded."""
     setup = on.host.setup
-    return on.host.running and setup is not None and setup.make_recorder is not None
+    return on.host.running and setup is not None and setup.live is not None
 
 
 def _run(on: CommandContext) -> None:

@@ -12,7 +12,14 @@ import pytest
 from extensions.robot.look import Placed, RobotShape
 from extensions.robot.window.playback import RobotPlayback
 from extensions.robot.window.view_model import RobotFigures, RobotView
-from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
+from tests.gui.gui_fakes import (
+    ScriptedEngine,
+    ScriptedGlove,
+    models,
+    scripted_setup,
+    with_glove,
+    with_live,
+)
 from tests.session.conftest import ANCHOR, RESOURCES
 from tracker.base.clock import monotonic, seconds
 from tracker.glove import library
@@ -26,10 +33,11 @@ needs_mujoco = pytest.mark.skipif(
 )
 
 
-class Followed:
+class Followed(ScriptedEngine):
     """A live hand that a test moves."""
 
     def __init__(self) -> None:
+        super().__init__()
         self.follower = None
         self.recorded: list[Message] = []
 
@@ -42,12 +50,9 @@ class Followed:
 
 @needs_mujoco
 def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qtbot) -> None:
-    followed, felt = Followed(), []
-    setup = dataclasses.replace(
-        scripted_setup(ScriptedEngine()),
-        followed=followed,
-        vibrate=lambda *command: felt.append(command),
-    )
+    followed, glove = Followed(), ScriptedGlove()
+    felt = glove.vibrated
+    setup = with_glove(with_live(scripted_setup(ScriptedEngine()), hand=followed), glove)
     window.host.adopt(setup)
     window.show_panel("robot")
     link, controls = window.panels["robot"].link, window.panels["robot"].controls
@@ -96,8 +101,8 @@ def test_selecting_the_other_hand_selects_a_robot_of_that_side(window, monkeypat
     monkeypatch.setattr("extensions.robot.window.job.RobotProcess", make)
     right, left = Followed(), Followed()
     hand, glove = library.load("vist-small-left")
-    setup = dataclasses.replace(scripted_setup(ScriptedEngine()), followed=right)
-    other = dataclasses.replace(setup, hand=hand, glove=glove, followed=left)
+    setup = with_live(scripted_setup(ScriptedEngine()), hand=right)
+    other = dataclasses.replace(with_live(setup, hand=left), hand=hand, glove=glove)
     window.host.adopt(dataclasses.replace(setup, others=(other,)))
     window.panels["robot"].link.switch(True)
     assert made[0].side == "right" and right.follower == made[0].feed
@@ -129,7 +134,7 @@ def test_a_file_without_a_hand_is_reported_and_the_robot_is_off(window, qtbot, t
     errors: list[str] = []
     window.host.error.connect(errors.append)
     window.panels["robot"].link.change(model=str(wrong))
-    window.host.adopt(dataclasses.replace(scripted_setup(ScriptedEngine()), followed=Followed()))
+    window.host.adopt(with_live(scripted_setup(ScriptedEngine()), hand=Followed()))
     window.panels["robot"].controls.connect_robot.click()
     qtbot.waitUntil(lambda: bool(errors), timeout=60_000)
     assert "fingers were not found" in errors[0]

@@ -22,7 +22,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import DemoChoice, start_camera
-from app.engines.engine import RecordingRequest
+from app.engines.protocols import RecordingRequest
 from app.platform.process_tuning import tune_process
 from app.window.contributions import panel_of
 from extensions.applications.window.panel import ApplicationsPanel

@@ -13,8 +13,9 @@ from dataclasses import asdict, replace
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.engines.engine import EngineSetup, FollowedHand
+from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
+from app.engines.protocols import CommandedHand
 from app.engines.snapshot import Snapshot
 from app.jobs.connections import remembered
 from app.storage.settings import SettingsStore
@@ -54,7 +55,7 @@ class RobotLink(QObject):
         self.view: RobotView | None = None
         """What to draw; None before the robot has started."""
         self._process: RobotProcess | None = None
-        self._followed: FollowedHand | None = None
+        self._followed: CommandedHand | None = None
         self._playback: RobotPlayback | None = None
         self._model: RobotModel | None = None
         self._touch: TouchMotors | None = None
@@ -132,8 +133,8 @@ class RobotLink(QObject):
             return
         if self._process is None:
             self._begin(setup)
-        if setup.followed is not None and self._process is not None:
-            self._followed = setup.followed
+        if setup.live is not None and self._process is not None:
+            self._followed = setup.live.hand
             self._followed.follow(self._process.feed)
 
     def _change_hand(self) -> None:
@@ -152,7 +153,8 @@ class RobotLink(QObject):
                 settings = settings_of(self._playback.model.settings)
             names = setup.glove.keypoint_names(setup.hand)
             self._open_socket()
-            self._touch = TouchMotors(setup.vibrate) if setup.vibrate is not None else None
+            glove = setup.connection.device
+            self._touch = TouchMotors(glove.vibrate) if glove is not None else None
             self._process = RobotProcess(settings, setup.hand, names, self._receive)
         except GlovetrackError as error:
             self._fail(str(error))
@@ -193,7 +195,7 @@ class RobotLink(QObject):
     def look(self, view: Snapshot | None) -> None:
         """Feed the hand of a replay; called at each refresh of the window."""
         process = self._process
-        if process is None or view is None or view.setup.followed is not None:
+        if process is None or view is None or view.setup.live is not None:
             return
         estimate = view.estimate
         if estimate is None or estimate.t == self._shown_t:

@@ -91,10 +91,10 @@ class ConformanceDialog(LeadingDialog):
 
     def _lead_wearer(self) -> None:
         """A simulated wearer shows what a real one sees."""
-        gesture, guide = self.run.gesture(), self._setup.guide
-        if gesture != self._shown and guide is not None:
+        gesture, live = self.run.gesture(), self._setup.live
+        if gesture != self._shown and live is not None and live.wearer is not None:
             self._shown = gesture
-            guide.show_gesture(gesture)
+            live.wearer.show_gesture(gesture)
 
     def _end_take(self) -> None:
         request = self._host.recording.request

@@ -17,8 +17,8 @@ class ScriptPage(LeadingPage):
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
         super().__init__(setup, background, parent)
-        guide = setup.guide
-        self._alone = setup.simulated and not (guide is not None and guide.leads)
+        wearer = setup.live.wearer if setup.live is not None else None
+        self._alone = setup.simulated and wearer is None
         self.beat = self.label("beat")
         self.beat.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         self.sound.setToolTip(self.tr("A beep at each beat before a step"))

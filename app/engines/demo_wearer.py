@@ -1,11 +1,10 @@
-"""The demo's wearer does what the guidance shows, as a real one would."""
+"""The demo's wearer follows the guidance, as a real one would."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-from app.engines.guide import HoldingEngine, WearersGuide
 from tracker.hand.names import FINGERS
 from tracker.simulation.asked import AHEAD, MOVE, Asked
 from tracker.simulation.camera_device import DemoCamera
@@ -19,22 +18,18 @@ from tracker.simulation.smooth import rng_for
 TURNING = 6.0  # s in which the wrist turns from one side to the other and back
 
 
-class DemoGuide(WearersGuide):
-    """Tells glove and camera alike. ``clock`` gives s of the simulation's time.
+class GuidedWearer:
+    """Moves the hand that the simulated glove and camera see. ``clock`` gives s of simulated time.
 
-    How the wearer comes to touch his fingertips is found in a thread: that takes a moment.
+    Poses are solved on a thread: a pinch takes about a second.
     """
-
-    leads = True
 
     def __init__(
         self,
-        engine: HoldingEngine,
         simulation: Simulation,
         devices: tuple[DemoCamera, GloveProcess],
         clock: Callable[[], float],
     ) -> None:
-        super().__init__(engine)
         self._simulation, self._clock = simulation, clock
         self._camera, self._worn = devices
         rng = rng_for(simulation.seed, "postures asked for")
@@ -43,13 +38,13 @@ class DemoGuide(WearersGuide):
         self._thread = ThreadPoolExecutor(1, "glovetrack-demo-guide")
 
     def show(self, pose: str) -> None:
-        """He comes to it in about two seconds, or (empty) goes on as before."""
+        """Take the pose within about two seconds; empty: resume the motion."""
         self._thread.submit(self._ask, pose)
 
     def show_gesture(self, gesture: str) -> None:
-        """He shows it in about two and a half seconds, or (empty) goes on as before."""
+        """Make the gesture within about 2.5 s; empty: resume the motion."""
         self._thread.submit(self._ask_gesture, gesture)
-        if not self._gestures:  # a pinch takes a second to be found: before its turn comes
+        if not self._gestures:  # a pinch takes a second to solve: start before it is needed
             for finger in FINGERS:
                 self._thread.submit(self._gesture, f"pinch_{finger}")
 
@@ -64,18 +59,18 @@ class DemoGuide(WearersGuide):
     def _ask_gesture(self, gesture: str) -> None:
         angles = self._gesture(gesture) if gesture else ()
         turning = TURNING if gesture == "turn" else 0.0
-        self._tell(Asked(self._clock() + AHEAD, angles, turning), gesture)
+        self._send(Asked(self._clock() + AHEAD, angles, turning), gesture)
 
     def _ask(self, pose: str) -> None:
         then = self._clock() + AHEAD + MOVE
         angles = tuple(self._held.angles(pose, then).tolist()) if pose else ()
-        self._tell(Asked(self._clock() + AHEAD, angles), pose)
+        self._send(Asked(self._clock() + AHEAD, angles), pose)
 
-    def _tell(self, asked: Asked, pose: str) -> None:
+    def _send(self, asked: Asked, pose: str) -> None:
         ask(self._simulation, asked)
         self._worn.ask(asked)
         self._camera.ask(asked, pose)
 
     def close(self) -> None:
-        """Nothing more is shown."""
+        """End the thread."""
         self._thread.shutdown(wait=True, cancel_futures=True)
