@@ -24,6 +24,7 @@ OPTIONS = {
     "evaluate vist": "--json --guided",
     "evaluate inertial": "--json",
     "compare": "--json",
+    "doctor": "-o --json",
     "info": "--json",
     "verify": "--json",
     "recover": "--json -o",

@@ -203,6 +203,9 @@ THREADS = {
 """Who starts threads or processes, and what for."""
 
 CLOCKS = {
+    "tracker/doctor/command.py": "when the report was made",
+    "tracker/doctor/machine.py": "rates of devices and of the disk",
+    "tracker/doctor/speed.py": "how long tracking takes",
     "app/engines/demo.py": "begins now",
     "app/engines/hand_looks.py": "when the engine was last looked at",
     "app/engines/hardware.py": "anchors a recording to the wall clock",

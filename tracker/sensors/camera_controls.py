@@ -156,7 +156,7 @@ class ControlledInput:
         captures = self._inner.captures()
         found = tuple(self._set(captures, name, getattr(locks, name)) for name in PROPERTIES)
         paths = self._paths or ("",) * len(captures)
-        reports = tuple(_report(c, path) for c, path in zip(captures, paths, strict=False))
+        reports = tuple(report_of(c, path) for c, path in zip(captures, paths, strict=False))
         with self._lock:
             self._controls, self._reports = found, reports
 
@@ -179,7 +179,7 @@ def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -
     )
 
 
-def _report(capture: Capture, path: str) -> CameraReport:
+def report_of(capture: Capture, path: str) -> CameraReport:
     """What the device granted; only read, as often as controls change."""
     backend = capture.getBackendName() if isinstance(capture, cv2.VideoCapture) else ""
     return CameraReport(

@@ -1,0 +1,1 @@
+"""Checks of the computer and the devices, each with a verdict and a remedy."""
