@@ -7,6 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from tracker.base.errors import notice_of
+from tracker.base.notices import PLAIN, Language, Notice, render, try_render
+from tracker.messages import Event
+
 
 class _Catalogue:
     """What turns words of the source into the user's; as they stand until one is in use."""
@@ -53,6 +57,36 @@ class LocalFloat(float):
 
     def __format__(self, spec: str) -> str:
         return format(float(self), spec).replace(".", _Catalogue.decimal)
+
+
+def notice_text(what: Notice) -> str:
+    """What the engine reports, in the user's language."""
+    if what.code == PLAIN:
+        return told(str(what))
+    return render(what, Language(_word, _Catalogue.decimal))
+
+
+def error_text(error: BaseException) -> str:
+    """What an error reports, in the user's language."""
+    return notice_text(notice_of(error))
+
+
+def event_text(event: Event) -> str:
+    """What an event reports, in the user's language; in English where it was recorded without a
+    notice, or with one that this version does not have. A note is the user's own text."""
+    if event.notice is None or event.notice.code == PLAIN:
+        return event.text if event.kind == "note" else told(event.text)
+    return try_render(event.notice, Language(_word, _Catalogue.decimal)) or event.text
+
+
+def _word(text: str) -> str:
+    """A template or a value of a notice in the user's language; values are often in lower case."""
+    found = tr(text)
+    if found is text and text.islower():
+        capital = text[0].upper() + text[1:]
+        translated = tr(capital)
+        found = text if translated is capital else translated.lower()
+    return found
 
 
 def told(text: str) -> str:

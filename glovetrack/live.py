@@ -8,7 +8,7 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType, TracebackType
+from types import TracebackType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -204,10 +204,7 @@ class LiveTracker:
 
     def take_events(self) -> tuple[RecordedEvent, ...]:
         """What happened since the last call, at s of the monotonic clock."""
-        return tuple(
-            RecordedEvent(e.t, e.kind, e.text, MappingProxyType(dict(e.data)))
-            for e in self._tracker.take_events()
-        )
+        return tuple(RecordedEvent.of(e, e.t) for e in self._tracker.take_events())
 
     def publish(
         self,

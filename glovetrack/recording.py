@@ -37,12 +37,25 @@ CAMERA_SIDES = ("left", "right")
 @dataclass(frozen=True)
 class RecordedEvent:
     """Something that happened at ``t`` (s since the recording began). ``kind`` is ``note``,
-    ``device``, ``tracking``, ``recording``, ``error``, ``pulse`` or ``gesture``."""
+    ``device``, ``tracking``, ``recording``, ``error``, ``pulse`` or ``gesture``.
+
+    ``text`` is for people: the user's own for a note, English otherwise. Programs should compare
+    ``code`` (such as ``camera.silent``), whose ``values`` are the parts of the text; both are empty
+    for notes and in recordings before version 0.2."""
 
     t: float
     kind: str
     text: str
     data: Mapping[str, object] = field(default_factory=dict)
+    code: str = ""
+    values: Mapping[str, object] = field(default_factory=dict)
+
+    @staticmethod
+    def of(event: Event, t: float) -> RecordedEvent:
+        """An event of the engine, at ``t`` s."""
+        values = event.notice.values if event.notice is not None else {}
+        data, shown = (MappingProxyType(dict(part)) for part in (event.data, values))
+        return RecordedEvent(t, event.kind, event.text, data, event.code, shown)
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,10 +200,7 @@ class Recording(OnlyHand):
     def events(self) -> tuple[RecordedEvent, ...]:
         """Notes in their last wording, and what happened to devices and tracking."""
         found = [m for m in self._file.reader.messages([Event]) if isinstance(m, Event)]
-        out = (
-            RecordedEvent(self._file.seconds(e.t), e.kind, e.text, MappingProxyType(dict(e.data)))
-            for e in standing(found)
-        )
+        out = (RecordedEvent.of(e, self._file.seconds(e.t)) for e in standing(found))
         return tuple(e for e in out if self._file.has(e.t))
 
     def images(self, camera: str = "left") -> Iterator[Image]:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from tracker.base.arrays import Array as Array
 from tracker.base.arrays import IntArray as IntArray
 from tracker.base.frozen_dict import FrozenDict
+from tracker.base.notices import Notice
 from tracker.base.records import record
 
 EYES = ("left", "right")
@@ -319,15 +320,30 @@ class Calibration(_Frozen):
 
 @dataclass(frozen=True)
 class Event:
-    """Something worth a line in the log and in the session: a device, a recording, a note."""
+    """Something worth a line in the log and in the session: a device, a recording, a note.
+
+    ``text`` is the user's for a note, and English for what the program reports; that has a
+    ``notice``, too, which readers render in their own language.
+    """
 
     t: float
     kind: str  # "note", "device", "tracking", "recording", "error", "pulse", "gesture"
     text: str
     data: Mapping[str, object] = field(default_factory=FrozenDict)
+    notice: Notice | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "data", FrozenDict(self.data))
+
+    @staticmethod
+    def of(t: float, kind: str, notice: Notice, data: Mapping[str, object] | None = None) -> Event:
+        """What the program reports at ``t`` s."""
+        return Event(t, kind, str(notice), data or {}, notice)
+
+    @property
+    def code(self) -> str:
+        """The code of the notice; empty for a note, and in recordings of earlier versions."""
+        return self.notice.code if self.notice is not None else ""
 
 
 class Shed(IntEnum):

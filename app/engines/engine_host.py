@@ -18,8 +18,9 @@ from app.engines.protocols import RecordingRequest
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
-from app.words import told
+from app.words import notice_text
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
 from tracker.messages import Message
 from tracker.vision.colours import ColourProfile
@@ -136,10 +137,12 @@ class EngineHost(QObject):
         self._spent = True
         self.running_changed.emit(False)
 
-    def _end_failed(self, why: str) -> None:
+    def _end_failed(self, why: Notice) -> None:
         """One of its threads has failed: nothing that looks alive is left."""
         self.stop()
-        self.error.emit(self.tr("Tracking has stopped. {} Start it again.").format(told(why)))
+        self.error.emit(
+            self.tr("Tracking has stopped. {} Start it again.").format(notice_text(why))
+        )
 
     def shut_down(self) -> None:
         """Stop, close the file, free the devices. Safe to call at any time."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
 from tracker.live.history import SearchedImage
 from tracker.live.recording import Recorder
@@ -135,8 +136,8 @@ class LiveEngine(WindowEngine, Protocol):
     """What a live engine offers besides, see `tracker.live.runner.LiveTracker`."""
 
     @property
-    def failure(self) -> str:
-        """Why it has stopped on its own, in a sentence; empty while it runs."""
+    def failure(self) -> Notice | None:
+        """Why it has stopped on its own; None while it runs."""
 
     @property
     def right_of_way(self) -> RightOfWay:

@@ -38,7 +38,7 @@ def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
         if not tracked:
             return None
         progress(TRACKING_SHARE, tr("comparing"))
-        return replace(compared(source, out), note=report.note)
+        return replace(compared(source, out), unused=report.unused)
 
     return run
 

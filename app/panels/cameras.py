@@ -22,7 +22,7 @@ from app.widgets.image_view import ImageView
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.more_button import MoreButton
 from app.widgets.one_line import OneLine
-from app.words import told
+from app.words import notice_text
 from tracker.messages import Shed, StereoFrame
 
 BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
@@ -182,7 +182,9 @@ class CamerasPanel(Panel):
             self._view = self._shown = None
             unfit = view.unfit if view is not None else None
             for image in (self.left, self.right):
-                image.set_placeholder(told(unfit.why) if unfit is not None else self._waiting)
+                image.set_placeholder(
+                    notice_text(unfit.why) if unfit is not None else self._waiting
+                )
                 image.show_image(None)
             return
         if not self.freeze.isChecked() or self._view is None:

@@ -25,7 +25,7 @@ from app.viewmodels.set_up_steps import (
     packets_arrive,
 )
 from app.viewmodels.status import images_alone
-from app.words import local, mark, told, tr
+from app.words import local, mark, notice_text, told, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
@@ -154,7 +154,7 @@ def _camera(view: Snapshot | None) -> SetUpStep:
     if view is None:
         return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
     if view.unfit is not None:
-        return SetUpStep(name, False, told(view.unfit.why), "stereo", tr("Calibrate"))
+        return SetUpStep(name, False, notice_text(view.unfit.why), "stereo", tr("Calibrate"))
     return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Search again"))
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from app.viewmodels.names import engine_name, spoken
-from app.words import local, tr
+from app.words import local, notice_text, tr
+from tracker.base.notices import Notice
 
 SHOWN = 0.005  # mm; less is not to be seen in the figures
 
@@ -18,7 +19,8 @@ class Comparison:
     """``first`` and ``second`` tell one movement; figures as `tracker.session.compare` gives them.
 
     ``errors_mm``: mean distance of each keypoint from the truth, of both; empty without truth.
-    ``engines``: what tracked them; ``note``: what the user has to know of the second tracking.
+    ``engines``: what tracked them; ``unused``: what of the recording the second tracking did not
+    use.
     """
 
     first: Path
@@ -26,7 +28,7 @@ class Comparison:
     figures: dict[str, Any]
     errors_mm: tuple[dict[str, float], dict[str, float]]
     engines: tuple[str, str] = ("", "")
-    note: str = ""
+    unused: tuple[Notice, ...] = ()
 
     @property
     def names(self) -> tuple[str, str]:
@@ -70,8 +72,8 @@ def rows(c: Comparison) -> list[CompareRow]:
 
 
 def summary(c: Comparison) -> str:
-    """One sentence on both, and the note where there is one."""
-    return f"{_in_common(c)} {c.note}".rstrip()
+    """One sentence on both, and what was not used."""
+    return " ".join([_in_common(c), *map(notice_text, c.unused)])
 
 
 def _in_common(c: Comparison) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from app.viewmodels.states import BAD, BLUE, GREY, ORANGE, PURPLE, SKY, StateLook
-from app.words import mark, told, tr
+from app.words import event_text, mark, tr
 from tracker.messages import Event
 from tracker.session.notes import wording_of
 
@@ -34,7 +34,7 @@ def words_of(event: Event) -> str:
     """As the user reads it; empty for what programs alone read, such as gestures."""
     if event.kind == "note" and wording_of(event) > 0:
         return tr("changed to: {}").format(event.text) if event.text else tr("a note was deleted")
-    return event.text if event.kind == "note" else told(event.text)
+    return event_text(event)
 
 
 @dataclass(frozen=True)

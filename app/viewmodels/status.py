@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, PURPLE, TRACKING, WARN, StateLook
-from app.words import local, mark, told, tr
+from app.words import local, mark, notice_text, tr
 from tracker.live.load import BEGINS
 from tracker.messages import Shed, Status, Tracking
 
@@ -130,7 +130,7 @@ def _shed(values: Mapping[str, float]) -> Field:
     if level <= 0:
         return Field("shed", "", "", IDLE, "")
     names = ", ".join(tr(SHED[step]) for step in SHED if step <= level)
-    said = "\n".join(told(BEGINS[step]) for step in SHED if step <= level)
+    said = "\n".join(notice_text(BEGINS[step]) for step in SHED if step <= level)
     return Field("shed", tr("System overloaded:"), names, WARN, said, tr("Overloaded"))
 
 

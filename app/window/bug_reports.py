@@ -21,6 +21,7 @@ from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.log import EventLog
 from app.widgets.banner import Action
 from app.window.message_bar import MessageBar
+from app.words import event_text
 from tracker.messages import Event
 
 
@@ -59,7 +60,7 @@ class BugReports(QObject):
     def _heard(self, event: Event) -> None:
         """What went wrong in the engine stands in the banner too; the log has everything."""
         if event.kind == "error":
-            self.offer(event.text)
+            self.offer(event_text(event))
 
     def offer(self, sentence: str) -> None:
         """A banner with a button; nothing stands in the way."""

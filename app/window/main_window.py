@@ -62,11 +62,11 @@ from app.window.takes import Takes
 from app.window.ticker import Ticker
 from app.window.tool_bar import ToolBar
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
-from app.words import told
-from tracker.fusion.chain.pose_reset import RESET_SAID
+from app.words import event_text
 from tracker.messages import Event
 
 USUAL = (1440, 900)
+RESETS = "pose_reset."  # codes of the notices about a pose reset
 
 
 class MainWindow(QMainWindow):
@@ -260,9 +260,9 @@ class MainWindow(QMainWindow):
         if setup is None or setup.player is not None:
             return
         if event.kind == "error":
-            self.sources.tell_of_devices(event.text)
-        elif event.kind == "device" and event.text.startswith(RESET_SAID):
-            self.messages.say(told(event.text), good=True)
+            self.sources.tell_of_devices(event_text(event))
+        elif event.kind == "device" and event.code.startswith(RESETS):
+            self.messages.say(event_text(event), good=True)
 
     def _log_said(self, text: str, good: bool) -> None:
         """A sentence of the banner stands in the log, once."""

@@ -36,7 +36,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.widgets.image_view import ImageView
 from app.wizards.form_dialog import FormDialog, beside, filler, labelled
-from app.words import local, mark, told, tr
+from app.words import local, mark, notice_text, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.image_input import CameraName, Image
@@ -218,7 +218,7 @@ class CameraSetup(FormDialog):
         if unfit is not None:
             self._name_images(alone=unfit.pair[1] is None)
             self._show_pair(unfit.pair)
-            return told(unfit.why)
+            return notice_text(unfit.why)
         if view is None or view.frame is None or not view.images_arrive:
             self._show_pair((None, None))
             return ""

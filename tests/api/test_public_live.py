@@ -29,6 +29,7 @@ def test_estimates_in_order_and_a_recording_that_is_tracked_again(tmp_path: Path
     assert (np.diff([e.t for e in taken]) > 0).all()
     assert {e.side for e in taken} == {"right"}
     assert any(e.kind == "note" and e.text == "half" for e in events)
+    assert "tracking.tracked" in [e.code for e in events]
     recorded = glovetrack.open(path)
     last = taken[-1]
     row = int(np.searchsorted(recorded.t_unix_ns, last.t_unix_ns))
@@ -36,6 +37,7 @@ def test_estimates_in_order_and_a_recording_that_is_tracked_again(tmp_path: Path
     assert last.state["index_tip"] in {"measured", "inferred", "lost"}
     assert recorded.track().compare(recorded)["identical"]
     assert any(e.text == "half" for e in recorded.events)
+    assert "recording.started" in [e.code for e in recorded.events]
 
 
 def test_both_hands_without_a_camera_come_in_one_stream() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.firmware.glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
+from tracker.base.notices import warning
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, serial_port
@@ -73,8 +74,8 @@ def test_the_ordinary_serial_code_reads_the_simulated_silicon(build: Path, tmp_p
         # Half a step of ±16 g and ±2000 °/s.
         assert np.allclose(sample.accel[answering], felt[answering, :3], atol=0.0024)
         assert np.allclose(sample.gyro[answering], felt[answering, 3:], atol=0.00054)
-    said = [m.text for m in got if isinstance(m, Event)]
-    assert any("IMU 5" in text for text in said)
+    reported = [m.notice for m in got if isinstance(m, Event)]
+    assert warning("glove.imu_silent", imu=5) in reported
 
 
 def test_a_pulse_is_an_event_at_its_instant_on_the_hosts_clock(build: Path) -> None:

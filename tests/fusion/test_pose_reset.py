@@ -99,8 +99,8 @@ def test_a_heading_that_has_drifted_is_straight_ahead_again(
     assert abs(_off(found[after], wearer)) < np.deg2rad(6.0)
     later = [_off(e, wearer) for t, e in found.items() if RESET + 2.0 < t < RESET + 4.5]
     assert np.abs(later).max() < np.deg2rad(12.0), "it goes on from there"
-    (words,) = pipeline.take_words()
-    assert words.startswith("Pose reset, right hand: joints corrected by up to ")
+    (reported,) = pipeline.drain_notices()
+    assert (reported.code, reported.values["side"]) == ("pose_reset.done_heading", "right")
 
 
 def test_tilt_and_the_size_of_the_hand_stay(wearer: Simulation, drifting: list[ImuSample]) -> None:
@@ -179,12 +179,12 @@ def test_a_bent_or_upright_hand_is_refused_in_words(
 ) -> None:
     pipeline = Pipeline(hand, glove, None, INERTIAL)
     pipeline.feed_event(reset_event(0.0))
-    assert "not possible before the hand is tracked" in pipeline.take_words()[-1]
+    assert pipeline.drain_notices()[-1].code == "pose_reset.searching"
     for sample in [s for s in wearer.imu_samples() if s.t < 1.0]:
         pipeline.feed_imu(sample)
-    for turn, words in (
-        (so3.ry(np.deg2rad(-80.0)), "point up or down"),
-        (None, "fingers are bent"),
+    for turn, code in (
+        (so3.ry(np.deg2rad(-80.0)), "pose_reset.steep"),
+        (None, "pose_reset.bent"),
     ):
         state = pipeline.get_state()
         R_GB = state.engine.tracker.filter.state.R_GB
@@ -196,7 +196,7 @@ def test_a_bent_or_upright_hand_is_refused_in_words(
         other = Pipeline(hand, glove, None, INERTIAL)
         other.set_state(state)
         other.feed_event(reset_event(1.0))
-        assert words in other.take_words()[-1]
+        assert other.drain_notices()[-1].code == code
         kept = other.get_state().engine.tracker.filter.state
         assert np.array_equal(kept.R_GB, R_GB), "nothing is changed"
 
@@ -204,9 +204,8 @@ def test_a_bent_or_upright_hand_is_refused_in_words(
 def test_an_engine_without_it_says_so(wearer: Simulation) -> None:
     pipeline = Pipeline(wearer.hand, wearer.glove, wearer.rig, Settings(engine="vist"))
     pipeline.feed_event(reset_event(0.0))
-    assert pipeline.take_words() == [
-        "Pose reset: engine vist has none. Choose engine chain or inertial."
-    ]
+    (reported,) = pipeline.drain_notices()
+    assert (reported.code, reported.values["engine"]) == ("pose_reset.not_supported", "vist")
 
 
 def test_a_recorded_reset_is_tracked_again_bit_for_bit(

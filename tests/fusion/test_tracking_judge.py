@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracker.engine.pipeline import ANOTHER, Pipeline
+from tracker.engine.pipeline import ABANDONED, Pipeline
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams, MatchParams
 from tracker.fusion.chain.pixels import SeenBlobs
@@ -130,5 +130,5 @@ def test_that_another_hand_was_followed_is_said(hand: HandModel, glove: GloveMod
     given_up = replace(FrameResult.nothing(0.0, Tracking.TRACKING, 37), another=True)
     pipeline.engine.take_results = lambda: [given_up]  # type: ignore[method-assign]
     pipeline.feed_frame(nothing)
-    assert pipeline.take_words() == [ANOTHER]
-    assert pipeline.take_words() == []
+    assert pipeline.drain_notices() == [ABANDONED]
+    assert pipeline.drain_notices() == []

@@ -185,7 +185,7 @@ class ScriptedEngine:
         }
         return Status(1.0, self.tracking, values | self.values)
 
-    failure = ""
+    failure = None
 
     def take_events(self) -> list[Event]:
         events, self.events = self.events, []

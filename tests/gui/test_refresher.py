@@ -14,6 +14,7 @@ from app.widgets.image_shapes import Cross
 from app.widgets.image_view import ImageView
 from app.window.refresher import SPARING, Refresher
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.notices import failure
 from tracker.messages import Shed
 
 TICK = 0.005
@@ -87,7 +88,7 @@ def test_an_engine_that_fails_is_stopped_and_the_window_says_so(host, qtbot):
     host.adopt(scripted_setup(engine))
     host.error.connect(said.append)
     assert host.running
-    engine.failure = "The camera thread failed: ValueError: empty."
+    engine.failure = failure("thread.failed", thread="camera", type="ValueError", why="empty")
     host.snapshot()
     assert not host.running and engine.stopped
     assert len(said) == 1 and "Tracking has stopped" in said[0] and "ValueError" in said[0]

@@ -71,7 +71,7 @@ class Nothing:
     def read(self, timeout):
         return None
 
-    failure = ""
+    failure = None
 
     def take_events(self):
         return []

@@ -95,7 +95,8 @@ def test_a_live_recording_of_both_is_tracked_again_to_the_same_bits(tmp_path, si
         np.testing.assert_array_equal(was, again)
     said = [e for e in live.journal.take_events() if e.kind in ("guided", "tracking")]
     assert said[-1].data == {"pose": "flat", "phase": "begin", "hand": "left"}
-    assert {"The left hand is tracked.", "The right hand is tracked."} <= {e.text for e in said}
+    tracked = [e.notice.values["side"] for e in said if e.code == "tracking.side_tracked"]
+    assert set(tracked) == {"left", "right"}
 
 
 def test_images_are_searched_around_the_markers_of_both_hands(sim) -> None:

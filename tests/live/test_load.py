@@ -26,7 +26,7 @@ def test_a_computer_that_keeps_up_leaves_nothing_out() -> None:
         watch.packet(0.01 * k, 0.02)
         if k % 3 == 0:
             watch.image(0.01 * k, 0.05, missed=0)
-    assert watch.level == Shed.NOTHING and watch.take_words() == []
+    assert watch.level == Shed.NOTHING and watch.notices.drain() == []
 
 
 def test_one_hitch_is_not_load() -> None:
@@ -48,7 +48,7 @@ def test_each_lag_sheds_in_the_order_and_says_so() -> None:
             feed(watch, 0.05 * k)
             levels.append(watch.level)
         assert levels == sorted(levels) and set(levels) == set(Shed), name
-        assert watch.take_words() == [BEGINS[s] for s in sorted(BEGINS)], name
+        assert watch.notices.drain() == [BEGINS[s] for s in sorted(BEGINS)], name
         firsts = [0.05 * levels.index(s) for s in Shed]
         assert np.all(np.diff(firsts) >= P.begin - 1e-9), name
 
@@ -56,10 +56,10 @@ def test_each_lag_sheds_in_the_order_and_says_so() -> None:
 def test_it_is_taken_up_again_late_and_in_the_reverse_order() -> None:
     watch = LoadWatch()
     fed(watch, 0.0, 3.0, 0.2)
-    watch.take_words()
+    watch.notices.drain()
     levels = [level for _, level in fed(watch, 3.0, 20.0, 0.005)]
     assert levels == sorted(levels, reverse=True) and levels[-1] == Shed.NOTHING
-    assert watch.take_words() == [ENDS[s] for s in sorted(ENDS, reverse=True)]
+    assert watch.notices.drain() == [ENDS[s] for s in sorted(ENDS, reverse=True)]
     held = [levels.count(s) for s in (Shed.OVERLAYS, Shed.VIEW_RATE)]
     assert min(held) >= 100 * P.end - 1
 
@@ -93,7 +93,7 @@ def test_images_are_thinned_step_by_step_and_come_back_so() -> None:
     assert watch.level == Shed.IMAGES and watch.image_interval == IMAGE_INTERVALS[0]
     fed(watch, 2.3, 5.0, 1.0)
     assert watch.image_interval == IMAGE_INTERVALS[-1]
-    assert len(watch.take_words()) == len(BEGINS)  # thinner still is nothing new to say
+    assert len(watch.notices.drain()) == len(BEGINS)  # thinner still is nothing new to say
     seen = []
     for k in range(600):
         watch.packet(7.3 + 0.05 * k, 0.001)

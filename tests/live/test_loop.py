@@ -11,7 +11,7 @@ import pytest
 from tests.live.test_runner import Tape, sim
 from tracker.base.errors import ConfigError
 from tracker.engine.hands import Hands, Sided
-from tracker.engine.pipeline import NO_PACKETS, PACKETS_AGAIN, SILENCE, Pipeline
+from tracker.engine.pipeline import SILENCE, Pipeline
 from tracker.live.inbox import DetectedFrame, EngineCommand, Inbox
 from tracker.live.journal import Journal
 from tracker.live.loop import ArrivalOrder, LiveLoop
@@ -149,8 +149,8 @@ def test_what_is_shown_without_packets_is_what_the_recording_contains(sim, begun
     assert by_images[0].tracking == Tracking.TRACKING
     assert all((e.keypoint_state < Validity.MEASURED).all() for e in by_images)
     assert all((e.angle_state < Validity.MEASURED).all() for e in by_images)
-    said = [m.text for m in tape.messages if isinstance(m, Event) and m.kind == "device"]
-    assert said == [text.format("right") for text in (NO_PACKETS, PACKETS_AGAIN)]
+    codes = [m.code for m in tape.messages if isinstance(m, Event) and m.kind == "device"]
+    assert codes == ["glove.packets_missing", "glove.packets_back"]
     again = tracked_again(sim, tape.messages)
     assert [a.t for a in again] == [e.t for e in recorded]
     for a, b in zip(recorded, again, strict=True):
@@ -203,8 +203,8 @@ def test_without_a_packet_no_hand_is_looked_for(sim):
     loop, clock = loop_on(sim)
     first = next(m for m in messages if isinstance(m, BlobFrame))
     feed(loop, clock, [first, *(m for m in messages if m.t < 1.0)])
-    said = [e.text for e in loop.journal.take_events() if e.kind == "tracking"]
-    assert said[:2] == ["Looking for the hand.", "The hand is tracked."]
+    codes = [e.code for e in loop.journal.take_events() if e.kind == "tracking"]
+    assert codes[:2] == ["tracking.searching", "tracking.tracked"]
 
 
 def test_stamps_tell_the_order_of_feeding_where_devices_tell_another(sim):

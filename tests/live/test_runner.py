@@ -11,6 +11,7 @@ import pytest
 
 from tests.fixtures import RESOURCES
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.glove.model import GloveModel
@@ -189,7 +190,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_tracking(
     estimate = tracker.hand("right").latest_estimate()
     tracker.stop()
     assert tape.closed and estimate is not None and estimate.t > 1.5
-    assert any("The disk is full." in e.text for e in events if e.kind == "error")
+    assert [e.code for e in events if e.kind == "error"] == ["recording.ended"]
 
 
 class SlowTape(Tape):
@@ -217,8 +218,8 @@ def test_the_end_of_a_recording_is_not_waited_for_long(
     slow.let_go.set()
     tracker.stop()  # waits to the end
     assert slow.closed
-    said = [e.text for e in tracker.take_events() if e.kind == "recording"]
-    assert said[-1] == "The recording is finished."
+    codes = [e.code for e in tracker.take_events() if e.kind == "recording"]
+    assert codes[-1] == "recording.finished"
 
 
 def test_devices_are_free_though_the_disk_is_behind(
@@ -245,11 +246,11 @@ def test_devices_are_free_though_the_disk_is_behind(
 def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:
     tracker, _ = live(sim, profile, None, camera=BrokenCamera)
     tracker.start()
-    said, deadline = list(tracker.take_events()), time.monotonic() + 30
-    while not any("camera thread failed" in e.text for e in said):
+    reported, deadline = list(tracker.take_events()), time.monotonic() + 30
+    while "thread.failed" not in [e.code for e in reported]:
         assert time.monotonic() < deadline
         time.sleep(0.01)
-        said += tracker.take_events()
+        reported += tracker.take_events()
     tracker.stop()
 
 
@@ -266,7 +267,7 @@ def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: Colou
     estimate, events = tracker.hand("right").latest_estimate(), tracker.take_events()
     tracker.stop()
     assert tracker.settings.engine == "madgwick"
-    assert any("The engine is now madgwick." in e.text for e in events)
+    assert notice("engine.changed", engine="madgwick") in [e.notice for e in events]
     assert estimate is not None and estimate.t > 1.5
 
 

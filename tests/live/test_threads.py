@@ -9,6 +9,7 @@ import time
 import pytest
 
 from tracker.base.errors import DeviceError
+from tracker.base.notices import Notice
 from tracker.live.recording import RecordingThread
 from tracker.live.threads import ThreadGroup
 from tracker.messages import Event, Message
@@ -27,13 +28,13 @@ def failing(error: Exception):
 def test_a_thread_that_fails_is_reported_and_leaves_its_traceback(
     error: Exception, caplog: pytest.LogCaptureFixture
 ) -> None:
-    said: list[tuple[str, str]] = []
-    group = ThreadGroup(lambda kind, text: said.append((kind, text)))
-    assert group.failure == ""
+    reports: list[tuple[str, Notice]] = []
+    group = ThreadGroup(lambda kind, what: reports.append((kind, what)))
+    assert group.failure is None
     with caplog.at_level(logging.ERROR):
         group.start("camera", failing(error))
         assert group.join({}, LIMIT) == []
-    assert said == [("error", group.failure)] and str(error) in group.failure
+    assert reports == [("error", group.failure)] and str(error) in str(group.failure)
     assert caplog.records[-1].exc_info is not None, "the traceback is in the log"
 
 
@@ -44,7 +45,7 @@ def test_what_hangs_is_left_behind_and_freed_when_it_ends() -> None:
         hangs.set()
         go_on.wait(LIMIT)
 
-    group = ThreadGroup(lambda kind, text: None)
+    group = ThreadGroup(lambda kind, what: None)
     group.start("camera", step)
     group.start("other", lambda: time.sleep(0.01))
     assert hangs.wait(LIMIT)
@@ -59,7 +60,7 @@ def test_what_hangs_is_left_behind_and_freed_when_it_ends() -> None:
 
 def test_a_device_that_hangs_at_its_end_does_not_hold_up_others() -> None:
     go_on, closed = threading.Event(), threading.Event()
-    group = ThreadGroup(lambda kind, text: None)
+    group = ThreadGroup(lambda kind, what: None)
     late = group.join({"camera": lambda: bool(go_on.wait(LIMIT)), "glove": closed.set}, 0.3)
     assert closed.wait(LIMIT) and "camera" in late
     go_on.set()
@@ -81,12 +82,12 @@ class Broken:
 
 
 def test_a_recorder_that_fails_in_any_way_closes_its_file_and_is_reported() -> None:
-    said: list[tuple[str, str]] = []
+    reports: list[tuple[str, str]] = []
     recorder = Broken()
-    thread = RecordingThread(recorder, lambda kind, text: said.append((kind, text)))
+    thread = RecordingThread(recorder, lambda kind, what: reports.append((kind, what.code)))
     thread.put(Event(1.0, "note", "hello"))
     end = time.monotonic() + LIMIT
-    while not said and time.monotonic() < end:
+    while not reports and time.monotonic() < end:
         time.sleep(0.01)
-    assert said == [("error", "The recording has ended: a bug")]
+    assert reports == [("error", "recording.ended")]
     assert thread.finish(LIMIT) and recorder.closed

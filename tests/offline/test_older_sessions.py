@@ -52,15 +52,14 @@ def test_settings_that_are_gone_are_named_and_the_others_used(tmp_path: Path) ->
     old = recorded(tmp_path / "old.mcap", changed)
     now = recorded(tmp_path / "now.mcap", to_toml(replace(Settings(), engine="vist")))
     report = track(old, tmp_path / "a.mcap")
-    assert track(now, tmp_path / "b.mcap").words == []
-    assert len(report.words) == 1 and report.words[0].startswith(
-        "This version cannot use these settings of old.mcap: "
-    )
-    assert "warp" in report.words[0] and "old" in report.words[0]
+    assert track(now, tmp_path / "b.mcap").notices == []
+    (unused,) = report.notices
+    assert unused.code == "track.settings_unused" and unused.values["file"] == "old.mcap"
+    assert "warp" in str(unused.values["settings"]) and "old" in str(unused.values["settings"])
     with SessionReader(tmp_path / "a.mcap") as reader:
         assert reader.info.engine == "vist"
-        said = [m.text for m in reader.messages() if isinstance(m, Event) and m.kind == "tracking"]
-    assert report.words[0] in said, "the new session says it too"
+        found = [m.notice for m in reader.messages() if isinstance(m, Event)]
+    assert unused in found, "it is recorded, too"
     assert compare(tmp_path / "a.mcap", tmp_path / "b.mcap")["identical"]
 
 
@@ -130,7 +129,9 @@ def test_a_state_of_another_version_is_reported_as_not_used(tmp_path: Path) -> N
 def test_a_real_session_of_an_older_version_is_tracked(data_folder: Path, tmp_path: Path) -> None:
     source = data_folder / "overload" / "session.mcap"
     report = track(source, tmp_path / "a.mcap")
-    assert "chain.constraint.thumb_abduction" in report.note
+    unused = {n.code: n.values for n in report.unused}
+    named = str(unused["track.settings_unused_more"]["settings"])
+    assert "chain.constraint.thumb_abduction" in named and "track.state_unused" in unused
     assert report.estimates > 600 and report.error_mm["mean"] < 40
 
 

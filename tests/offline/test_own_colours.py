@@ -38,12 +38,12 @@ def colours(hand: HandModel, glove: GloveModel) -> OwnColours:
 
 
 def look(own: OwnColours, images: int, tracking: Tracking, start: float = 10.0) -> list[str]:
-    """What is said over so many images with this tracking."""
+    """Codes of what is reported over so many images with this tracking."""
     for k in range(images):
         t = start + 1.01 * APART * k
         own._packed.append(PackedFrame(t, t, {"left": BLACK}, None, k))
         own.looked(BlobFrame(t, t, FACTORY.hue_names, Blobs.empty(), Blobs.empty()), tracking)
-    return [event.text for event in own.take_words()]
+    return [event.code for event in own.drain_events()]
 
 
 def test_images_without_a_hand_fit_the_colours_once(
@@ -59,9 +59,9 @@ def test_images_without_a_hand_fit_the_colours_once(
     monkeypatch.setattr(own_colours, "fit_messages", fit)
     own = colours(hand, glove)
     assert look(own, IMAGES - 1, Tracking.SEARCHING) == []
-    words = look(own, AHEAD, Tracking.SEARCHING, 20.0)
+    codes = look(own, AHEAD, Tracking.SEARCHING, 20.0)
     assert fits == [IMAGES]
-    assert words == ["The colours showed no hand: they fitted themselves."]
+    assert codes == ["colours.fitted_themselves"]
     assert own.detector.profile is FITTED
 
 
@@ -76,8 +76,8 @@ def test_a_refused_fit_is_said_once_and_not_tried_forever(
 
     monkeypatch.setattr(own_colours, "fit_messages", refuse)
     own = colours(hand, glove)
-    words = look(own, 10 * IMAGES, Tracking.LOST)
-    assert words == ["No hand is seen. The colours could not be fitted."]
+    codes = look(own, 10 * IMAGES, Tracking.LOST)
+    assert codes == ["colours.no_hand"]
     assert len(tried) == ATTEMPTS
     assert own.detector.profile is FACTORY
 
@@ -107,5 +107,5 @@ def test_colours_fit_themselves_where_a_session_is_smoothed_or_of_both_hands(
         tmp_path / "in.mcap", tmp_path / "out.mcap", TrackOptions(colours=str(wrong), smooth=smooth)
     )
     own = report.hands.get("right", report)
-    assert "The colours showed no hand: they fitted themselves." in own.words
+    assert "colours.fitted_themselves" in [n.code for n in own.notices]
     assert 0.2 < own.lost_s < 1.1

@@ -70,7 +70,7 @@ def test_repeated_packets_change_no_estimate(session: Path, tmp_path: Path, twic
     doubled = tmp_path / "doubled.mcap"
     copy(session, doubled, twice)
     plain = track(session, tmp_path / "plain.mcap")
-    assert not plain.words and "imu_repeated" not in plain.losses
+    assert not plain.notices and "imu_repeated" not in plain.losses
     report = track(doubled, tmp_path / "again.mcap", TrackOptions(with_sensors=True))
     assert report.losses.pop("imu_repeated") == report.estimates == plain.estimates
     assert report.losses == plain.losses
@@ -80,10 +80,11 @@ def test_repeated_packets_change_no_estimate(session: Path, tmp_path: Path, twic
         assert one.t == other.t
         assert np.array_equal(one.keypoints, other.keypoints, equal_nan=True)
         assert np.array_equal(one.keypoint_sd, other.keypoint_sd, equal_nan=True)
-    said = [text for text in report.words if "repeated packets" in text]
-    assert said and all("were ignored" in text for text in said)
+    reported = [n for n in report.notices if n.code == "track.packets_repeated"]
+    assert reported
     with SessionReader(tmp_path / "again.mcap") as reader:
-        assert set(said) <= {m.text for m in reader.messages((Event,)) if isinstance(m, Event)}
+        found = [m.notice for m in reader.messages((Event,)) if isinstance(m, Event)]
+        assert all(n in found for n in reported)
     assert not [f for f in verify(tmp_path / "again.mcap") if "more than once" in f.what]
 
 

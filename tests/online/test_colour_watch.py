@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from tracker.base.notices import Notice, warning
 from tracker.messages import BlobFrame, Blobs, Tracking
 from tracker.online.colour_watch import PATIENCE, ColourWatch
 
@@ -17,23 +18,25 @@ def blobs(t: float, count: int) -> BlobFrame:
     return BlobFrame(t, t, ("red",), Blobs(**many), None)
 
 
-def said(count: int, tracking: Tracking, seconds: float = 3.0, fps: float = 30.0) -> list[str]:
+def reported(
+    count: int, tracking: Tracking, seconds: float = 3.0, fps: float = 30.0
+) -> list[Notice]:
     watch = ColourWatch(MARKERS)
     for k in range(round(seconds * fps)):
         watch.look(blobs(10 + k / fps, count), tracking)
-    return watch.take_words()
+    return watch.notices.drain()
 
 
 def test_many_patches_without_a_hand_are_said_once() -> None:
-    words = said(400, Tracking.SEARCHING)
-    assert words == ["The colours find 400 patches, none fit the glove: fit the colours."]
-    assert said(400, Tracking.LOST) == words
+    unfit = warning("colours.unfit", patches=400)
+    assert reported(400, Tracking.SEARCHING) == [unfit]
+    assert reported(400, Tracking.LOST) == [unfit]
 
 
 def test_nothing_is_said_of_a_tracked_hand_a_clean_room_or_a_moment() -> None:
-    assert said(400, Tracking.TRACKING) == []
-    assert said(MARKERS, Tracking.SEARCHING) == []
-    assert said(400, Tracking.SEARCHING, PATIENCE - 0.2) == []
+    assert reported(400, Tracking.TRACKING) == []
+    assert reported(MARKERS, Tracking.SEARCHING) == []
+    assert reported(400, Tracking.SEARCHING, PATIENCE - 0.2) == []
 
 
 def test_it_is_taken_back_when_the_hand_is_found() -> None:
@@ -43,13 +46,13 @@ def test_it_is_taken_back_when_the_hand_is_found() -> None:
     assert watch.figures() == {"colours_unfit": 1.0}
     watch.look(blobs(13.1, 400), Tracking.TRACKING)
     assert watch.figures() == {"colours_unfit": 0.0}
-    assert len(watch.take_words()) == 2
+    assert len(watch.notices.drain()) == 2
     watch.look(blobs(13.2, 400), Tracking.TRACKING)
-    assert watch.take_words() == []
+    assert watch.notices.drain() == []
 
 
 def test_seconds_without_images_do_not_count() -> None:
     watch = ColourWatch(MARKERS)
     watch.look(blobs(10.0, 400), Tracking.LOST)
     watch.look(blobs(14.0, 400), Tracking.LOST)
-    assert watch.take_words() == []
+    assert watch.notices.drain() == []

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.notices import Notice
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, Port
@@ -90,16 +91,22 @@ class Run:
         self.glove = glove
         self.link = GloveLink(open_port or (lambda: glove), N, clock=lambda: glove.t)
         self.samples: list[ImuSample] = []
-        self.said: list[str] = []
+        self.notices: list[Notice] = []
 
     def go(self, duration: float) -> None:
         for _ in range(round(1000 * duration)):
             self.glove.step()
             for item in self.link.poll(0.0):
                 if isinstance(item, Event):
-                    self.said.append(item.text)
+                    assert item.notice is not None
+                    self.notices.append(item.notice)
                 else:
                     self.samples.append(item)
+
+    @property
+    def codes(self) -> list[str]:
+        """Of what the link has reported."""
+        return [n.code for n in self.notices]
 
     def errors(self) -> np.ndarray:
         """Of the samples' times, s; the last packet may still be under way."""

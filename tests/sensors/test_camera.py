@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from tracker.base.errors import DeviceError
+from tracker.base.notices import Notice, Severity, notice, plain, warning
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.image_input import (
     AT_ONCE,
@@ -60,7 +61,7 @@ class Bench:
     def __init__(self, pairs: list[Pair | None]) -> None:
         self.t, self.source = 100.0, Scripted(pairs)
         self.camera = StereoCamera(self.source, RIG, clock=lambda: self.t, sleep=self.sleep)
-        self.texts: list[str] = []
+        self.notices: list[Notice | None] = []
 
     def sleep(self, dt: float) -> None:
         self.t += dt
@@ -68,7 +69,7 @@ class Bench:
     def read(self) -> object:
         self.t += 0.1
         frame = self.camera.read(0.05)
-        self.texts += [e.text for e in self.camera.take_events()]
+        self.notices += [e.notice for e in self.camera.take_events()]
         return frame
 
 
@@ -87,10 +88,8 @@ def test_a_dark_side_is_none_and_told_once() -> None:
     frames = [bench.read() for _ in range(4)]
     assert [f.right is None for f in frames] == [True, True, True, False]
     assert all(f.left is not None for f in frames)
-    assert [t for t in bench.texts if "black" in t] == [
-        "The right camera's image is black: is the lens covered?"
-    ]
-    assert bench.texts[-1] == "The right camera's image is back."
+    assert bench.notices.count(warning("camera.black", side="right")) == 1
+    assert bench.notices[-1] == notice("camera.image_back", side="right")
 
 
 def test_both_dark_gives_no_frame() -> None:
@@ -104,7 +103,7 @@ def test_frozen_images_are_left_out() -> None:
     assert frames[0] is not None
     assert frames[1:] == [None] * 9
     assert bench.camera.repeated == 9
-    assert sum("left camera's image is frozen" in t for t in bench.texts) == 1
+    assert bench.notices.count(warning("camera.frozen", side="left")) == 1
 
 
 def test_unplugged_and_back() -> None:
@@ -120,18 +119,19 @@ def test_unplugged_and_back() -> None:
     while bench.read() is None:
         assert bench.t - start < 1.3
     assert bench.source.opened == 2
-    assert bench.texts == [
-        "The camera bench is connected.",
-        "The camera bench gives no images; waiting for it.",
-        "The camera bench cannot be opened.",
-        "The camera bench is connected.",
-    ]
+    refused = plain("The camera bench cannot be opened.", Severity.ERROR)
+    connected, silent = (
+        notice("camera.connected", camera="bench"),
+        warning("camera.silent", camera="bench"),
+    )
+    assert bench.notices == [connected, silent, refused, connected]
 
 
 def test_wrong_size_is_refused_in_words() -> None:
     bench = Bench([(image(0)[:40], image(1))])
     assert bench.read() is None
-    assert "64 by 40 pixels, but the calibration is for 64 by 48" in bench.texts[-1]
+    sizes = {"width": 64, "height": 40, "calibrated_width": 64, "calibrated_height": 48}
+    assert bench.notices[-1] == warning("camera.side_size_misfit", side="left", **sizes)
 
 
 def test_odd_width_has_no_halves() -> None:
@@ -171,7 +171,7 @@ def test_video_file_is_paced_and_ends(tmp_path: Path) -> None:
     assert [f.right.mean() for f in frames] == pytest.approx([200] * 5, abs=4)
     assert np.diff([f.t for f in frames]) == pytest.approx([0.05] * 4, abs=1e-6)
     assert all(camera.read(0.02) is None for _ in range(5))
-    assert "The end of" in camera.take_events()[-1].text
+    assert camera.take_events()[-1].code == "camera.file_end"
 
 
 def test_two_captures_stay_apart(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.sensors.scripted_glove import N, Run, Scripted
+from tracker.base.notices import notice, warning
 from tracker.sensors.glove_link import LinkState
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.protocol import BAUD, Hello
@@ -77,7 +78,7 @@ def test_it_is_found_at_another_path_by_its_adapters_number(desk: Desk) -> None:
     before = len(run.samples)
     run.go(2.0)
     assert len(run.samples) > before + 100
-    assert run.said[-1] == "The glove is back, at /dev/ttyUSB2."
+    assert run.notices[-1] == notice("glove.back_at", port="/dev/ttyUSB2")
     assert desk.opened == ["/dev/ttyUSB0", "/dev/ttyUSB2"], "the other adapter was not touched"
     assert run.link.figures.reopened == 1
 
@@ -90,7 +91,7 @@ def test_that_it_is_back_is_said_once_at_its_old_path_too(desk: Desk) -> None:
     run.go(1.0)
     desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")
     run.go(3.0)
-    assert run.said.count("The glove is back, at /dev/ttyUSB0.") == 1
+    assert run.notices.count(notice("glove.back_at", port="/dev/ttyUSB0")) == 1
     assert run.link.state == LinkState.STREAMING
 
 
@@ -116,13 +117,14 @@ def test_adapters_without_numbers_are_told_apart_by_the_glove_behind(desk: Desk)
     desk.plug("/dev/ttyUSB0", other, WCH, None)
     run.go(2.0)
     assert run.link.state != LinkState.STREAMING and not other.streaming
-    assert any("At /dev/ttyUSB0 is glove 22: glove 11 is looked for" in s for s in run.said)
+    stranger = warning("glove.stranger", port="/dev/ttyUSB0", found=22, glove_id=11)
+    assert stranger in run.notices
     desk.plug("/dev/ttyUSB1", mine, WCH, None)
     before = len(run.samples)
     run.go(3.0)
     assert len(run.samples) > before + 100 and mine.streaming
     assert run.link.hello == Hello(11, N)
-    assert sum("is looked for" in s for s in run.said) == 1
+    assert sum(code.startswith("glove.stranger") for code in run.codes) == 1
 
 
 def test_a_port_that_another_program_holds_is_left_to_it(desk: Desk) -> None:
@@ -147,7 +149,8 @@ def test_a_device_that_says_nothing_is_never_told_to_start(desk: Desk) -> None:
     desk.plug("/dev/ttyUSB1", silent, WCH, None)
     run.go(6.0)
     assert not silent.streaming
-    assert any("At /dev/ttyUSB1 is no glove" in s for s in run.said)
+    stranger = warning("glove.stranger_unknown", port="/dev/ttyUSB1", glove_id=11)
+    assert stranger in run.notices
 
 
 def test_a_port_on_no_list_is_where_it_was(desk: Desk) -> None:

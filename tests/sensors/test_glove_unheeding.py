@@ -11,6 +11,7 @@ import pytest
 
 from tests.sensors.scripted_glove import LATENCY, SKEW, N, Run, Scripted
 from tracker import GRAVITY
+from tracker.base.notices import warning
 from tracker.messages import ImuSample
 from tracker.sensors.glove_link import GloveLink, LinkParams, LinkState, serial_port
 from tracker.sensors.protocol import (
@@ -31,8 +32,9 @@ def test_a_rate_that_is_not_heeded_is_one_sentence_and_the_times_are_right(
 ) -> None:
     run = Run(Scripted(Hello(1, N, rate_hz=said_hz), rate_hz))
     run.go(12.0)
-    (sentence,) = run.said
-    assert f"sends {rate_hz:.0f} packets a second, not the 100 it was asked for" in sentence
+    (reported,) = run.notices
+    assert reported.code == "glove.other_rate" and reported.values["asked_hz"] == 100
+    assert reported.values["rate_hz"] == pytest.approx(rate_hz, rel=0.01)
     assert run.link.figures.clock_jumps == 0 and run.link.figures.lost == 0
     assert len(run.samples) == pytest.approx(12 * rate_hz, abs=2)
     assert np.abs(run.errors()).max() < 0.002
@@ -53,14 +55,14 @@ def test_losses_at_a_rate_that_is_not_heeded_are_no_jumps() -> None:
 def test_a_glove_that_obeys_is_not_complained_of() -> None:
     run = Run(Scripted(Hello(1, N, rate_hz=50), 50.0, obeys=True))
     run.go(3.0)
-    assert run.said == []
+    assert run.notices == []
     assert len(run.samples) == pytest.approx(300, abs=3)
 
 
 def test_another_rate_is_taken_while_packets_come_and_told_by_their_times() -> None:
     run = Run(Scripted(Hello(7, N), 100.0, obeys=True))
     run.go(2.0)
-    before, events = run.link.report(), list(run.said)
+    before, events = run.link.report(), list(run.notices)
     assert (before.rate_asked_hz, before.glove_id, before.state) == (100, 7, "streaming")
     assert before.rate_hz == pytest.approx(100.0, rel=0.01)
     run.link.want_rate(50)
@@ -68,7 +70,7 @@ def test_another_rate_is_taken_while_packets_come_and_told_by_their_times() -> N
     run.go(3.0)
     assert run.glove.heard[-1] == Rate(50) and run.glove.heard.count(Rate(50)) == 1
     assert run.link.report().rate_hz == pytest.approx(50.0, rel=0.01)
-    assert run.said == events, "a rate that was asked for is no news"
+    assert run.notices == events, "a rate that was asked for is no news"
     steps = np.diff([s.t for s in run.samples[-50:]])
     np.testing.assert_allclose(steps, 0.02, atol=0.002)
     with pytest.raises(ValueError, match="rate"):
@@ -82,7 +84,7 @@ def test_another_rate_that_is_not_heeded_is_seen_in_the_report() -> None:
     run.go(4.0)
     report = run.link.report()
     assert report.rate_asked_hz == 200 and report.rate_hz == pytest.approx(100.0, rel=0.01)
-    assert any("not the 200" in text for text in run.said)
+    assert [n.values["asked_hz"] for n in run.notices if n.code == "glove.other_rate"] == [200]
 
 
 def test_a_true_jump_of_the_clock_is_still_said_though_it_looks_like_a_rate() -> None:
@@ -95,10 +97,8 @@ def test_a_true_jump_of_the_clock_is_still_said_though_it_looks_like_a_rate() ->
         glove.packet = lambda t, f=honest, d=offset: moved(f(t), d)  # type: ignore[method-assign]
         run.go(1.0)
         assert len(run.samples) > before + 90
-    assert [s for s in run.said if "clock jumped" in s] == [
-        f"The glove's clock jumped by {s} s; its packets are timed anew."
-        for s in ("+0.500", "+0.010", "-4.000")
-    ]
+    jumps = [n.values["jump_s"] for n in run.notices if n.code == "glove.clock_jumped"]
+    assert jumps == pytest.approx([0.5, 0.01, -4.0], abs=5e-4)
     assert np.abs(run.errors()[-50:]).max() < 0.002
 
 
@@ -119,11 +119,8 @@ def test_without_hello_gravity_tells_the_range_and_nothing_is_valid_before(range
     last = run.samples[-1]
     assert last.valid.all()
     assert np.linalg.norm(last.accel, axis=1) == pytest.approx([GRAVITY] * N, rel=0.05)
-    assert [s.split(":")[0].split(",")[0] for s in run.said] == [
-        "The glove has not said what it is; it is told to start anyway.",
-        "The glove has not said its ranges",
-        f"At rest the glove's acceleration fits a range of {range_g} g",
-    ]
+    assert run.codes == ["glove.no_hello", "glove.ranges_unknown", "glove.range_from_rest"]
+    assert run.notices[-1].values["accel_g"] == range_g
 
 
 def test_a_weight_that_fits_no_range_is_never_believed() -> None:
@@ -152,7 +149,7 @@ def test_a_glove_that_an_earlier_run_left_streaming_is_stopped_and_asked_again()
     assert any(isinstance(f, Stop) for f in glove.heard)
     assert run.link.hello == Hello(1, N) and run.link.state == LinkState.STREAMING
     assert run.samples[-1].valid.all()
-    assert not any("restarted" in s for s in run.said)
+    assert "glove.restarted" not in run.codes
 
 
 @pytest.mark.parametrize("late", [0.0, 0.02, 0.3])
@@ -164,7 +161,7 @@ def test_a_hello_that_was_under_way_is_no_restart(late: float) -> None:
     run.go(late)
     glove.put(Hello(1, N))
     run.go(1.0)
-    assert run.said == [] and run.link.figures.resets == 0
+    assert run.notices == [] and run.link.figures.resets == 0
     assert len(run.samples) > 60
 
 
@@ -175,7 +172,7 @@ def test_a_true_restart_is_said_once() -> None:
     glove.streaming, glove.seq = False, 0
     glove.put(Hello(1, N))
     run.go(1.0)
-    assert run.said == ["The glove has restarted; it is told to go on."]
+    assert run.codes == ["glove.restarted"]
     assert run.link.figures.resets == 1
 
 
@@ -194,9 +191,7 @@ def test_a_low_battery_is_said_once_until_it_was_charged() -> None:
     for millivolt in (3700, 3490, 3480, 3510, 3490, 3650, 3499):
         run.glove.put(GloveStatus(millivolt, 2900, 0b111, 4))
         run.go(0.01)
-    assert run.said == [
-        f"The glove's battery is low ({v} V): charge it soon." for v in ("3.49", "3.50")
-    ]
+    assert run.notices == [warning("glove.battery_low", volts=v) for v in (3.49, 3.499)]
     values = run.link.figures.values()
     assert values["battery_low"] == 1.0 and values["glove_dropped"] == 4.0
 

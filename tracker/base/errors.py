@@ -1,8 +1,24 @@
-"""Errors that reach a user: the text is a whole sentence in the user's words."""
+"""Errors that reach a user: each carries a notice with what happened, why, and what to do."""
+
+from __future__ import annotations
+
+from tracker.base.notices import Notice, Severity, plain
 
 
 class GlovetrackError(Exception):
-    """Something the user asked for could not be done; ``str(error)`` says what and why."""
+    """Something the user asked for could not be done.
+
+    ``notice`` has the code and the values; ``str(error)`` is its English text. A plug-in may give
+    a finished sentence instead.
+    """
+
+    def __init__(self, what: Notice | str = "") -> None:
+        super().__init__(what)
+        report = what if isinstance(what, Notice) else plain(what)
+        self.notice = report.with_severity(Severity.ERROR)
+
+    def __str__(self) -> str:
+        return str(self.notice)
 
 
 class FileError(GlovetrackError):
@@ -15,3 +31,11 @@ class DeviceError(GlovetrackError):
 
 class ConfigError(GlovetrackError):
     """A setting has an unknown name, a wrong type or an impossible value."""
+
+
+def notice_of(failure: BaseException) -> Notice:
+    """What an error reports: its notice, or the text of an error that is not ours."""
+    if isinstance(failure, GlovetrackError):
+        return failure.notice
+    text = str(failure) or type(failure).__name__
+    return plain(text, Severity.ERROR)

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.notices import notice
 from tracker.calibration.colours_fit import Image
 from tracker.calibration.colours_learn import ColourSamples, learn
 from tracker.calibration.colours_sample import KnownMarkers, core_colours, known_sides, samples_of
@@ -22,8 +23,8 @@ from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame, Trackin
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
-FOLLOWED = "The light has changed; adapting the colours."
-"""Said of each new profile: it has changed, or the first colours were of another room."""
+FOLLOWED = notice("colours.followed")
+"""Reports each new profile: the light has changed, or the first colours were of another room."""
 
 APART = 0.2  # s between two images that are looked at
 KEPT, LEAST = 6, 3  # of them: a second, over which hands turn and shade evens out

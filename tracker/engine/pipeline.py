@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from tracker.base.notices import Notice, Outbox, notice, warning
 from tracker.base.records import record
 from tracker.engine.ahead import Ahead, GloveOnHand
 from tracker.engine.kinds import build_engine, capabilities_of
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.guided.events import guided_of
-from tracker.fusion.chain.pose_reset import RESET_SAID, is_reset
+from tracker.fusion.chain.pose_reset import is_reset
 from tracker.fusion.worn import learner_of
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -41,14 +42,7 @@ from tracker.vision.rig import StereoRig, ideal_rig
 SILENCE = 0.2
 """s without packets, at an image's exposure, after which the hand follows the images alone. A stall
 of the computer or the USB line is mostly shorter; its packets still arrive."""
-NO_PACKETS = "No packets from the {} glove: the hand follows the images alone."
-PACKETS_AGAIN = "Packets from the {} glove arrive again."
-CROWDED = "More than {} coloured patches in an image: {} were ignored so far."
-NO_RESET = f"{RESET_SAID}: engine {{}} has none. Choose engine chain or inertial."
-ANOTHER = (
-    "The hand was given up: patches on it are not where the glove's markers of their hues would "
-    "be. Fit the colours, or look whether two of their hues are exchanged."
-)
+ABANDONED = warning("tracking.abandoned")
 
 
 @record("pipeline")
@@ -96,9 +90,10 @@ class Pipeline:
         self.timing = FrameTiming(offset, self.settings.timing)
         self.pair_offset = PairOffset(rig)
         self._results: list[FrameResult] = []
-        self._words: list[str] = []
-        self._source_words: list[str] = []
-        self._told = False
+        self._notices, self._abandoned = Outbox(), False
+        self.source_notices = Outbox()
+        """About what the hand follows: packets, or images alone."""
+        self._reported_guided = False
         self.blob_limit = BlobLimit()
         self._packet = -np.inf  # arrival of the last packet, s
         self._by_images = False
@@ -135,7 +130,8 @@ class Pipeline:
             return
         frame, is_report_due = self.blob_limit.limit(through(frame, self.settings.lenses))
         if is_report_due:
-            self._source_words.append(CROWDED.format(MOST_BLOBS, self.blob_limit.ignored))
+            ignored = self.blob_limit.ignored
+            self.source_notices.post(warning("images.crowded", limit=MOST_BLOBS, ignored=ignored))
         self.pair_offset.remember(frame)
         frame = self.ahead.synchronised(frame)
         if self._watch.usable(frame):
@@ -162,24 +158,26 @@ class Pipeline:
     def _follow_images(self, on: bool) -> None:
         if on != self._by_images:
             self._by_images = on
-            text = NO_PACKETS if on else PACKETS_AGAIN
-            self._source_words.append(text.format(self.glove.side))
+            side = self.glove.side
+            missing = warning("glove.packets_missing", side=side)
+            self.source_notices.post(missing if on else notice("glove.packets_back", side=side))
 
     def feed_event(self, event: Event) -> None:
-        """Take what was said: guided poses, which some engines learn from, and pose resets."""
+        """Take an event: guided poses, which some engines learn from, and pose resets."""
         if is_reset(event):
-            self._words.append(self.engine.reset_pose() or NO_RESET.format(self.settings.engine))
+            unsupported = warning("pose_reset.not_supported", engine=self.settings.engine)
+            self._notices.post(self.engine.reset_pose() or unsupported)
             return
-        said = guided_of(event)
-        if said is None:
+        guided = guided_of(event)
+        if guided is None:
             return
-        if isinstance(said, str):
-            self._words.append(said)
+        if isinstance(guided, Notice):
+            self._notices.post(guided)
         elif (learner := learner_of(self.engine)) is not None:
-            learner.wearer.hear(said, event.t)
-        elif not self._told:
-            name, self._told = self.settings.engine, True
-            self._words.append(f"The engine {name} learns nothing from guided poses.")
+            learner.wearer.hear(guided, event.t)
+        elif not self._reported_guided:
+            self._reported_guided = True
+            self._notices.post(warning("guided.not_learned", engine=self.settings.engine))
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
         """Take a sample of the camera's own IMU: images without a pose get one of it."""
@@ -193,8 +191,9 @@ class Pipeline:
         """Learn from results as they come, so that it does not matter when they are taken."""
         for result in self.engine.take_results():
             self._watch.check(result)
-            if result.another and ANOTHER not in self._words:
-                self._words.append(ANOTHER)
+            if result.another and not self._abandoned:
+                self._abandoned = True
+                self._notices.post(ABANDONED)
             restored = self.timing.restored(result)
             self.pair_offset.learn(restored)
             self._results.append(restored)
@@ -209,15 +208,11 @@ class Pipeline:
         """Whether the camera is still the one that was calibrated."""
         return self._watch.state
 
-    def take_words(self) -> list[str]:
-        """Sentences about the camera and guided poses since the last call, for the log."""
-        words, self._words = self._words, []
-        return words + self.take_source_words() + self._watch.take_words()
-
-    def take_source_words(self) -> list[str]:
-        """Sentences since the last call about what the hand follows: packets, or images alone."""
-        words, self._source_words = self._source_words, []
-        return words
+    def drain_notices(self) -> list[Notice]:
+        """Notices since the last call: about guided poses, packets and the camera."""
+        self._abandoned = False
+        parts = (self._notices, self.source_notices, self._watch.notices)
+        return [found for part in parts for found in part.drain()]
 
     def predict(self, t: float) -> Estimate:
         """The hand at any instant near now. Moves nothing."""

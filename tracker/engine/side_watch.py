@@ -7,6 +7,7 @@ mirrored glove and hand.
 
 from __future__ import annotations
 
+from tracker.base.notices import Notice, Outbox, failure
 from tracker.engine.pipeline import Pipeline
 from tracker.glove.mirror import OTHER, mirrored_glove, mirrored_hand
 from tracker.glove.model import GloveModel
@@ -29,8 +30,8 @@ class SideWatch:
         self._last: float | None = None
         self._over = False
         self._sees_many = False
-        self._words: list[str] = []
-        self.is_other = False  # said, and our hand was not found since
+        self.notices = Outbox()
+        self.is_other = False  # reported, and our hand was not found since
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> None:
         """A packet, and what our own pipeline knows after it."""
@@ -52,11 +53,6 @@ class SideWatch:
             self._trial.feed_frame(blobs)
             self._trial.take_results()
 
-    def take_words(self) -> list[str]:
-        """Sentences since the last call, for the log."""
-        words, self._words = self._words, []
-        return words
-
     def _begin_anew(self) -> None:
         self._trial, self._over, self.is_other = None, False, False
         self._waited = self._tried = self._sure = 0.0
@@ -67,18 +63,14 @@ class SideWatch:
         self._sure = self._sure + step if found else 0.0
         if self._sure >= SURE:
             self.is_other = True
-            self._words.append(other_side_words(self._pipeline.glove))
+            self.notices.post(other_side(self._pipeline.glove))
         if self._sure >= SURE or self._tried >= TRIAL:
             self._trial, self._over = None, True
 
 
-def other_side_words(glove: GloveModel) -> str:
-    """Said of what is taken for ``glove`` and is its mirror image."""
-    side, other = glove.side, OTHER[glove.side]
-    return (
-        f"This looks like a glove of the {other} hand: its patches are mirrored. The file "
-        f"{glove.name} is of the {side} hand; choose a {other} one."
-    )
+def other_side(glove: GloveModel) -> Notice:
+    """Reports that what is tracked as ``glove`` is its mirror image."""
+    return failure("glove.other_hand", other=OTHER[glove.side], glove=glove.name, side=glove.side)
 
 
 def sees(blobs: BlobFrame, least: int) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import Any, NamedTuple, Protocol
 
+from tracker.base.notices import Notice
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -76,9 +77,9 @@ class Engine(Protocol):
         and for an engine that does not follow images."""
         return None
 
-    def reset_pose(self) -> str | None:
-        """Align joints with a flat hand that the wearer holds now. A sentence that says what was
-        done; None for an engine that cannot do it."""
+    def reset_pose(self) -> Notice | None:
+        """Align joints with a flat hand that the wearer holds now. Reports what was done; None for
+        an engine that cannot do it."""
         return None
 
     @property

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tracker.base.channels import Latest
+from tracker.base.notices import Notice
 from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
 from tracker.live.frame_results import ShownFrame
 from tracker.live.journal import Journal
@@ -40,7 +41,7 @@ class FollowedColours:
             self._follower.take(now)
             self._set_at = frame.t
         elif self._set_at is not None and frame.t - self._set_at >= STAND:
-            self._journal.record(_event(self._set_at, "", now))
+            self._journal.record(_event(self._set_at, None, now))
             self._set_at = None
         if not self._follower.is_due(frame.t):
             return
@@ -52,5 +53,6 @@ class FollowedColours:
         self._journal.add(_event(frame.t, FOLLOWED, replace(new, name="followed")))
 
 
-def _event(t: float, words: str, profile: ColourProfile) -> Event:
-    return Event(t, KIND, words, {"colours": profile_to_toml(profile)})
+def _event(t: float, what: Notice | None, profile: ColourProfile) -> Event:
+    data = {"colours": profile_to_toml(profile)}
+    return Event(t, KIND, "", data) if what is None else Event.of(t, KIND, what, data)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tracker.base.channels import Latest
+from tracker.base.notices import notice, plain
 from tracker.engine.hands import Sided
 from tracker.live.inbox import Inbox
 from tracker.live.journal import Journal
@@ -18,23 +19,27 @@ WAIT = 0.05  # s that a step waits for its device
 class GloveReader:
     """Packets go to the engine's inbox, events into the journal.
 
-    ``name``: put before what the glove tells, where there is another one.
+    ``named``: events say which glove they are of, where there is another one.
     """
 
     def __init__(
-        self, glove: GloveSource, side: str, inbox: Inbox, journal: Journal, name: str = ""
+        self, glove: GloveSource, side: str, inbox: Inbox, journal: Journal, named: bool = False
     ) -> None:
-        self._glove, self._side, self._name = glove, side, name
+        self._glove, self._side, self._named = glove, side, named
         self._inbox, self._journal = inbox, journal
 
     def step(self) -> None:
         """Take what has come."""
         for item in self._glove.poll(WAIT):
             if isinstance(item, Event):
-                text = f"{self._name}: {item.text}" if self._name else item.text
-                self._journal.add(replace(item, text=text))
+                self._journal.add(self._of_side(item) if self._named else item)
             else:
                 self._inbox.put(Sided(item, self._side))
+
+    def _of_side(self, event: Event) -> Event:
+        what = event.notice or plain(event.text)
+        named = replace(notice("glove.of_side", side=self._side, what=what), severity=what.severity)
+        return replace(event, text=str(named), notice=named)
 
     def figures(self) -> dict[str, float]:
         """Battery, counters and clock, of a glove that reports them."""

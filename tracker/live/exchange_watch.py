@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from tracker.base.notices import Outbox, failure
 from tracker.engine.hands import Hands
 from tracker.engine.side_watch import ENOUGH, PATIENCE, SURE, TRIAL, sees
 from tracker.glove.mirror import OTHER
@@ -27,7 +28,7 @@ class ExchangeWatch:
         self._tried_as = dict.fromkeys(SIDES, Tracking.SEARCHING)
         self._since = self._sure_since = math.inf
         self._sees_many = self._over = False
-        self._words: list[str] = []
+        self.notices = Outbox()
 
     def packet(self, side: str, sample: ImuSample, tracking: Tracking) -> None:
         """A packet of the glove that is taken for that of ``side``, and what its hand is then."""
@@ -49,11 +50,6 @@ class ExchangeWatch:
         if self._trial is not None:
             self._trial.feed_frame(blobs)
 
-    def take_words(self) -> list[str]:
-        """Sentences since the last call, for the log."""
-        words, self._words = self._words, []
-        return words
-
     def _try(self, trial: Hands, side: str, sample: ImuSample) -> None:
         self._tried_as[side] = trial.feed_imu(side, sample).tracking
         trial.take_results(side)
@@ -61,9 +57,6 @@ class ExchangeWatch:
         self._sure_since = min(self._sure_since, sample.t) if found else math.inf
         sure = sample.t - self._sure_since >= SURE
         if sure:
-            self._words.append(
-                "The two gloves are exchanged: each has the files of the other hand. Choose the "
-                "hand of each in the set-up of the gloves."
-            )
+            self.notices.post(failure("gloves.exchanged"))
         if sure or sample.t - self._since >= TRIAL:
             self._trial, self._over = None, True

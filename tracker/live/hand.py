@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.engine.pipeline import SILENCE, Pipeline
 from tracker.engine.side_watch import SideWatch
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
@@ -24,16 +25,10 @@ from tracker.vision.region_prediction import RegionPrediction
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
 GONE = 2.0  # s without packets after which nobody searches whole images for a hand that is lost
 OF_ONE = {
-    Tracking.SEARCHING: "Looking for the hand.",
-    Tracking.TRACKING: "The hand is tracked.",
-    Tracking.COASTING: "The hand is out of sight; its place is extrapolated.",
-    Tracking.LOST: "The hand's place is lost; finger angles go on.",
-}
-OF_TWO = {
-    Tracking.SEARCHING: "Looking for the {} hand.",
-    Tracking.TRACKING: "The {} hand is tracked.",
-    Tracking.COASTING: "The {} hand is out of sight; its place is extrapolated.",
-    Tracking.LOST: "The {} hand's place is lost; finger angles go on.",
+    Tracking.SEARCHING: notice("tracking.searching"),
+    Tracking.TRACKING: notice("tracking.tracked"),
+    Tracking.COASTING: warning("tracking.coasting"),
+    Tracking.LOST: warning("tracking.lost"),
 }
 
 
@@ -70,7 +65,7 @@ class LiveHand:
         self.predicted: RegionPrediction | None = None  # for the vision thread
         names = pipeline.glove.keypoint_names(pipeline.hand)
         self.gestures = GestureRecogniser(pipeline.hand, names)
-        self.listeners = Listeners(partial(journal.say, "error"))
+        self.listeners = Listeners(partial(journal.report, "error"))
         self.on_used: Callable[[ShownFrame], object] = lambda used: None  # each image, once
         self.followers: tuple[Follower, ...] = ()
         self._subscribers: tuple[Subscriber, ...] = ()  # replaced, never changed
@@ -94,9 +89,9 @@ class LiveHand:
         return self.estimate.tracking if self.estimate is not None else Tracking.SEARCHING
 
     @property
-    def words(self) -> str:
-        """The state of tracking in a sentence."""
-        return OF_ONE[self.tracking] if self._alone else OF_TWO[self.tracking].format(self.side)
+    def notice(self) -> Notice:
+        """Reports the state of tracking; of two hands it says which one."""
+        return OF_ONE[self.tracking] if self._alone else of_two(self.tracking, self.side)
 
     def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
         """Call ``subscriber`` with each estimate that is shown; what is returned ends that."""
@@ -126,7 +121,7 @@ class LiveHand:
         for phase in self.gestures.feed(estimate):
             self._journal.record(gesture_event(phase, self.side))
         if is_news:
-            self._journal.say("tracking", self.words)
+            self._journal.report("tracking", self.notice)
 
     def follow_images(self, pipeline: Pipeline, blobs: BlobFrame) -> None:
         """While the glove's packets are missing: what is shown is also recorded.
@@ -139,7 +134,7 @@ class LiveHand:
         elif self.history.silent(blobs.t, SILENCE):
             unfound = pipeline.predict(blobs.t)
             if unfound.tracking == Tracking.SEARCHING and self._show(unfound, by_packet=False):
-                self._journal.say("tracking", self.words)
+                self._journal.report("tracking", self.notice)
 
     def _show(self, estimate: Estimate, by_packet: bool) -> bool:
         """Takes over the newest estimate; returns whether the state of tracking has changed.
@@ -194,6 +189,19 @@ class LiveHand:
         """How this hand and the devices are, now; ``shared`` is of all hands."""
         now = self._clock()
         return Status(now, self.tracking, shared | self.telemetry.values(now))
+
+
+def of_two(tracking: Tracking, side: str) -> Notice:
+    """The state of tracking of the hand on ``side``, where there is another one."""
+    match tracking:
+        case Tracking.SEARCHING:
+            return notice("tracking.side_searching", side=side)
+        case Tracking.TRACKING:
+            return notice("tracking.side_tracked", side=side)
+        case Tracking.COASTING:
+            return warning("tracking.side_coasting", side=side)
+        case Tracking.LOST:
+            return warning("tracking.side_lost", side=side)
 
 
 def camera_figures(pipeline: Pipeline) -> dict[str, float]:

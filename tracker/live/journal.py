@@ -1,14 +1,15 @@
-"""What is said and what is recorded: events for the log, every message for the disk."""
+"""What is reported and what is recorded: events for the log, every message for the disk."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
 from tracker.base.channels import Fifo
+from tracker.base.notices import Notice
 from tracker.live.recording import Recorder, RecordingThread
 from tracker.messages import Event, Message
 
-EVENTS_KEPT = 2000  # for whoever takes them
+EVENTS_KEPT = 2000  # until they are drained
 
 
 class Journal:
@@ -19,9 +20,9 @@ class Journal:
         self._events: Fifo[Event] = Fifo(EVENTS_KEPT)
         self._disk: RecordingThread | None = None
 
-    def say(self, kind: str, text: str) -> None:
-        """A sentence for the log and the recording, stamped now."""
-        self.add(Event(self._clock(), kind, text))
+    def report(self, kind: str, what: Notice) -> None:
+        """A notice for the log and the recording, stamped now."""
+        self.add(Event.of(self._clock(), kind, what))
 
     def note(self, text: str, t: float | None, data: Mapping[str, object]) -> None:
         """A note of the user's, stamped ``t`` (s), or now where that is None."""
@@ -33,7 +34,7 @@ class Journal:
         self.record(event)
 
     def take_events(self) -> list[Event]:
-        """What was said since the last call."""
+        """The events since the last call, oldest first."""
         return self._events.drain()
 
     def record(self, message: Message, side: str = "") -> None:
@@ -52,7 +53,7 @@ class Journal:
 
     def open(self, recorder: Recorder) -> None:
         """Record into ``recorder`` from now on."""
-        self._disk = RecordingThread(recorder, self.say)
+        self._disk = RecordingThread(recorder, self.report)
 
     def detach(self) -> RecordingThread | None:
         """Record no more; the recording is to be finished by the caller, which takes a while."""

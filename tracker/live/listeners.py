@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Protocol
 
+from tracker.base.errors import notice_of
+from tracker.base.notices import Notice, failure
 from tracker.base.registry import Registry
 
 if TYPE_CHECKING:  # a descriptor is imported to list it
@@ -89,10 +91,10 @@ LISTENERS = Registry("listeners", "listener", ListenerKind)
 class Listeners:
     """The listeners of one hand; none until `attach`.
 
-    A listener that raises is closed and removed, and ``report`` receives a sentence about it.
+    A listener that raises is closed and removed, and ``report`` receives a notice about it.
     """
 
-    def __init__(self, report: Callable[[str], None]) -> None:
+    def __init__(self, report: Callable[[Notice], None]) -> None:
         self._report = report
         self.by_name: Mapping[str, Listener] = MappingProxyType({})  # replaced, never changed
 
@@ -129,7 +131,7 @@ class Listeners:
 
     def _fail(self, name: str, error: Exception) -> None:
         _log.error("The listener %s failed", name, exc_info=error)
-        self._report(f"The listener {name} failed and was removed: {error}")
+        self._report(failure("listener.failed", name=name, why=notice_of(error)))
 
 
 def _close(name: str, listener: Listener) -> None:

@@ -9,21 +9,20 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from tracker.base.notices import Notice, Outbox, notice, warning
 from tracker.messages import Shed
 
-BEGINS = {
-    Shed.VIEW_RATE: "The computer is too slow: the 3D view is drawn less often.",
-    Shed.OVERLAYS: "The computer is too slow: camera images are shown without overlays.",
-    Shed.WHOLE_SEARCHES: "The computer is too slow: images are searched only where markers are "
-    "expected.",
-    Shed.IMAGES: "The computer is too slow: fewer images are searched. No packet of the glove is "
-    "left out.",
+BEGINS: dict[Shed, Notice] = {
+    Shed.VIEW_RATE: warning("load.view_slower"),
+    Shed.OVERLAYS: warning("load.no_overlays"),
+    Shed.WHOLE_SEARCHES: warning("load.narrow_search"),
+    Shed.IMAGES: warning("load.fewer_images"),
 }
-ENDS = {
-    Shed.VIEW_RATE: "The computer keeps up again: nothing is left out any more.",
-    Shed.OVERLAYS: "Camera images have their overlays again.",
-    Shed.WHOLE_SEARCHES: "Images are searched as a whole again.",
-    Shed.IMAGES: "All images are searched again.",
+ENDS: dict[Shed, Notice] = {
+    Shed.VIEW_RATE: notice("load.recovered"),
+    Shed.OVERLAYS: notice("load.overlays_back"),
+    Shed.WHOLE_SEARCHES: notice("load.full_search"),
+    Shed.IMAGES: notice("load.all_images"),
 }
 IMAGE_INTERVALS = (0.03, 0.045, 0.09)
 """s at least between images that are searched at `Shed.IMAGES`, one after the other while it is too
@@ -75,7 +74,7 @@ class LoadWatch:
         self._judged = -math.inf
         self._thinned = 0  # of `IMAGE_INTERVALS`
         self.level = Shed.NOTHING
-        self._words: list[str] = []
+        self.notices = Outbox()
 
     def packet(self, now: float, lag: float) -> None:
         """A packet has become an estimate, ``lag`` after its instant."""
@@ -104,11 +103,6 @@ class LoadWatch:
         """s at least between two images that are searched; any thread may ask."""
         return IMAGE_INTERVALS[self._thinned] if self.level >= Shed.IMAGES else 0.0
 
-    def take_words(self) -> list[str]:
-        """Sentences since the last call, for the log."""
-        words, self._words = self._words, []
-        return words
-
     def figures(self) -> dict[str, float]:
         """How far it has gone, as a number of `Shed`, and the share of images missed of late."""
         missed = self._missed.value(self._judged)
@@ -130,7 +124,7 @@ class LoadWatch:
     def _leave_out_more(self) -> None:
         if self.level < Shed.IMAGES:
             self.level = Shed(self.level + 1)
-            self._words.append(BEGINS[self.level])
+            self.notices.post(BEGINS[self.level])
         else:
             self._thinned = min(self._thinned + 1, len(IMAGE_INTERVALS) - 1)
 
@@ -138,5 +132,5 @@ class LoadWatch:
         if self._thinned:
             self._thinned -= 1
         elif self.level > Shed.NOTHING:
-            self._words.append(ENDS[self.level])
+            self.notices.post(ENDS[self.level])
             self.level = Shed(self.level - 1)

@@ -10,9 +10,11 @@ import threading
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Protocol
 
 from tracker.base.clock import nanoseconds, next_instant, seconds
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, Outbox, notice
 from tracker.engine.hands import Hands, Sided
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
@@ -41,7 +43,14 @@ from tracker.vision.rig import StereoRig
 BEST = (Tracking.SEARCHING, Tracking.LOST, Tracking.COASTING, Tracking.TRACKING)
 """The better known, the later."""
 
-SAID_BEFORE = 5.0  # s for which one hand's words are not said of the other's sake again
+SAID_BEFORE = 5.0  # s for which a notice of one hand is not repeated by the other
+
+
+class Watch(Protocol):
+    """Watches messages and reports what it notices."""
+
+    @property
+    def notices(self) -> Outbox: ...
 
 
 class ArrivalOrder:
@@ -72,16 +81,18 @@ class ArrivalOrder:
 
 
 class SaidOnce:
-    """What both hands' pipelines notice of the one camera: the same again within ``patience`` s is
-    no news."""
+    """What the pipelines of both hands report on the one camera: the same notice is not repeated
+    within ``patience`` s, whatever its numbers are."""
 
     def __init__(self, patience: float) -> None:
         self._patience = patience
-        self._last: dict[str, float] = {}
+        self._last: dict[tuple[object, ...], float] = {}
 
-    def is_news(self, text: str, now: float) -> bool:
-        """Whether it was not said shortly before ``now`` (s)."""
-        last, self._last[text] = self._last.get(text, float("-inf")), now
+    def is_news(self, what: Notice, now: float) -> bool:
+        """Whether it was not reported shortly before ``now`` (s)."""
+        names = (value for value in what.values.values() if isinstance(value, str))
+        subject = (what.code, *names)
+        last, self._last[subject] = self._last.get(subject, float("-inf")), now
         return now - last >= self._patience
 
 
@@ -190,7 +201,7 @@ class LiveLoop:
                 command.work(self.hands.pipelines[command.side].engine)
                 self.record_state()
         except GlovetrackError as error:
-            self.journal.say("error", str(error))
+            self.journal.report("error", error.notice)
         self._next_report = 0.0  # what it changed is shown at once
 
     def _guide(self, command: GuidedCommand) -> None:
@@ -212,19 +223,19 @@ class LiveLoop:
 
     def _take_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():
-            for text in pipeline.take_words():
-                if self._said.is_news(text, self.clock()):
-                    self.journal.say("device", text)
+            for found in pipeline.drain_notices():
+                if self._said.is_news(found, self.clock()):
+                    self.journal.report("device", found)
             hand = self.seen[side]
             hand.take(self.hands.take_results(side), pipeline)
-            for text in hand.sides.take_words() if hand.sides is not None else ():
-                self.journal.say("error", text)
-        for text in self._exchange.take_words() if self._exchange is not None else ():
-            self.journal.say("error", text)
-        for text in self.colours.take_words():
-            self.journal.say("tracking", text)
-        for text in self.load.take_words():
-            self.journal.say("load", text)
+            self._report_all("error", hand.sides)
+        self._report_all("error", self._exchange)
+        self._report_all("tracking", self.colours)
+        self._report_all("load", self.load)
+
+    def _report_all(self, kind: str, watch: Watch | None) -> None:
+        for found in watch.notices.drain() if watch is not None else ():
+            self.journal.report(kind, found)
 
     def _report(self) -> None:
         """Once a second: calibration and status, for the screen and the file."""
@@ -277,7 +288,7 @@ class LiveLoop:
             for side, hand in self.seen.items():
                 hand.watch_side(hands.pipelines[side])
             self.record_state()
-        self.journal.say("tracking", f"The engine is now {name}.")
+        self.journal.report("tracking", notice("engine.changed", engine=name))
 
     def set_reference(self, name: str | None, wait: bool = False) -> None:
         """Let a second engine see the same messages, to be compared with; None ends it.
@@ -313,7 +324,7 @@ class LiveLoop:
                     hand.listeners.restart()
                 self.record_state()
                 self._record_status()
-            self.journal.say("recording", "The recording has begun.")
+            self.journal.report("recording", notice("recording.started"))
 
     def record_state(self) -> None:
         """Record what no message tells: tracked again, the session goes on as it did live."""

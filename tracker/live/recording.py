@@ -9,7 +9,8 @@ from dataclasses import replace
 from typing import Protocol
 
 from tracker.base.channels import Closed, Fifo
-from tracker.base.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError, notice_of
+from tracker.base.notices import Notice, failure, notice
 from tracker.messages import Message, StereoFrame
 
 _log = logging.getLogger(__name__)
@@ -37,8 +38,8 @@ class Recorder(Protocol):
 class RecordingThread:
     """A recorder behind a bounded queue and its own thread: never in the way of tracking."""
 
-    def __init__(self, recorder: Recorder, say: Callable[[str, str], None]) -> None:
-        self._recorder, self._say = recorder, say
+    def __init__(self, recorder: Recorder, report: Callable[[str, Notice], None]) -> None:
+        self._recorder, self._report = recorder, report
         self._queue: Fifo[tuple[Message, bool, str]] = Fifo(MAX_WAITING)
         self._images = 0
         self._lock = threading.Lock()
@@ -82,13 +83,13 @@ class RecordingThread:
                 self._ending.wait(BATCH)
         except Closed:
             if self._closed():
-                self._say("recording", "The recording is finished.")
-        except Exception as error:  # noqa: BLE001 - whatever it is, the file is closed and the user told
+                self._report("recording", notice("recording.finished"))
+        except Exception as error:  # noqa: BLE001 - whatever it is, the file is closed and the user informed
             if not isinstance(error, GlovetrackError | OSError):
                 _log.exception("The recorder failed")
             self._queue.close()
             self._closed()
-            self._say("error", f"The recording has ended: {error or type(error).__name__}")
+            self._report("error", failure("recording.ended", why=notice_of(error)))
 
     def _write_waiting(self) -> None:
         """All that waits, together. Raises Closed at the end."""
@@ -110,6 +111,6 @@ class RecordingThread:
         except Exception as error:  # noqa: BLE001 - as above
             if not isinstance(error, GlovetrackError | OSError):
                 _log.exception("The recorder failed at its end")
-            self._say("error", f"The recording could not be finished: {error}")
+            self._report("error", failure("recording.not_finished", why=notice_of(error)))
             return False
         return True

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from tracker.base.clock import monotonic
+from tracker.base.notices import Notice
 from tracker.calibration.colours_follow import ColourFollower
 from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
@@ -78,11 +79,11 @@ class LiveTracker:
         self._colours = FollowedColours(follower, self._vision, self._journal)
         self._loop.seen[side].on_used = self._colours.used.put
         self._glove_readers = {
-            side: GloveReader(glove, side, self._inbox, self._journal, _name(side, gloves))
+            side: GloveReader(glove, side, self._inbox, self._journal, len(gloves) > 1)
             for side, glove in gloves.items()
         }
         self._camera_reader = CameraReader(camera, self._vision.images, self._journal, telemetry)
-        self._threads = ThreadGroup(self._journal.say, turn)
+        self._threads = ThreadGroup(self._journal.report, turn)
         for part in (
             self._vision,
             self._loop.load,
@@ -128,8 +129,8 @@ class LiveTracker:
         return "glove" if len(self._gloves) == 1 else f"glove-{side}"
 
     @property
-    def failure(self) -> str:
-        """Why tracking has ended by itself, in a sentence; empty while it runs."""
+    def failure(self) -> Notice | None:
+        """Why tracking has ended by itself; None while it runs."""
         return self._threads.failure
 
     def _feed(self) -> None:
@@ -204,11 +205,6 @@ def _follower(profile: ColourProfile, pipeline: Pipeline) -> ColourFollower:
     glove, rig = pipeline.glove, pipeline.calibrated_rig
     size = float(glove.marker_size.mean()) if glove.markers else 0.012
     return ColourFollower(profile, glove, size, rig.fx if rig is not None else 640.0)
-
-
-def _name(side: str, gloves: Mapping[str, GloveSource]) -> str:
-    """Of a glove for the log; none where it is the only one."""
-    return f"{side.capitalize()} glove" if len(gloves) > 1 else ""
 
 
 class HandOfTracker:

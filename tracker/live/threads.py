@@ -9,26 +9,27 @@ from collections.abc import Callable, Mapping
 
 from tracker.base.channels import Closed
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, failure
 from tracker.base.urgency import run_soon
 
 _log = logging.getLogger(__name__)
 
 
 class ThreadGroup:
-    """``say`` gets a kind and a sentence when a thread fails. Methods are for one owner.
+    """``report`` receives a kind and a notice when a thread fails. Methods are for one owner.
 
     ``turn`` is called with a thread's name before each of its steps, in that thread: whoever gives
     it may hold threads back, as a busy computer does.
     """
 
     def __init__(
-        self, say: Callable[[str, str], None], turn: Callable[[str], None] = lambda name: None
+        self, report: Callable[[str, Notice], None], turn: Callable[[str], None] = lambda name: None
     ) -> None:
-        self._say, self._turn = say, turn
+        self._report, self._turn = report, turn
         self._stopping = threading.Event()
         self._threads: dict[str, threading.Thread] = {}
-        self.failure = ""
-        """What ended the first thread that failed, in a sentence; empty while all run."""
+        self.failure: Notice | None = None
+        """What ended the first thread that failed; None while all run."""
 
     @property
     def stopping(self) -> bool:
@@ -85,14 +86,15 @@ class ThreadGroup:
             return
         except GlovetrackError as error:
             _log.error("The %s thread has ended: %s", name, error, exc_info=True)
-            self._fail(str(error))
+            self._fail(error.notice)
         except Exception as error:  # noqa: BLE001 - the last line of defence of a thread
             _log.exception("The %s thread failed", name)
-            self._fail(f"The {name} thread failed: {type(error).__name__}: {error}.")
+            kind = type(error).__name__
+            self._fail(failure("thread.failed", thread=name, type=kind, why=str(error)))
 
-    def _fail(self, text: str) -> None:
-        self.failure = self.failure or text
-        self._say("error", text)
+    def _fail(self, why: Notice) -> None:
+        self.failure = self.failure or why
+        self._report("error", why)
 
 
 def _free_after(thread: threading.Thread | None, free: Callable[[], None], name: str) -> None:

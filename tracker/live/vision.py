@@ -36,7 +36,7 @@ class Vision:
         self._make_detector, self._detector = make_detector, make_detector(profile)
         self._inbox, self._loop = inbox, loop
         self._plan = SearchPlan()
-        self._silence = SilenceWatch("camera")
+        self._silence = SilenceWatch()
         self._last = -math.inf  # stamp of the last image that was searched
         self._shed = self._missed = 0
 
@@ -75,8 +75,8 @@ class Vision:
         return self._plan.hints(predicted, rig, frame.t, frame.pose, names, sparing)
 
     def _notice_silence(self, frame: StereoFrame | None) -> None:
-        """A device may hang in a call that never returns: here it is noticed all the same."""
+        """Report a device that hangs in a call that never returns."""
         watch, now = self._silence, self._loop.clock()
-        text = watch.look(now) if frame is None else watch.heard(now)
-        if text:
-            self._loop.journal.say("device", text)
+        what = watch.look(now) if frame is None else watch.received(now)
+        if what is not None:
+            self._loop.journal.report("device", what)

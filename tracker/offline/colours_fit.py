@@ -20,7 +20,7 @@ from tracker.calibration.colours_learn import ColourSamples, learn, wide_profile
 from tracker.calibration.colours_sample import known_sides, samples_of
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
-from tracker.engine.side_watch import other_side_words
+from tracker.engine.side_watch import other_side
 from tracker.glove import library
 from tracker.glove.mirror import mirrored_glove, mirrored_hand
 from tracker.glove.model import GloveModel
@@ -202,7 +202,7 @@ def _refuse_other_side(
     hand, glove = mirrored_hand(worn.hand), mirrored_glove(worn.glove)
     mirrored = look(_beginning(messages), WatchedGlove(hand, glove, worn.rig), profile)
     if not _is_poor(mirrored) and mirrored.matched > own.matched:
-        raise GlovetrackError(other_side_words(worn.glove))
+        raise GlovetrackError(other_side(worn.glove))
 
 
 def _starts(profile: ColourProfile) -> Iterator[ColourProfile]:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, notice, warning
 from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
 from tracker.messages import BlobFrame, Event, FrameResult, ImuSample, StereoFrame, Tracking
 from tracker.offline.colours_fit import Sensed, WatchedGlove, fit_messages
@@ -33,7 +34,7 @@ Searched = ImuSample | PackedFrame | BlobFrame | Event
 
 
 class OwnColours:
-    """``words`` are events with what was learned, for the session that is written."""
+    """`drain_events` gives events with what was learned, for the session that is written."""
 
     def __init__(self, info: SessionInfo, profile: ColourProfile) -> None:
         assert info.rig is not None
@@ -47,7 +48,7 @@ class OwnColours:
         self._handless: list[PackedFrame] = []
         self._packets: deque[ImuSample] = deque()
         self._left, self._stale = ATTEMPTS, 0  # images that were searched with colours before
-        self.words: list[Event] = []
+        self._events: list[Event] = []
 
     def searched(self, messages: Iterable[Decoded], threads: int, keep: bool) -> Iterator[Searched]:
         """``messages`` with what is found in their images; those too with ``keep``."""
@@ -112,19 +113,20 @@ class OwnColours:
             fit = fit_messages(messages, self._worn, self._profile)
         except GlovetrackError as error:
             if self._left == ATTEMPTS - 1:
-                self.words.append(Event(frames[-1].t, "tracking", f"No hand is seen. {error}"))
+                refused = warning("colours.no_hand", why=error.notice)
+                self._events.append(Event.of(frames[-1].t, "tracking", refused))
             return
         self._follower.take(fit.profile)
         self._stale = AHEAD + 2
-        self._take(fit.profile, frames[-1].t, "The colours showed no hand: they fitted themselves.")
+        self._take(fit.profile, frames[-1].t, notice("colours.fitted_themselves"))
 
-    def _take(self, profile: ColourProfile, t: float, words: str) -> None:
+    def _take(self, profile: ColourProfile, t: float, what: Notice) -> None:
         """From the next image that is searched."""
         self.detector = Detector(profile, *self._camera, DetectorParams())
         text = profile_to_toml(replace(profile, name="followed"))
-        self.words.append(Event(t, KIND, words, {"colours": text}))
+        self._events.append(Event.of(t, KIND, what, {"colours": text}))
 
-    def take_words(self) -> list[Event]:
-        """Since the last call."""
-        words, self.words = self.words, []
-        return words
+    def drain_events(self) -> list[Event]:
+        """The events since the last call, oldest first."""
+        events, self._events = self._events, []
+        return events

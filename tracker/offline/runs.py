@@ -9,8 +9,9 @@ from typing import Protocol
 
 import numpy as np
 
+from tracker.base.notices import plain
 from tracker.engine.hands import Hands, Sided
-from tracker.engine.pipeline import ANOTHER, Pipeline
+from tracker.engine.pipeline import ABANDONED, Pipeline
 from tracker.engine.side_watch import SideWatch
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.pose_reset import is_reset
@@ -136,13 +137,13 @@ class Output:
 
     def source(self, t: float, pipeline: Pipeline) -> None:
         """Record what the hand follows from ``t`` (s) on, where that has changed."""
-        for text in pipeline.take_source_words():
-            self._recorder.write(Event(t, "device", text))
+        for found in pipeline.source_notices.drain():
+            self._recorder.write(Event.of(t, "device", found))
 
     def say(self, event: Event) -> None:
-        """A sentence about the session, for its log and the report."""
+        """An event about the session, for its log and the report."""
         self._recorder.write(event)
-        self.report.words.append(event.text)
+        self.report.notices.append(event.notice or plain(event.text))
 
 
 class NoOutput(Output):
@@ -198,7 +199,7 @@ class AloneWatch:
     def packet(self, sample: ImuSample, tracking: Tracking) -> list[Event]:
         """Take a packet and the state of tracking after it; what to report."""
         self._sides.packet(sample, tracking)
-        return [Event(sample.t, "device", text) for text in self._sides.take_words()]
+        return [Event.of(sample.t, "device", found) for found in self._sides.notices.drain()]
 
     def frame(self, frame: BlobFrame) -> None:
         """Take an image that was fed."""
@@ -207,8 +208,8 @@ class AloneWatch:
     def look(self, frame: BlobFrame, tracking: Tracking, results: list[FrameResult]) -> list[Event]:
         """What to report of the colours after an image and the ``results`` that followed."""
         self._colours.look(frame, tracking)
-        texts = [ANOTHER for r in results if r.another] + self._colours.take_words()
-        return [Event(frame.t, "tracking", text) for text in texts]
+        found = [ABANDONED for r in results if r.another] + self._colours.notices.drain()
+        return [Event.of(frame.t, "tracking", each) for each in found]
 
 
 class LiveRun:
@@ -276,7 +277,7 @@ class LiveRun:
             unknown = (Tracking.SEARCHING, Tracking.LOST)
             tracked = [t for t in self._tracking.values() if t not in unknown]
             self._colours.looked(frame, tracked[0] if tracked else Tracking.LOST)
-            for event in self._colours.take_words():
+            for event in self._colours.drain_events():
                 output.say(event)
 
     def _posed(self, message: Fed) -> Fed:

@@ -15,6 +15,7 @@ import numpy as np
 from tracker import __version__
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import check_target, sha256
+from tracker.base.notices import Notice, notice, warning
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.base.workers import usable_cores
 from tracker.engine.hands import Sided
@@ -93,7 +94,7 @@ def track(
             _messages(reader, info, options, threads or usable_cores(), colours)
         )
         described = _output_info(info, settings, source, options)
-        note = " ".join(filter(None, (_edits_note(reader), _version_note(reader, options))))
+        unused = (*_unused_edits(reader), *_unused_of_version(reader, options))
         start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
         if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
             described = replace(described, moving_camera=True)  # by what its IMU tells
@@ -104,14 +105,14 @@ def track(
                 for side, check in checks.items()
             }
             run = _run(reader, info, settings, outputs, options, colours)
-            if note:
-                outputs[info.side].say(Event(start, "tracking", note))
+            for what in unused:
+                outputs[info.side].say(Event.of(start, "tracking", what))
             forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
             for message in messages:
                 run.feed(message)
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
-            _tell_repeats(repeats, outputs, start + span)
+            _report_repeats(repeats, outputs, start + span)
             by_side.keep(run.engines, kept)
         for side, check in checks.items():
             if check is not None:
@@ -119,18 +120,18 @@ def track(
                 report.error_mm, report.error_deg = check.against(_truth(reader, side))
         reports = {side: output.report for side, output in outputs.items()}
         report = TrackReport.of_hands(reports)
-        report.note = note
+        report.unused = unused
         report.left_out = reader.source.left_out.by_topic()
     report.wall_s = time.perf_counter() - started
     return report
 
 
-def _tell_repeats(repeats: Repeats, outputs: Mapping[str, Output], t: float) -> None:
+def _report_repeats(repeats: Repeats, outputs: Mapping[str, Output], t: float) -> None:
     """Report, at ``t`` s, how many packets of each glove were left out."""
     for side, n in sorted(repeats.counts.items()):
         outputs[side].report.losses["imu_repeated"] = n
-        text = f"{n} repeated packets of the {side} glove were ignored."
-        outputs[side].say(Event(t, "tracking", text))
+        repeated = warning("track.packets_repeated", count=n, side=side)
+        outputs[side].say(Event.of(t, "tracking", repeated))
 
 
 def state_at(
@@ -269,36 +270,29 @@ def _unusable_settings(reader: SessionReader) -> list[str]:
     return _usable_settings(text)[1] if text else []
 
 
-def _edits_note(reader: SessionReader) -> str:
-    """That interpolated gaps are not taken over: estimates come from the sensors alone."""
+def _unused_edits(reader: SessionReader) -> list[Notice]:
+    """Interpolated gaps are not taken over: estimates come from the sensors alone."""
     count = sum(len(edit.filled) for edit in reader.edits)
-    if not count:
-        return ""
-    return (
-        f"{count} interpolated gap{'s' * (count != 1)} of {reader.path.name} "
-        "were dropped: tracking starts from the sensors."
-    )
+    return [notice("track.gaps_dropped", count=count, file=reader.path.name)] if count else []
 
 
-def _version_note(reader: SessionReader, options: TrackOptions) -> str:
-    """What of an older session is not used, in sentences; empty where all of it is."""
+def _unused_of_version(reader: SessionReader, options: TrackOptions) -> list[Notice]:
+    """What of an older session is not used."""
     if options.settings:
-        return ""
-    name, by, notes = reader.path.name, reader.info.version[:20], []
+        return []
+    name, by, unused = reader.path.name, reader.info.version[:20], []
     left_out = _unusable_settings(reader)
     if left_out:
-        named = ", ".join(key[:60] for key in left_out[:MOST_NAMED])
-        more = f" and {len(left_out) - MOST_NAMED} more" if len(left_out) > MOST_NAMED else ""
-        notes.append(
-            f"This version cannot use these settings of {name}: {named}{more}. They were "
-            f"ignored; the other recorded settings were used."
-        )
+        named, more = [key[:60] for key in left_out[:MOST_NAMED]], len(left_out) - MOST_NAMED
+        if more > 0:
+            many = {"settings": named, "more": more}
+            unused.append(warning("track.settings_unused_more", file=name, **many))
+        else:
+            unused.append(warning("track.settings_unused", file=name, settings=named))
     if reader.has_start_state and (left_out or by != __version__):
-        notes.append(
-            f"{name} was recorded by version {by or 'unknown'} in the middle of tracking: the "
-            f"recorded state of tracking was not used, so the first seconds may differ."
-        )
-    return " ".join(notes)
+        version = by or "unknown"
+        unused.append(warning("track.state_unused", file=name, version=version))
+    return unused
 
 
 def _output_info(

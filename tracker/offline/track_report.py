@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.notices import Notice, to_json
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Status, Tracking
 
@@ -29,9 +30,14 @@ class TrackReport:
     error_mm: dict[str, float] = field(default_factory=dict)
     error_deg: float | None = None  # mean absolute error of the joint angles
     hands: dict[str, TrackReport] = field(default_factory=dict)
-    words: list[str] = field(default_factory=list)  # what was said of the session on the way
+    notices: list[Notice] = field(default_factory=list)  # about the session
     left_out: dict[str, int] = field(default_factory=dict)  # damaged messages by topic
-    note: str = ""  # the one of them that says what of the session was not used
+    unused: tuple[Notice, ...] = ()  # those about parts of the session that were not used
+
+    @property
+    def words(self) -> list[str]:
+        """The notices in English."""
+        return [str(found) for found in self.notices]
 
     def to_json(self) -> dict[str, object]:
         out = dict(vars(self))
@@ -39,11 +45,12 @@ class TrackReport:
             del out["error_mm"]
         if self.error_deg is None:
             del out["error_deg"]
-        if not self.words:
-            del out["words"]
+        del out["notices"]
+        if self.notices:
+            out["words"], out["notices"] = self.words, [to_json(n) for n in self.notices]
         if not self.left_out:
             del out["left_out"]
-        del out["hands"], out["note"]
+        del out["hands"], out["unused"]
         if self.hands:
             out["hands"] = {side: report.to_json() for side, report in self.hands.items()}
         return out
@@ -70,7 +77,7 @@ class TrackReport:
             error_mm=worse,
             error_deg=max(angles, default=None),
             hands=hands,
-            words=[text for report in reports for text in report.words],
+            notices=[found for report in reports for found in report.notices],
         )
 
 

@@ -1,7 +1,8 @@
-"""Saying that the colours are to blame: many patches for a while, and no hand among them."""
+"""Reports colours that do not fit: many patches for a while, and no hand among them."""
 
 from __future__ import annotations
 
+from tracker.base.notices import Outbox, notice, warning
 from tracker.messages import BlobFrame, Tracking
 
 PATIENCE = 2.0  # s
@@ -16,7 +17,7 @@ class ColourWatch:
         self._markers = markers
         self._since = self._last = float("-inf")
         self._most = 0
-        self._words: list[str] = []
+        self.notices = Outbox()
         self.unfit = False
 
     def look(self, blobs: BlobFrame, tracking: Tracking) -> None:
@@ -31,9 +32,7 @@ class ColourWatch:
         self._most = max(self._most, count)
         if not self.unfit and blobs.t - self._since >= PATIENCE:
             self.unfit = True
-            self._words.append(
-                f"The colours find {self._most} patches, none fit the glove: fit the colours."
-            )
+            self.notices.post(warning("colours.unfit", patches=self._most))
 
     def _is_strange(self, count: int) -> bool:
         """Whether so many patches are more than a glove and a room should show."""
@@ -41,13 +40,8 @@ class ColourWatch:
 
     def _begin(self, t: float) -> None:
         if self.unfit:
-            self._words.append("The colours find no more patches than they should, or the hand.")
+            self.notices.post(notice("colours.fit_again"))
         self._since, self._most, self.unfit = t, 0, False
-
-    def take_words(self) -> list[str]:
-        """Sentences since the last call, for the log."""
-        words, self._words = self._words, []
-        return words
 
     def figures(self) -> dict[str, float]:
         """Whether the colours are to blame now."""

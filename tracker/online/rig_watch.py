@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from tracker.base.notices import Outbox, notice, warning
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntMatrix, IntVector, Matrix
 from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray
@@ -68,7 +69,7 @@ class RigWatch:
         self._shifts: deque[float] = deque(maxlen=self._params.shift_pictures)
         self._wrong_way = self._right_way = 0
         self._jumps = JumpWatch(rig.fx, jumps)
-        self._words: list[str] = []
+        self.notices = Outbox()
         self.state = RigState()
 
     def usable(self, frame: BlobFrame) -> bool:
@@ -94,15 +95,10 @@ class RigWatch:
         if jump is not None:
             self._note_jump(jump)
 
-    def take_words(self) -> list[str]:
-        """Sentences for the log since the last call."""
-        words, self._words = self._words, []
-        return words
-
     # ---- verdicts
 
     def _note_order(self, swapped: bool, in_order: bool) -> None:
-        """Swapped and back are told after some images in a row."""
+        """Report swapped images, and images in order again, after several in a row."""
         self._wrong_way = self._wrong_way + 1 if swapped else 0
         self._right_way = self._right_way + 1 if in_order else 0
         state, enough = self.state, self._params.swapped_pictures
@@ -110,13 +106,10 @@ class RigWatch:
             self._set(refused=state.refused + 1)
         if self._wrong_way >= enough and not state.swapped:
             self._set(swapped=True)
-            self._words.append(
-                "The left and the right image are swapped; they are not used. "
-                "Exchange the two cameras."
-            )
+            self.notices.post(warning("camera.swapped"))
         elif self._right_way >= enough and state.swapped:
             self._set(swapped=False)
-            self._words.append("The left and the right image are in order again.")
+            self.notices.post(notice("camera.in_order"))
 
     def _note_shift(self, shift: float) -> None:
         """The median over images that show one row shift clearly."""
@@ -131,26 +124,16 @@ class RigWatch:
 
     def _say_moved(self, moved: bool, shift: float) -> None:
         if moved and not self.state.moved:
-            self._words.append(
-                f"The two images are {abs(shift):.1f} pixels apart in height: a lens has moved "
-                "since the stereo calibration. Calibrate the camera again."
-            )
+            self.notices.post(warning("camera.lens_moved", apart_px=abs(shift)))
         elif self.state.moved and not moved:
-            self._words.append("The two images fit the stereo calibration again.")
+            self.notices.post(notice("camera.fits_again"))
 
     def _note_jump(self, jump: Jump) -> None:
         self._set(jumps=self.state.jumps + 1)
         if jump.apart > jump.together:
-            text = (
-                f"The images have moved against each other by {jump.apart:.0f} pixels at once: "
-                "a lens was knocked. Calibrate the camera again if this stays."
-            )
+            self.notices.post(warning("camera.lens_knocked", jump_px=jump.apart))
         else:
-            text = (
-                f"All markers have jumped by {jump.together:.0f} pixels at once: "
-                "the camera was moved. Places are measured from where it stands now."
-            )
-        self._words.append(text)
+            self.notices.post(warning("camera.moved", jump_px=jump.together))
 
     def _set(self, **changes: Any) -> None:
         self.state = replace(self.state, **changes)

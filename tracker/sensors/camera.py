@@ -1,4 +1,4 @@
-"""A stereo camera as the runner wants it: stamped pairs, and words about what happens to it."""
+"""A stereo camera as the runner requires it: stamped pairs, and events about the device."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import numpy as np
 
 from tracker.base.clock import monotonic, nanoseconds, seconds
 from tracker.base.errors import DeviceError
+from tracker.base.notices import Notice, notice, warning
 from tracker.messages import EYES, Event, StereoFrame
 from tracker.sensors.image_input import Image, ImageInput, Pair
 from tracker.sensors.image_watch import ImageWatch, WatchParams
@@ -24,15 +25,15 @@ class CameraParams:
 
     delay: float = 0.035
     retry: float = 0.4  # s between attempts to open a camera that is gone
-    slow: float = 0.8  # of the asked frame rate: below, the user is told
+    slow: float = 0.8  # of the asked frame rate: below, a warning is reported
     watch: WatchParams = field(default_factory=WatchParams)
 
 
 class UnfitImages(NamedTuple):
-    """Images that the calibration is not for, and a sentence that says why."""
+    """Images that the calibration is not for, and the reason."""
 
     pair: Pair
-    why: str
+    why: Notice
 
 
 class StereoCamera:
@@ -55,7 +56,7 @@ class StereoCamera:
         self.rig, self._source, self._params = rig, source, params or CameraParams()
         self._clock, self._sleep = clock, sleep
         self._events: deque[Event] = deque(maxlen=1000)
-        self._said: dict[str, str] = {}
+        self._reported: dict[str, Notice] = {}
         self._open = self._ended = False
         self._next_attempt = float("-inf")
         self._next_due: float | None = None
@@ -91,17 +92,17 @@ class StereoCamera:
                 return None
             pair = (in_colour(pair[0]), None if pair[1] is None else in_colour(pair[1]))
         except DeviceError as error:
-            self._refuse(str(error))
+            self._refuse(error.notice)
             return None
         why = self._misfit(pair)
-        self.unfit = UnfitImages(pair, why) if why else None
-        if why:
-            self._say("link", why)
+        self.unfit = UnfitImages(pair, why) if why is not None else None
+        if why is not None:
+            self._report("link", why)
             return None
         return self._frame(pair)
 
     def take_events(self) -> Sequence[Event]:
-        """What happened since the last call."""
+        """The events since the last call, oldest first."""
         out = list(self._events)
         self._events.clear()
         return out
@@ -122,11 +123,11 @@ class StereoCamera:
         try:
             self._source.open()
         except DeviceError as error:
-            self._refuse(str(error))
+            self._refuse(error.notice)
             return False
         self._open = True
         self._restart_watch()
-        self._say("link", f"The camera {self._source.name} is connected.")
+        self._report("link", notice("camera.connected", camera=self._source.name))
         return True
 
     def _due(self, timeout: float) -> bool:
@@ -144,39 +145,39 @@ class StereoCamera:
 
     def _gone(self) -> None:
         if self._source.live:
-            self._refuse(f"The camera {self._source.name} gives no images; waiting for it.")
+            self._refuse(warning("camera.silent", camera=self._source.name))
         else:
             self.close()
-            self._say("link", f"The end of {self._source.name} is reached.")
+            self._report("link", notice("camera.file_end", camera=self._source.name))
 
-    def _refuse(self, why: str) -> None:
+    def _refuse(self, why: Notice) -> None:
         self._source.close()
         self._open, self.unfit = False, None
         self._ended = not self._source.live  # a file is not tried again
         self._next_attempt = self._clock() + self._params.retry
-        self._say("link", why)
+        self._report("link", why)
 
-    def _misfit(self, pair: Pair) -> str:
-        """Why the rig is not for these images; empty where it is."""
+    def _misfit(self, pair: Pair) -> Notice | None:
+        """Why the rig is not for these images; None where it is."""
         if self.rig is None:
-            return ""
+            return None
         if (pair[1] is None) != self.rig.one_camera:
-            return ONE_FOR_TWO if pair[1] is None else TWO_FOR_ONE
+            return warning("camera.one_for_two" if pair[1] is None else "camera.two_for_one")
         for image, camera, side in zip(pair, (self.rig.left, self.rig.right), EYES, strict=True):
             if image is None:
                 continue
             height, width = image.shape[:2]
             if (width, height) != (camera.width, camera.height):
+                sizes = {
+                    "width": width,
+                    "height": height,
+                    "calibrated_width": camera.width,
+                    "calibrated_height": camera.height,
+                }
                 if self.rig.one_camera:
-                    return (
-                        f"The camera gives images of {width} by {height} pixels, but its "
-                        f"calibration is for {camera.width} by {camera.height}."
-                    )
-                return (
-                    f"The {side} camera gives images of {width} by {height} pixels, but the "
-                    f"calibration is for {camera.width} by {camera.height}."
-                )
-        return ""
+                    return warning("camera.size_misfit", **sizes)
+                return warning("camera.side_size_misfit", side=side, **sizes)
+        return None
 
     # ---- the images
 
@@ -209,44 +210,31 @@ class StereoCamera:
         watch = self._watch[k]
         watch.look(image, t)
         if watch.black:
-            self._say(EYES[k], f"The {EYES[k]} camera's image is black: is the lens covered?")
+            self._report(EYES[k], warning("camera.black", side=EYES[k]))
         elif watch.frozen and self._source.live:
-            self._say(EYES[k], f"The {EYES[k]} camera's image is frozen; it is not used.")
+            self._report(EYES[k], warning("camera.frozen", side=EYES[k]))
         elif watch.torn:
-            text = f"The {EYES[k]} camera's image is torn: a part of it did not arrive."
-            self._say(EYES[k], text)
-        elif EYES[k] in self._said and not watch.repeated:
-            del self._said[EYES[k]]
-            self._tell(f"The {EYES[k]} camera's image is back.")
+            self._report(EYES[k], warning("camera.torn", side=EYES[k]))
+        elif EYES[k] in self._reported and not watch.repeated:
+            del self._reported[EYES[k]]
+            self._add(notice("camera.image_back", side=EYES[k]))
         return None if watch.black else image
 
     def _watch_rate(self) -> None:
         asked = self._source.fps
         full = len(self._arrivals) == self._arrivals.maxlen
         if full and self._source.live and 0 < self.fps < self._params.slow * asked:
-            self._say(
-                "rate",
-                f"The camera gives {self.fps:.0f} images a second instead of {asked:.0f}: "
-                "a long exposure in poor light, or a slow USB port.",
-            )
+            slow = warning("camera.slow", rate_hz=round(self.fps), asked_hz=round(asked))
+            self._report("rate", slow)
 
-    def _say(self, topic: str, text: str) -> None:
-        """Tell it once, until something else is to be told of the same topic."""
-        if self._said.get(topic) != text:
-            self._said[topic] = text
-            self._tell(text)
+    def _report(self, topic: str, what: Notice) -> None:
+        """Add an event once, until another notice on the same topic."""
+        if self._reported.get(topic) != what:
+            self._reported[topic] = what
+            self._add(what)
 
-    def _tell(self, text: str) -> None:
-        self._events.append(Event(self._clock(), "device", text))
-
-
-ONE_FOR_TWO = (
-    "The camera gives one image, but the calibration is for two: calibrate it as one camera."
-)
-TWO_FOR_ONE = (
-    "The camera gives two images, but the calibration is for one camera: calibrate both, or "
-    "choose one camera in its set-up."
-)
+    def _add(self, what: Notice) -> None:
+        self._events.append(Event.of(self._clock(), "device", what))
 
 
 def in_colour(image: Image) -> Image:

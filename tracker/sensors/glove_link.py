@@ -1,7 +1,7 @@
 """The glove on a serial port: handshake, samples, faults, and coming back by itself.
 
 `GloveLink.poll` does all the work and owns no thread; `GloveLink.vibrate` may be called from any.
-Every fault becomes a counter and, once, an event in plain words.
+Every fault becomes a counter and, once, an event.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import serial
 
 from tracker import GRAVITY
 from tracker.base.clock import nanoseconds, seconds
+from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Event, ImuSample
 from tracker.sensors.accel_range import RangeFromRest
 from tracker.sensors.decoder import FrameDecoder
@@ -97,32 +98,29 @@ class Ranges(NamedTuple):
 
 
 class Announcements:
-    """What happened to the link, in words, until somebody takes it. ``clock`` gives s.
-
-    For the one thread that polls.
-    """
+    """Events of the link until they are drained. ``clock`` gives s. For the thread that polls."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
         self._events: list[Event] = []
         self.topics: set[str] = set()
-        """Of which `once` has spoken."""
+        """What `once` has reported on."""
 
-    def say(self, text: str) -> None:
-        """An event of now."""
-        self._events.append(Event(self._clock(), "device", text))
+    def report(self, what: Notice) -> None:
+        """Add an event of now."""
+        self._events.append(Event.of(self._clock(), "device", what))
 
-    def once(self, topic: str, text: str) -> None:
-        """The same, the first time that it is about ``topic``."""
+    def once(self, topic: str, what: Notice) -> None:
+        """Report it unless ``topic`` has been reported on."""
         if topic not in self.topics:
             self.topics.add(topic)
-            self.say(text)
+            self.report(what)
 
-    def tell(self, event: Event) -> None:
-        """One that has a time of its own."""
+    def add(self, event: Event) -> None:
+        """Add an event with a time of its own."""
         self._events.append(event)
 
-    def take(self) -> list[Event]:
+    def drain(self) -> list[Event]:
         """All since the last call, oldest first."""
         events, self._events = self._events, []
         return events
@@ -143,7 +141,7 @@ class GloveLink:
         self._port: Port | None = None
         self._writing = threading.Lock()  # two frames must not mix, nor the port go between
         self._write_error: OSError | None = None  # of any thread, for the one that polls
-        self._words = Announcements(clock)
+        self._events = Announcements(clock)
         self._next_open = float("-inf")
         self.state = LinkState.UNPLUGGED
         self.hello: Hello | None = None
@@ -168,7 +166,7 @@ class GloveLink:
         if self._port is None:
             self._open(timeout)
         if self._port is None:
-            return [*out, *self._words.take()]
+            return [*out, *self._events.drain()]
         try:
             self._ask_rate()
             data = read_waiting(self._port, timeout)
@@ -181,7 +179,7 @@ class GloveLink:
                 raise self._write_error
         except (serial.SerialException, OSError) as error:
             self._unplugged(error)
-        return [*out, *self._words.take()]
+        return [*out, *self._events.drain()]
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
         """Let a motor run; whether it was told. It is not while the glove is away, nor where the
@@ -249,9 +247,9 @@ class GloveLink:
         try:
             self._port = self._open_port()
         except (serial.SerialException, OSError) as error:
-            self._words.once("open", f"The glove's port cannot be opened: {reason(error)}")
+            self._events.once("open", warning("glove.port_not_opened", why=reason(error)))
             return
-        self._words.topics.discard("open")
+        self._events.topics.discard("open")
         self.figures.opened += 1
         self.figures.latency_ms = getattr(self._port, "latency_ms", None)
         counters, self.decoder = self.decoder.counters, FrameDecoder()
@@ -262,7 +260,7 @@ class GloveLink:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
         self.hello, self._ranges, self._at_rest = None, None, RangeFromRest()
         self._heard = self._before = None
-        self._words.topics -= {"range", "ranges", "rate"}
+        self._events.topics -= {"range", "ranges", "rate"}
         self._packet_clock = self._new_clock()
         self._send(HelloRequest())
 
@@ -281,7 +279,7 @@ class GloveLink:
             return
         self.params = replace(self.params, rate_hz=rate_hz)
         self._rate_asked = self._clock()
-        self._words.topics.discard("rate")
+        self._events.topics.discard("rate")
         if self.state in (LinkState.STREAMING, LinkState.SILENT):
             self._send(Rate(rate_hz))
 
@@ -301,9 +299,7 @@ class GloveLink:
                 self._port.close()
             self._port = None
         self.state, self._was_gone = LinkState.UNPLUGGED, True
-        self._words.say(
-            f"The glove was unplugged ({reason(error)}); it is taken up when it returns."
-        )
+        self._events.report(warning("glove.unplugged", why=reason(error)))
 
     # ---- frames
 
@@ -316,9 +312,9 @@ class GloveLink:
             case GloveStatus():
                 self._status(frame)
             case ErrorText():
-                self._words.say(f"The glove says: {frame.text}")
+                self._events.report(warning("glove.message", text=frame.text))
             case Pulse():
-                self._words.tell(pulse_event(frame, self._packet_clock, now))
+                self._events.add(pulse_event(frame, self._packet_clock, now))
         return []
 
     def _greeted(self, hello: Hello, now: float) -> None:
@@ -334,11 +330,8 @@ class GloveLink:
         if hello.accel_range_g and hello.gyro_range_dps:
             self._ranges = Ranges(hello.accel_range_g, hello.gyro_range_dps)
         if hello.imu_count != self._imu_count:
-            self._words.once(
-                "count",
-                f"This glove has {hello.imu_count} IMUs but the glove file says "
-                f"{self._imu_count}: choose the right glove file.",
-            )
+            has = warning("glove.imu_count", imus=hello.imu_count, expected=self._imu_count)
+            self._events.once("count", has)
         self._begin(now)
 
     def _is_stranger(self, glove_id: int | None, now: float) -> bool:
@@ -349,14 +342,10 @@ class GloveLink:
         before = place.home
         if place.is_right(glove_id):
             if place.home != before or self._was_gone:
-                self._words.say(f"The glove is back, at {place.path}.")
+                self._events.report(notice("glove.back_at", port=place.path))
                 self._was_gone = False
             return False
-        self._words.once(
-            f"stranger {glove_id}",
-            f"At {place.path} is {'no glove' if glove_id is None else f'glove {glove_id}'}: glove "
-            f"{place.glove_id} is looked for. To use another one, choose it under Set-up, Glove.",
-        )
+        self._events.once(f"stranger {glove_id}", _stranger(place, glove_id))
         with self._writing:
             if self._port is not None:
                 self._port.close()
@@ -366,7 +355,7 @@ class GloveLink:
 
     def _restarted(self) -> None:
         self.figures.resets += 1
-        self._words.say("The glove has restarted; it is told to go on.")
+        self._events.report(warning("glove.restarted"))
 
     def _begin(self, now: float) -> None:
         self._packet_clock, self._heard, self._began = self._new_clock(), None, now
@@ -375,18 +364,16 @@ class GloveLink:
         self._send(Start())
         self.state, self._since = LinkState.STREAMING, now
         if self._was_gone:  # at a port that is no other than it was
-            self._words.say("The glove sends again.")
+            self._events.report(notice("glove.sends_again"))
             self._was_gone = False
 
     def _samples(self, frame: Samples, now: float) -> list[ImuSample]:
         if len(frame.raw) != self._imu_count:
-            self._words.once(
-                "count",
-                f"Packets hold {len(frame.raw)} IMUs but the glove file says {self._imu_count}.",
-            )
+            has = {"imus": len(frame.raw), "expected": self._imu_count}
+            self._events.once("count", warning("glove.packet_imu_count", **has))
             return []
         if self.state == LinkState.SILENT:
-            self._words.say("The glove sends again.")
+            self._events.report(notice("glove.sends_again"))
             if now - self._since > LONG_SILENCE:
                 self._packet_clock = self._new_clock()
         if self.state != LinkState.GREETING:  # a glove that was never stopped is still to be asked
@@ -402,26 +389,28 @@ class GloveLink:
         self.figures.lost += time_of.lost
         if time_of.jumped:
             self.figures.clock_jumps += 1
-            by = time_of.jumped
-            self._words.say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
+            self._events.report(warning("glove.clock_jumped", jump_s=time_of.jumped))
         self.figures.skew_ppm = self._packet_clock.skew_ppm
         if now - self._rate_asked > RATE_WITHIN:
-            _judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._words)
+            _judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._events)
         if self._ranges is None:
-            self._ranges = _range_at_rest(frame, time_of.t_device, self._at_rest, self._words)
+            self._ranges = _range_at_rest(frame, time_of.t_device, self._at_rest, self._events)
         return [si_sample(frame, time_of, now, self._ranges, self._imu_ok)]
 
     def _status(self, status: GloveStatus) -> None:
         self.figures.battery_mV, self.figures.dropped = status.battery_mV, status.dropped
         self.figures.temperature_cC = status.temperature_cC
-        if warning := self._battery.look(status.battery_mV):
-            self._words.say(warning)
+        if (low := self._battery.look(status.battery_mV)) is not None:
+            self._events.report(low)
         changed = status.imu_ok ^ self._imu_ok
         self._imu_ok = status.imu_ok
         for j in range(self._imu_count):
             if changed >> j & 1:
-                word = "answers again" if status.imu_ok >> j & 1 else "does not answer"
-                self._words.say(f"IMU {j} of the glove {word}.")
+                back = status.imu_ok >> j & 1
+                what = (
+                    notice("glove.imu_back", imu=j) if back else warning("glove.imu_silent", imu=j)
+                )
+                self._events.report(what)
 
     def _watch(self, now: float) -> None:
         """What does not come: HELLO, or samples."""
@@ -432,11 +421,18 @@ class GloveLink:
                 self._send(Stop())  # one that streams since an earlier run says HELLO again
                 self._send(HelloRequest())
             if waited > p.boot + p.patience and not self._is_stranger(None, now):
-                self._words.say("The glove has not said what it is; it is told to start anyway.")
+                self._events.report(warning("glove.no_hello"))
                 self._begin(now)
         elif self.state == LinkState.STREAMING and waited > p.silent_after:
             self.state = LinkState.SILENT
-            self._words.say(f"The glove has been silent for {p.silent_after:g} s.")
+            self._events.report(warning("glove.silent", silent_s=p.silent_after))
+
+
+def _stranger(place: GlovePort, glove_id: int | None) -> Notice:
+    """Reports the device at ``place`` that is not the glove that is expected there."""
+    if glove_id is None:
+        return warning("glove.stranger_unknown", port=place.path, glove_id=place.glove_id)
+    return warning("glove.stranger", port=place.path, found=glove_id, glove_id=place.glove_id)
 
 
 def pulse_event(pulse: Pulse, clock: PacketClock, now: float) -> Event:
@@ -445,7 +441,8 @@ def pulse_event(pulse: Pulse, clock: PacketClock, now: float) -> Event:
     known = clock.instant(pulse.t_us)
     t_device, t = (None, now) if known is None else known
     data: dict[str, object] = {"number": pulse.number, "t_device": t_device}
-    return Event(seconds(nanoseconds(t)), "pulse", f"Pulse {pulse.number} on the glove", data)
+    what = notice("glove.pulse", number=pulse.number)
+    return Event.of(seconds(nanoseconds(t)), "pulse", what, data)
 
 
 def si_sample(
@@ -472,30 +469,19 @@ def si_sample(
     )
 
 
-def _judge_rate(rate_hz: float | None, asked_hz: int, words: Announcements) -> None:
+def _judge_rate(rate_hz: float | None, asked_hz: int, events: Announcements) -> None:
     if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
-        words.once(
-            "rate",
-            f"The glove sends {rate_hz:.0f} packets a second, not the {asked_hz} it was asked "
-            "for; their times are right all the same.",
-        )
+        events.once("rate", warning("glove.other_rate", rate_hz=rate_hz, asked_hz=asked_hz))
 
 
 def _range_at_rest(
-    frame: Samples, t: float, at_rest: RangeFromRest, words: Announcements
+    frame: Samples, t: float, at_rest: RangeFromRest, events: Announcements
 ) -> Ranges | None:
     """Of a glove that has not said its ranges: gravity shows the accelerometers'."""
-    words.once(
-        "ranges",
-        "The glove has not said its ranges, so its values are not used yet: hold the hand "
-        "still for a second, then gravity tells them.",
-    )
+    events.once("ranges", warning("glove.ranges_unknown"))
     accel_g = at_rest.look(frame.raw[:, :3].astype(float), t)
     if accel_g is None:
         return None
-    words.once(
-        "range",
-        f"At rest the glove's acceleration fits a range of {accel_g} g, which is used now; "
-        f"for turning {USUAL_GYRO_DPS} deg/s is assumed and may be wrong.",
-    )
+    found = warning("glove.range_from_rest", accel_g=accel_g, gyro_dps=USUAL_GYRO_DPS)
+    events.once("range", found)
     return Ranges(accel_g, USUAL_GYRO_DPS)

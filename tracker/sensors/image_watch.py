@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.notices import Notice, notice, warning
+
 Image = NDArray[np.uint8]
 STEP = 16
 """Every 16th row and column is looked at: 3600 pixels of a 720p image."""
@@ -54,24 +56,24 @@ def _filled(rows: Image) -> bool:
 
 
 class SilenceWatch:
-    """Says once that nothing has come for ``after`` s, and once that something comes again."""
+    """Reports once that no image arrived for ``after`` s, and once that images arrive again."""
 
-    def __init__(self, what: str, after: float = 0.5) -> None:
-        self._what, self._after = what, after
+    def __init__(self, after: float = 0.5) -> None:
+        self._after = after
         self._last: float | None = None
         self._silent = False
 
-    def heard(self, t: float) -> str:
-        """Something came at ``t`` (s). A sentence, or nothing to say."""
+    def received(self, t: float) -> Notice | None:
+        """An image arrived at ``t`` (s)."""
         self._last = t
         if not self._silent:
-            return ""
+            return None
         self._silent = False
-        return f"The {self._what} gives images again."
+        return notice("camera.images_back")
 
-    def look(self, t: float) -> str:
-        """Nothing came until ``t`` (s). A sentence, or nothing to say."""
+    def look(self, t: float) -> Notice | None:
+        """No image arrived until ``t`` (s)."""
         if self._silent or self._last is None or t - self._last <= self._after:
-            return ""
+            return None
         self._silent = True
-        return f"The {self._what} has given no usable image for {self._after:g} s."
+        return warning("camera.no_images", silent_s=self._after)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from tracker.base.notices import Notice, warning
 from tracker.sensors.decoder import LinkCounters
 
 LOW_BATTERY_MV = 3500  # of a lithium cell: some tenth of its charge is left
@@ -54,21 +55,21 @@ class LinkFigures:
 
 
 class LowBattery:
-    """Says once that the battery is low, and again only after it was charged."""
+    """Reports once that the battery is low, and again only after it was charged."""
 
     def __init__(self) -> None:
-        self._said = False
+        self._reported = False
 
-    def look(self, battery_mV: int | None) -> str:
-        """A sentence, or nothing to say."""
+    def look(self, battery_mV: int | None) -> Notice | None:
+        """Take the battery's voltage; a warning, or None."""
         if battery_mV is None:
-            return ""
-        if self._said and battery_mV > LOW_BATTERY_MV + RECOVERED_MV:
-            self._said = False
-        if self._said or not is_low(battery_mV):
-            return ""
-        self._said = True
-        return f"The glove's battery is low ({battery_mV / 1000:.2f} V): charge it soon."
+            return None
+        if self._reported and battery_mV > LOW_BATTERY_MV + RECOVERED_MV:
+            self._reported = False
+        if self._reported or not is_low(battery_mV):
+            return None
+        self._reported = True
+        return warning("glove.battery_low", volts=battery_mV / 1000)
 
 
 def is_low(battery_mV: int) -> bool:

@@ -10,6 +10,7 @@ import numpy as np
 
 from tracker.base.clock import ClockAnchor
 from tracker.base.damage import LeftOut
+from tracker.base.notices import from_json
 from tracker.messages import (
     EYES,
     BlobFrame,
@@ -172,4 +173,5 @@ def _event(raw: RawMessage, anchor: ClockAnchor) -> Event:
         str(said.get("kind", "note")),
         str(said.get("text", "")),
         data if isinstance(data, dict) else {},
+        from_json(said),
     )

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.base.clock import nanoseconds
+from tracker.base.notices import to_json
 from tracker.geometry import so3
 from tracker.messages import (
     BlobFrame,
@@ -268,11 +269,10 @@ class Encoder:
 
     def event(self, m: Event) -> Iterator[Out]:
         stamp = self._wall(m.t)
-        text = json.dumps(
-            {"stamp_ns": stamp, "kind": m.kind, "text": m.text, "data": m.data},
-            ensure_ascii=False,
-            default=str,
-        )
+        record = {"stamp_ns": stamp, "kind": m.kind, "text": m.text, "data": m.data}
+        if m.notice is not None:
+            record |= to_json(m.notice)
+        text = json.dumps(record, ensure_ascii=False, default=str)
         yield Out(topics.EVENTS, motion.STRING, stamp, stamp, motion.pack_string(text))
 
     def rig(self, rig: StereoRig, t: float) -> Iterator[Out]:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.messages import Array, Event, IntArray
 from tracker.simulation.motion import Motion, Poses
@@ -31,18 +32,19 @@ class Asked(NamedTuple):
 
 
 def asked_event(asked: Asked, pose: str, t: float) -> Event:
-    """What a recording is told at ``t`` (s): the posture is of ``pose``, or (empty) his own."""
-    shown = f"the pose {pose}" if pose else "no pose any more"
-    told = {"t": asked.t, "angles": list(asked.angles), "turning": asked.turning}
-    return Event(t, "device", f"The simulated wearer is shown {shown}.", {"asked": told})
+    """What a recording contains at ``t`` (s): the posture is of ``pose``, or (empty) his own."""
+    data = {"t": asked.t, "angles": list(asked.angles), "turning": asked.turning}
+    if pose:
+        return Event.of(t, "device", notice("simulation.pose_shown", pose=pose), {"asked": data})
+    return Event.of(t, "device", notice("simulation.pose_over"), {"asked": data})
 
 
 def asked_in(event: Event) -> Asked | None:
-    """What `asked_event` tells; None where it is another event."""
-    told = event.data.get("asked")
-    if not isinstance(told, dict):
+    """The data of `asked_event`; None where it is another event."""
+    data = event.data.get("asked")
+    if not isinstance(data, dict):
         return None
-    return Asked(told["t"], tuple(told["angles"]), told.get("turning", 0.0))
+    return Asked(data["t"], tuple(data["angles"]), data.get("turning", 0.0))
 
 
 class AskedMotion:

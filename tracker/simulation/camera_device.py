@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from tracker.base.child import start_child
 from tracker.base.clock import nanoseconds, seconds
+from tracker.base.notices import warning
 from tracker.base.shared_memory import attached, forget_name, new_memory
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import NoCamera
@@ -120,7 +121,7 @@ class SimulatedCamera:
     def _lost(self) -> None:
         if not self._closed:
             self._events.append(
-                Event(seconds(time.monotonic_ns()), "device", "The simulated camera has ended.")
+                Event.of(seconds(time.monotonic_ns()), "device", warning("simulation.camera_ended"))
             )
             self.close()
 

@@ -70,7 +70,7 @@ class ReplayEngine:
             messages = self._reader.messages((Event,))
             found += [m for m in islice(messages, MAX_EVENTS) if isinstance(m, Event)]
         except FileError as error:
-            self.hands.tell(Event(0.0, "error", str(error)))
+            self.hands.tell(Event.of(0.0, "error", error.notice))
         where = self.player.clamped
         self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
         self._colours = ColoursOfFile(self._colours.at(0.0), self.player.events)

@@ -60,7 +60,7 @@ class HandsInFile:
         self.listeners = {r.info.side: self._attach_listeners(r) for r in readers}
 
     def _attach_listeners(self, reader: SessionReader) -> Listeners:
-        listeners = Listeners(lambda text: self.tell(Event(0.0, "error", text)))
+        listeners = Listeners(lambda what: self.tell(Event.of(0.0, "error", what)))
         listeners.attach(ListenedHand(reader.info.hand, reader.info.glove))
         return listeners
 

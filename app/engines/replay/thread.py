@@ -58,7 +58,7 @@ class ReplayThread:
             except GlovetrackError as error:  # damaged here; elsewhere it may be whole
                 _log.warning("Replay stopped at %.3f s: %s", transport.position, error)
                 transport.playing = False
-                self._hands.tell(Event(0.0, "error", str(error)))
+                self._hands.tell(Event.of(0.0, "error", error.notice))
 
     def _seek_back(self) -> None:
         """To the image that is ``steps_back`` before the one on screen."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.notices import Notice, plain
 from tracker.engine.pipeline import Pipeline
 from tracker.glove import library
 from tracker.hand.names import MARKED_KEYPOINTS
@@ -19,7 +20,6 @@ from tracker.live.load import LoadWatch
 from tracker.messages import (
     Array,
     Estimate,
-    Event,
     ImuSample,
     StereoFrame,
     Tracking,
@@ -61,8 +61,8 @@ class DrillParams:
     back: float = 0.030  # mean error of the four keypoints at which the hand is tracked again
     wrong: float = 0.050  # error of a keypoint that is shown as measured, while tracking,
     doubt: float = 3.0  # and at least so many of the standard deviations that are shown with it
-    silent_for: float = 0.25  # that long it may be shown before something is said
-    noticed: float = 0.6  # a shorter fault that showed nothing wrong may pass without a word
+    silent_for: float = 0.25  # that long it may be shown before something is reported
+    noticed: float = 0.6  # a shorter fault that showed nothing wrong need not be reported
     patience: float = 5.0  # longest wait for tracking
 
 
@@ -70,15 +70,15 @@ class DrillParams:
 class DrillReport:
     """What came of it. ``recovery`` (s) and counts are per kind of fault.
 
-    ``unsaid`` counts lasting faults without a word or a counter; ``silent_wrong`` those in which
-    wrong positions were shown and nothing was said.
+    ``unsaid`` counts lasting faults without a notice or a counter; ``silent_wrong`` those in which
+    wrong positions were shown and nothing was reported.
     """
 
     faults: Counter[str] = field(default_factory=Counter)
     recovery: dict[str, list[float]] = field(default_factory=dict)
     unsaid: Counter[str] = field(default_factory=Counter)
     silent_wrong: Counter[str] = field(default_factory=Counter)
-    words: Counter[str] = field(default_factory=Counter)
+    notices: Counter[str] = field(default_factory=Counter)  # by code
     simulated_s: float = 0.0
 
     def worst_recovery(self) -> float:
@@ -110,7 +110,7 @@ class Bench:
         motion = RandomPostures(hand, seed, duration=MOTION_S + 10.0)
         self._sim = Simulation(hand, glove, motion, seed, fps=fps)
         self.now = self._matched = 0.0
-        self._words: list[str] = []
+        self._notices: list[Notice] = []
         self.glove = VirtualGlove(self._sim.imu_samples(), len(glove.imus), seed)
         self.camera = VirtualCamera(self._sim.scene, fps, seed)
         self.link = GloveLink(self.glove.open, len(glove.imus), clock=lambda: self.now)
@@ -123,7 +123,7 @@ class Bench:
         names = list(self.pipeline.keypoint_names)
         self._rows = np.array([names.index(k) for k in MARKED_KEYPOINTS])
         self._next_image = 1 / fps
-        self._silence = SilenceWatch("camera")
+        self._silence = SilenceWatch()
         self._load = LoadWatch()
         self._rng = np.random.default_rng(seed)
         self._wake: dict[str, float] = {}  # s when a starved thread runs next, by its device
@@ -185,15 +185,16 @@ class Bench:
                 self.estimate = self.pipeline.feed_imu(item)
                 self._load.packet(self.now, self.now - item.t)
             else:
-                self._words.append(item.text)
+                self._notices.append(item.notice or plain(item.text))
         self._listen()
 
     def _take_image(self) -> None:
         self.camera.t = self._next_image
         self._next_image += 1 / self.camera.fps
         frame = self.images.read(0.0) if self.camera.gives else None
-        text = self._silence.look(self.now) if frame is None else self._silence.heard(self.now)
-        self._words += [text] if text else []
+        watch, now = self._silence, self.now
+        found = watch.look(now) if frame is None else watch.received(now)
+        self._notices += [found] if found is not None else []
         if frame is not None:
             self._missed += self._held is not None
             self._held = frame
@@ -212,15 +213,15 @@ class Bench:
         for result in self.pipeline.take_results():
             if int(np.sum(result.match_left >= 0)) >= MATCHED:
                 self._matched = result.t
-        events: list[Event] = list(self.images.take_events())
-        self._words += [e.text for e in events] + self.pipeline.take_words()
-        self._words += self._load.take_words()
+        self._notices += [e.notice or plain(e.text) for e in self.images.take_events()]
+        self._notices += self.pipeline.drain_notices() + self._load.notices.drain()
 
     # ---- truth
 
-    def take_words(self) -> list[str]:
-        words, self._words = self._words, []
-        return words
+    def drain_notices(self) -> list[Notice]:
+        """The notices of all parts since the last call, oldest first."""
+        notices, self._notices = self._notices, []
+        return notices
 
     def losses(self) -> int:
         """All counters of things that did not come or were not used."""
@@ -283,7 +284,7 @@ def drill(
 def _new_bench(seed: int, params: DrillParams, report: DrillReport) -> Bench:
     bench = Bench(seed, params.fps)
     bench.run(lambda: False, WARM_UP)
-    report.words.update(_kind_of_words(bench.take_words()))
+    report.notices.update(n.code for n in bench.drain_notices())
     return bench
 
 
@@ -291,7 +292,7 @@ def _one_fault(
     bench: Bench, kind: str, rng: np.random.Generator, p: DrillParams, report: DrillReport
 ) -> None:
     bench.run(lambda: False, float(rng.uniform(p.rest_shortest, p.rest_longest)))
-    report.words.update(_kind_of_words(bench.take_words()))
+    report.notices.update(n.code for n in bench.drain_notices())
     losses = bench.losses()
     watch = _LieDetector(bench, p)
     lasting = float(rng.uniform(p.shortest, p.longest))
@@ -302,26 +303,26 @@ def _one_fault(
     watch.look()
     report.faults[kind] += 1
     report.recovery.setdefault(kind, []).append(took)
-    report.words.update(_kind_of_words(watch.words))
-    if lasting > p.noticed and not watch.words and bench.losses() == losses:
+    report.notices.update(n.code for n in watch.notices)
+    if lasting > p.noticed and not watch.notices and bench.losses() == losses:
         report.unsaid[kind] += 1
     if watch.lied:
         report.silent_wrong[kind] += 1
 
 
 class _LieDetector:
-    """Watches one fault: a wrong position shown as measured, and nothing said."""
+    """Watches one fault: a wrong position shown as measured, and nothing reported."""
 
     def __init__(self, bench: Bench, params: DrillParams) -> None:
         self._bench, self._params = bench, params
         self._wrong_since, self._next_look = float("inf"), bench.now
-        self.words: list[str] = []
+        self.notices: list[Notice] = []
         self.lied = False
 
     def look(self) -> bool:
         """Always False, so that it can be used as a condition that never ends a run."""
         bench, p = self._bench, self._params
-        self.words += bench.take_words()
+        self.notices += bench.drain_notices()
         if bench.now < self._next_look:  # the truth is dear
             return False
         self._next_look = bench.now + LOOK_EVERY
@@ -329,11 +330,6 @@ class _LieDetector:
         shown = e is not None and e.tracking == Tracking.TRACKING
         wrong = shown and bench.is_wrong(p)
         self._wrong_since = min(self._wrong_since, bench.now) if wrong else float("inf")
-        if bench.now - self._wrong_since > p.silent_for and not self.words:
+        if bench.now - self._wrong_since > p.silent_for and not self.notices:
             self.lied = True
         return False
-
-
-def _kind_of_words(words: list[str]) -> Counter[str]:
-    """Sentences with their numbers left out."""
-    return Counter("".join("#" if c.isdigit() else c for c in w) for w in words)

@@ -68,20 +68,21 @@ def lost_s(path: Path, last: int) -> float:
 def test_a_recorder_that_is_killed_is_said_and_the_next_one_records_at_once(
     tmp_path, recorders, seed
 ) -> None:
-    path, said, told = tmp_path / "a.mcap", [], c_long(-1)
+    path, reports, told = tmp_path / "a.mcap", [], c_long(-1)
     processes, maker = recorders(), MessageMaker(info())
     recorder = processes.record(path, maker.info)
-    thread = RecordingThread(recorder, lambda *words: said.append(words))
+    thread = RecordingThread(recorder, lambda *report: reports.append(report))
     stream(thread, maker, told, 0.7 + random.Random(seed).uniform(0, 0.5))
     os.kill(recorder.pid, signal.SIGKILL)
     last = told.value
     deadline = time.monotonic() + 10
-    while not said and time.monotonic() < deadline:
+    while not reports and time.monotonic() < deadline:
         thread.put(maker.imu(1e4, 9999))
         time.sleep(0.01)
     thread.finish()
-    [(kind, text)] = said
-    assert kind == "error" and "was ended by signal 9" in text and str(path) in text
+    [(kind, ended)] = reports
+    assert (kind, ended.code) == ("error", "recording.ended") and "signal 9" in str(ended)
+    assert str(path) in str(ended)
     assert needs_recovery(path)
     assert lost_s(recover(path).path, last) <= MOST_LOST
 
@@ -182,19 +183,19 @@ def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(
     tmp_path, recorders, monkeypatch
 ) -> None:
     monkeypatch.setattr("tracker.session.recording.process.SEND_TIMEOUT", 1)
-    path, said, told = tmp_path / "a.mcap", [], c_long(-1)
+    path, reports, told = tmp_path / "a.mcap", [], c_long(-1)
     processes, maker = recorders(), MessageMaker(info())
     recorder = processes.record(path, maker.info)
-    thread = RecordingThread(recorder, lambda *words: said.append(words))
+    thread = RecordingThread(recorder, lambda *report: reports.append(report))
     stream(thread, maker, told, 0.5)
     os.kill(recorder.pid, signal.SIGSTOP)
     try:
         begun = time.monotonic()
-        while not said and time.monotonic() < begun + 30:
+        while not reports and time.monotonic() < begun + 30:
             thread.put(maker.estimate(1e4))
             time.sleep(0.0005)
         thread.finish()
-        assert "does not answer any more" in said[0][1]
+        assert reports[0][1].code == "recording.ended"
         processes.record(tmp_path / "b.mcap", maker.info).close()
     finally:
         os.kill(recorder.pid, signal.SIGCONT)

@@ -211,15 +211,15 @@ def test_a_slow_encoder_costs_images_which_are_counted_and_no_packet(
     tmp_path, recorders, session_info, maker
 ) -> None:
     """Two threads at 0.1 s per image: ten pairs a second, of a hundred within a moment."""
-    path, said = tmp_path / "a.mcap", []
+    path, reports = tmp_path / "a.mcap", []
     recorder = recorders(SlowEncoder(0.1)).record(path, session_info)
-    thread = RecordingThread(recorder, lambda *words: said.append(words))
+    thread = RecordingThread(recorder, lambda *report: reports.append(report))
     for k in range(100):
         thread.put(maker.imu(10.0 * k, k))
         thread.put(maker.image(10.0 * k, k))
         time.sleep(0.002)
     thread.finish()  # while images are still being compressed
-    assert [kind for kind, _ in said] == ["recording"] and 0 < thread.thinned < 100
+    assert [kind for kind, _ in reports] == ["recording"] and 0 < thread.thinned < 100
     with SessionReader(path) as reader:
         assert reader.source.contents.finished
         found = list(reader.messages((ImuSample, StereoFrame)))

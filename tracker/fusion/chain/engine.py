@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.calibration.size import as_unsure
@@ -19,7 +20,7 @@ from tracker.fusion.chain.guided.events import GuidedSaid
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.pose_reset import RESET_SAID, bends, is_flat
+from tracker.fusion.chain.pose_reset import bends, is_flat
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.reports import with_unsure_size
 from tracker.fusion.chain.state import ChainState
@@ -100,34 +101,34 @@ class ChainEngine(Engine):
         """A guided pose begins or ends at ``t`` (s)."""
         self.wearer.hear(said, t)
 
-    def reset_pose(self) -> str:
+    def reset_pose(self) -> Notice:
         """The wearer holds the hand flat, the fingers straight ahead: align joints with that, and
-        the heading where no camera measures it. A sentence that says what was done."""
-        hand, before = f"{RESET_SAID}, {self._layout.hand.side} hand: ", self._tracker.state
+        the heading where no camera measures it. Reports what was done."""
+        side, before = self._layout.hand.side, self._tracker.state
         if self.tracking == Tracking.SEARCHING:
-            return f"{hand}not possible before the hand is tracked."
+            return warning("pose_reset.searching", side=side)
         refused = self._refuse_reset(before)
-        if refused:
-            return hand + refused
+        if refused is not None:
+            return refused
         bent = bends(before, self._layout)
         self._straighten()
         moved = np.linalg.norm(bends(self._tracker.state, self._layout) - bent, axis=1).max()
-        joints = f"joints corrected by up to {np.rad2deg(moved):.0f}°. "
-        done = joints + self._reset_heading()
+        done = self._reset_heading(float(np.rad2deg(moved)))
         self._timeline.rebuild_head()
-        return hand + done
+        return done
 
-    def _refuse_reset(self, state: ChainState) -> str:
-        """Why the pose cannot be the one that is asked for; empty where it can."""
+    def _refuse_reset(self, state: ChainState) -> Notice | None:
+        """Why the pose cannot be the one that is asked for; None where it can."""
         if is_flat(state, self._layout):
-            return ""
-        return "not done, fingers are bent. Hold the hand flat and try again."
+            return None
+        return warning("pose_reset.bent", side=self._layout.hand.side)
 
     def _straighten(self) -> None:
         self._tracker.filter.straighten()
 
-    def _reset_heading(self) -> str:
-        return "The camera measures the heading."
+    def _reset_heading(self, joints_deg: float) -> Notice:
+        """Reports the reset; here the camera measures the heading."""
+        return notice("pose_reset.done", side=self._layout.hand.side, joints_deg=joints_deg)
 
     def take_results(self) -> list[FrameResult]:
         """What was made of images since the last call, oldest first."""

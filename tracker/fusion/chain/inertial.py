@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pose_reset import doubt_drift, heading, turn
@@ -101,9 +102,9 @@ class InertialEngine(ChainEngine):
         out, self._results = self._results, []
         return out
 
-    def _refuse_reset(self, state: ChainState) -> str:
+    def _refuse_reset(self, state: ChainState) -> Notice | None:
         if heading(state.R_GB[0]) is None:
-            return "not done, the fingers point up or down. Hold the hand level and try again."
+            return warning("pose_reset.steep", side=self._layout.hand.side)
         return super()._refuse_reset(state)
 
     def _straighten(self) -> None:
@@ -111,13 +112,14 @@ class InertialEngine(ChainEngine):
         doubt_drift(self._inertial.state, self._layout, frozen)
         super()._straighten()
 
-    def _reset_heading(self) -> str:
+    def _reset_heading(self, joints_deg: float) -> Notice:
         """Straight ahead is where the fingers point now."""
         state = self._inertial.state
         angle = heading(state.R_GB[0]) or 0.0
         turn(state, -angle)
         self._inertial.shown.held(state.t)
-        return f"Heading corrected by {abs(np.rad2deg(angle)):.0f}°."
+        corrected = {"joints_deg": joints_deg, "heading_deg": abs(float(np.rad2deg(angle)))}
+        return notice("pose_reset.done_heading", side=self._layout.hand.side, **corrected)
 
     def _estimate(self, state: ChainState, t: float) -> Estimate:
         relative = state.copy_nominal()

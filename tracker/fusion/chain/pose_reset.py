@@ -10,14 +10,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.notices import notice
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
 from tracker.messages import Array, Event
 
 KIND = "pose_reset"
-RESET_SAID = "Pose reset"  # how sentences about one begin
-WORDS = "Pose reset: hand flat, fingers straight ahead."
 FINGER_SD, THUMB_SD = np.deg2rad(6.0), np.deg2rad(15.0)
 """rad an axis by which the joints of a hand that a person holds flat differ from straight."""
 DRIFT_SD = np.deg2rad(25.0)  # rad about the vertical that a finger may have drifted unnoticed
@@ -29,7 +28,7 @@ STEEPEST = np.sin(np.deg2rad(60.0))  # of the fingers' direction: steeper than t
 
 def reset_event(t: float) -> Event:
     """The wearer holds the pose at ``t`` (s)."""
-    return Event(t, KIND, WORDS)
+    return Event.of(t, KIND, notice("pose_reset.asked"))
 
 
 def is_reset(event: Event) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.hand.poses import POSES
 from tracker.messages import Event
 
@@ -18,22 +19,23 @@ class GuidedSaid(NamedTuple):
     held: bool
 
 
-def guided_of(event: Event) -> GuidedSaid | str | None:
-    """What an event says of a guided pose; a sentence where it is of none that there is, None where
-    it is about something else."""
+def guided_of(event: Event) -> GuidedSaid | Notice | None:
+    """What an event contains about a guided pose; a notice where there is no such pose, None where
+    the event is about something else."""
     if event.kind != KIND:
         return None
     pose, phase = event.data.get("pose"), event.data.get("phase")
     if not isinstance(pose, str) or pose not in POSES:
-        return f"There is no guided pose {str(pose)[:40]!r}: it is passed over."
+        return warning("guided.unknown", pose=str(pose)[:40])
     if phase not in ("begin", "end"):
-        return f"The guided pose {pose} neither begins nor ends: it is passed over."
+        return warning("guided.no_phase", pose=pose)
     return GuidedSaid(pose, phase == "begin", event.data.get("held") is True)
 
 
 def began(pose: str, t: float) -> Event:
     """The wearer is to hold ``pose`` from ``t`` (s) on."""
-    return Event(t, KIND, POSES[pose].words, {"pose": pose, "phase": "begin"})
+    asked = notice("guided.pose", instruction=POSES[pose].words)
+    return Event.of(t, KIND, asked, {"pose": pose, "phase": "begin"})
 
 
 def ended(pose: str, t: float, held: bool) -> Event:

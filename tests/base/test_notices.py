@@ -1,0 +1,166 @@
+"""Notices: every code has a text, its values fill it, and files keep it in any language."""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+import pickle
+from collections.abc import Iterator
+from pathlib import Path
+from string import Formatter
+
+import numpy as np
+import pytest
+
+from tracker.base.errors import DeviceError, FileError, GlovetrackError, notice_of
+from tracker.base.notices import (
+    Language,
+    Notice,
+    Outbox,
+    Severity,
+    all_templates,
+    failure,
+    from_json,
+    notice,
+    plain,
+    render,
+    to_json,
+    try_render,
+    warning,
+)
+
+ROOT = Path(__file__).resolve().parents[2]
+MAKERS = {"notice", "warning", "failure"}
+GERMAN = {
+    "The {side:word} hand is out of sight; its position is extrapolated.": "{side:word} verdeckt",
+    "left": "links",
+    "red": "rot",
+    "{} and {}": "{} und {}",
+}
+
+
+def emitted() -> Iterator[tuple[str, str, set[str] | None]]:
+    """Place, code and names of the values of each notice that the code makes; None where these
+    are passed as a mapping."""
+    for folder in ("tracker", "app", "extensions", "glovetrack"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            if "/tests/" in path.as_posix():
+                continue
+            for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+                if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+                    continue
+                if node.func.id in MAKERS and len(node.args) == 1:
+                    names = {k.arg for k in node.keywords}
+                    where = f"{path.relative_to(ROOT)}:{node.lineno}"
+                    known = None if None in names else {str(name) for name in names}
+                    for code in codes_in(node.args[0]):
+                        yield where, code, known
+
+
+def codes_in(node: ast.expr) -> list[str]:
+    """The code, or both codes of a conditional expression."""
+    if isinstance(node, ast.IfExp):
+        return codes_in(node.body) + codes_in(node.orelse)
+    assert isinstance(node, ast.Constant), f"line {node.lineno}: {ast.unparse(node)}"
+    return [str(node.value)]
+
+
+def placeholders(template: str) -> set[str]:
+    return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
+
+
+def test_every_code_that_is_used_has_a_text_whose_values_are_supplied() -> None:
+    templates, found = all_templates(), list(emitted())
+    assert len(found) > 60
+    unknown = [(where, code) for where, code, _ in found if code not in templates]
+    assert unknown == []
+    wrong = [
+        (where, code, sorted(names ^ placeholders(templates[code])))
+        for where, code, names in found
+        if names is not None and names != placeholders(templates[code])
+    ]
+    assert wrong == []
+
+
+def test_values_that_come_as_a_mapping_are_told_by_their_template() -> None:
+    sizes = {"width": 1, "height": 2, "calibrated_width": 3, "calibrated_height": 4}
+    assert "1 by 2" in str(warning("camera.size_misfit", **sizes))
+    assert try_render(warning("camera.size_misfit", width=1)) is None
+
+
+def test_numbers_lists_and_plurals_are_written_by_the_template() -> None:
+    assert "12 images per second instead of 30" in str(
+        warning("camera.slow", rate_hz=np.float64(12.3), asked_hz=np.int64(30))
+    )
+    three = warning("light.room_has_hues", hues=["red", "blue", "green"], spots=3)
+    assert "red, blue and green, in 3 spots" in str(three)
+    assert "red, in 1 spot." in str(warning("light.room_has_hues", hues=("red",), spots=1))
+    assert "chessboard or charuco" in str(
+        failure("board.unknown_kind", kinds=("chessboard", "charuco"), kind="x")
+    )
+
+
+def test_a_notice_is_rendered_in_the_readers_language_with_its_decimals() -> None:
+    german = Language(lambda text: GERMAN.get(text, text), ",")
+    assert render(warning("tracking.side_coasting", side="left"), german) == "links verdeckt"
+    assert "rot und lila" in render(warning("light.hues_alike", hues=("red", "lila")), german), (
+        "a hue of the user's own keeps its name"
+    )
+    assert "2,50 V" in render(warning("glove.battery_low", volts=2.5), german)
+
+
+def test_a_code_of_another_version_is_not_rendered_but_says_what_it_is() -> None:
+    later = Notice("glove.invented_later", Severity.WARNING, {"port": "/dev/x"})
+    assert try_render(later) is None
+    assert str(later) == "glove.invented_later (port=/dev/x)"
+
+
+@pytest.mark.parametrize(
+    "report",
+    [
+        notice("camera.connected", camera="front"),
+        failure("recording.ended", why=plain("no disk")),
+        warning("light.room_has_hues", hues=("red", "blue"), spots=2),
+        warning("glove.battery_low", volts=3.49),
+    ],
+)
+def test_a_notice_survives_a_file_and_another_process(report: Notice) -> None:
+    assert from_json(json.loads(json.dumps(to_json(report)))) == report
+    assert pickle.loads(pickle.dumps(report)) == report
+
+
+@pytest.mark.parametrize("record", [{}, {"code": 3}, {"code": ""}, {"code": "a", "values": 3}])
+def test_what_is_not_a_notice_is_not_taken_for_one(record: dict[str, object]) -> None:
+    assert from_json(record) is None
+
+
+def test_an_unknown_severity_and_strange_values_do_no_harm() -> None:
+    found = from_json({"code": "a.b", "severity": "??", "values": {"x": None, "y": [1, {}]}})
+    assert found is not None and found.severity is Severity.INFO
+    assert found.values == {"x": "None", "y": (1, "{}")}
+
+
+def test_an_error_carries_its_notice_or_a_plug_ins_sentence() -> None:
+    error = FileError(notice("file.missing", path=Path("a.mcap")))
+    assert (error.notice.code, error.notice.severity) == ("file.missing", Severity.ERROR)
+    assert str(error) == "There is no file a.mcap."
+    assert str(pickle.loads(pickle.dumps(error))) == str(error)
+    ours = DeviceError("My camera is unplugged.")
+    assert str(ours) == "My camera is unplugged." and ours.notice.code == "plain"
+    around = failure("recording.ended", why=error)
+    assert str(around) == "The recording has ended: There is no file a.mcap."
+    assert notice_of(ZeroDivisionError()).values["text"] == "ZeroDivisionError"
+    assert isinstance(error, GlovetrackError)
+
+
+def test_an_outbox_gives_each_notice_once_in_order() -> None:
+    box = Outbox()
+    for code in ("camera.swapped", "camera.in_order"):
+        box.post(notice(code))
+    assert [n.code for n in box.drain()] == ["camera.swapped", "camera.in_order"]
+    assert box.drain() == []
+
+
+def test_values_that_are_not_numbers_are_written_too() -> None:
+    assert "nan" in str(warning("glove.battery_low", volts=math.nan))

@@ -1,0 +1,59 @@
+"""Texts about colours and light."""
+
+TEXTS = {
+    "colours.no_pixels": 'No pixels are marked for the hue "{hue:word}".',
+    "colours.every_hue": 'The pixels marked for "{hue:word}" have every hue. Mark one cloth only.',
+    "colours.followed": "The light has changed; adapting the colours.",
+    "colours.no_glove_seen": (
+        "Nothing was fitted: no glove was recognised with certainty. Hold your hand flat "
+        "in front of the camera, in more or whiter light."
+    ),
+    "colours.points_missing": "Point at a marker of each hue first. Missing: {hues:words}.",
+    "colours.only_points_learned": (
+        "Only the pixels that you pointed at were learned: no glove was recognised around"
+        " them. Hold your hand flat and point at the centre of a patch of each hue."
+    ),
+    "colours.learned_worse": (
+        "The colours are unchanged: the learned ones find {found} of {picked} markers and"
+        " {others} other objects, the current ones {found_before} and {others_before}. "
+        "Point at markers of a flat hand, in more light."
+    ),
+    "colours.fitted_worse": (
+        "The colours are unchanged: the fitted ones find {found} patches of the glove and"
+        " {others} other objects, the current ones {found_before} and {others_before}."
+    ),
+    "colours.unfit": (
+        "The colours find {patches} patches, none of which fit the glove. Fit the colours."
+    ),
+    "colours.fit_again": "The colours no longer find too many patches, or the hand was found.",
+    "colours.too_many_hues": (
+        "The colour profile {profile} has {hues} hues; at most {most} can be distinguished."
+    ),
+    "colours.fitted_themselves": "The colours showed no hand, so they were fitted automatically.",
+    "colours.no_hand": "No hand is visible. {why}",
+    "colours.image_bad": "The {hue:word} markers are not usable.",
+    "light.too_bright": (
+        "The {hues:words} markers are too bright. Shorten the exposure, or move the lamp away."
+    ),
+    "light.clipped": (
+        "{share_percent:.0f} % of the image is white. Keep the window and the screen out "
+        "of the image, or shorten the exposure."
+    ),
+    "light.dark": "The markers are dark. Put more light on the hand, or lengthen the exposure.",
+    "light.noisy": "The image is noisy. Use more light and less gain.",
+    "light.warm": (
+        "The light is too warm. Use a daylight lamp or set the white balance, then fit the colours."
+    ),
+    "light.cold": "The light is too cold. Set the white balance, then fit the colours.",
+    "light.hues_alike": (
+        "The {hues:words} markers look alike in this light. Use another lamp, or other cloth."
+    ),
+    "light.room_has_hues": (
+        "The room also contains {hues:words}, in {spots} {spots:spot|spots}. Lay a dark "
+        "or grey cloth under the hand, or fit the colours."
+    ),
+    "light.markers_missed": (
+        "{missed} of {expected} markers are not found with these colours. Fit them to the image."
+    ),
+    "light.show_hand": "Hold your gloved hand in front of the camera, its back up.",
+}

@@ -1,0 +1,175 @@
+"""Texts about gloves, cameras, ports and firmware."""
+
+TEXTS = {
+    "plain": "{text}",
+    "camera.swapped": (
+        "The left and right images are swapped and not used. Exchange the two cameras."
+    ),
+    "camera.in_order": "The left and right images are in order again.",
+    "camera.lens_moved": (
+        "The two images are offset vertically by {apart_px:.1f} pixels: a lens has moved "
+        "since the stereo calibration. Calibrate the camera again."
+    ),
+    "camera.fits_again": "The two images fit the stereo calibration again.",
+    "camera.lens_knocked": (
+        "The images have moved relative to each other by {jump_px:.0f} pixels at once: a "
+        "lens was knocked. If this does not recover, calibrate the camera again."
+    ),
+    "camera.moved": (
+        "All markers have jumped by {jump_px:.0f} pixels at once: the camera was moved. "
+        "Positions now refer to its new location."
+    ),
+    "camera.connected": "The camera {camera} is connected.",
+    "camera.silent": "The camera {camera} delivers no images. Waiting for it.",
+    "camera.file_end": "The end of {camera} is reached.",
+    "camera.size_misfit": (
+        "The camera delivers images of {width} by {height} pixels, but its calibration is"
+        " for {calibrated_width} by {calibrated_height}. Choose that size, or calibrate "
+        "the camera again."
+    ),
+    "camera.side_size_misfit": (
+        "The {side:word} camera delivers images of {width} by {height} pixels, but the "
+        "calibration is for {calibrated_width} by {calibrated_height}. Choose that size, "
+        "or calibrate the cameras again."
+    ),
+    "camera.black": (
+        "The image of the {side:word} camera is black. Check whether the lens is covered."
+    ),
+    "camera.frozen": "The image of the {side:word} camera is frozen and not used.",
+    "camera.torn": (
+        "The image of the {side:word} camera is incomplete: a part of it did not arrive."
+    ),
+    "camera.image_back": "The image of the {side:word} camera is back.",
+    "camera.slow": (
+        "The camera delivers {rate_hz:.0f} images per second instead of {asked_hz:.0f}. "
+        "The exposure is too long in poor light, or the USB port is too slow."
+    ),
+    "camera.one_for_two": (
+        "The camera delivers one image, but the calibration is for two. Calibrate it as one camera."
+    ),
+    "camera.two_for_one": (
+        "The camera delivers two images, but the calibration is for one camera. Calibrate"
+        " both, or choose one camera in the camera's set-up."
+    ),
+    "camera.no_plugin": "There is no camera plug-in {name}. Install its package.",
+    "camera.plugin_failed": "The camera plug-in {name} does not work: {why}",
+    "camera.not_listed": (
+        "The cameras of this system cannot be listed by name ({why}). Enter the camera's "
+        "number under Set-up, Camera, Or number, file: 0 is the first one."
+    ),
+    "camera.not_there": "The camera {camera} cannot be opened: it is not connected.",
+    "camera.not_opened": (
+        "The camera {camera} cannot be opened: it is not connected, or another program uses it."
+    ),
+    "camera.lenses": 'lenses is "{lenses}"; it may be {known:or}.',
+    "camera.one_is_left": "There is only one camera, which counts as the left one.",
+    "camera.images_back": "The camera delivers usable images again.",
+    "camera.no_images": "The camera has delivered no usable image for {silent_s:g} s.",
+    "glove.wrong_hand": (
+        "The glove {glove} is made for the {made_for:word} hand and cannot track the "
+        "{side:word} one."
+    ),
+    "glove.packets_missing": (
+        "No packets from the {side:word} glove: the hand follows the images alone."
+    ),
+    "glove.packets_back": "Packets from the {side:word} glove are arriving again.",
+    "glove.other_hand": (
+        "This looks like a glove for the {other:word} hand: its patches are mirrored. The"
+        " file {glove} is for the {side:word} hand. Choose one for the {other:word} hand."
+    ),
+    "glove.no_imu_on": "The glove {glove} has no IMU on {segment:word}.",
+    "glove.port_not_opened": "The glove's port cannot be opened: {why}",
+    "glove.unplugged": "The glove was unplugged ({why}). It is used again as soon as it returns.",
+    "glove.message": "Message from the glove: {text}",
+    "glove.imu_count": (
+        "This glove has {imus} IMUs but the glove file has {expected}. Choose the right glove file."
+    ),
+    "glove.back_at": "The glove is back, at {port}.",
+    "glove.restarted": "The glove has restarted. Streaming is started again.",
+    "glove.sends_again": "The glove is sending again.",
+    "glove.packet_imu_count": (
+        "Packets contain {imus} IMUs but the glove file has {expected}. Choose the right "
+        "glove file."
+    ),
+    "glove.clock_jumped": (
+        "The glove's clock jumped by {jump_s:+.3f} s. Its packets are synchronised again."
+    ),
+    "glove.no_hello": "The glove has not identified itself. Streaming is started anyway.",
+    "glove.silent": "The glove has sent nothing for {silent_s:g} s.",
+    "glove.pulse": "Pulse {number} on the glove",
+    "glove.other_rate": (
+        "The glove sends {rate_hz:.0f} packets per second instead of {asked_hz}. Their "
+        "time stamps are still right."
+    ),
+    "glove.ranges_unknown": (
+        "The glove has not reported its ranges, so its values are not used yet. Hold the "
+        "hand still for a second, so that gravity reveals them."
+    ),
+    "glove.range_from_rest": (
+        "At rest the glove's acceleration fits a range of {accel_g} g, which is used now."
+        " For rotation {gyro_dps} deg/s is assumed and may be wrong."
+    ),
+    "glove.battery_low": "The glove's battery is low ({volts:.2f} V). Charge it soon.",
+    "glove.of_side": "{side:word} glove: {what}",
+    "glove.stranger": (
+        "The glove at {port} is number {found}, but number {glove_id} is expected. To use"
+        " another glove, choose it under Set-up, Glove."
+    ),
+    "glove.stranger_unknown": (
+        "The device at {port} is not a glove, but glove number {glove_id} is expected. To"
+        " use another glove, choose it under Set-up, Glove."
+    ),
+    "glove.imu_silent": "IMU {imu} of the glove is not responding.",
+    "glove.imu_back": "IMU {imu} of the glove is responding again.",
+    "gloves.exchanged": (
+        "The two gloves are exchanged: each uses the files of the other hand. Choose the "
+        "hand of each in the gloves' set-up."
+    ),
+    "port.not_opened": "{port} cannot be opened: {why}.",
+    "port.lost": "{port} was disconnected: {why}.",
+    "port.not_glove": (
+        "{port} sends {received_bytes} bytes that are not a glove's: it is another "
+        "device, or its line is not set to {baud} baud."
+    ),
+    "port.no_answer": "The device at {port} is not responding.",
+    "port.latency_linux": (
+        "The USB adapter at {port} holds bytes back for up to {latency_ms} ms. For faster"
+        " tracking set it to 1 ms: echo 1 | sudo tee {setting}"
+    ),
+    "port.latency_windows": (
+        "The USB adapter at {port} may hold bytes back for up to 16 ms. For faster "
+        "tracking set 1 ms in the Device Manager: Ports, {port}, Port Settings, Advanced,"
+        " Latency Timer."
+    ),
+    "images.crowded": "More than {limit} coloured patches in an image; {ignored} ignored so far.",
+    "images.unequal_sequences": (
+        "There are {left} left and {right} right images. A sequence requires as many of "
+        "one as of the other."
+    ),
+    "images.no_halves": (
+        "The stereo image is {width_px} pixels wide and cannot be split into two halves."
+    ),
+    "images.not_readable": "{path} is not an image that can be read.",
+    "firmware.no_response": "The glove is not responding yet. Unplug it, then plug it in again.",
+    "firmware.number": (
+        "The number of a glove is 1 to {most}, not {number}. Two gloves need different numbers."
+    ),
+    "firmware.baud": "There is firmware for {bauds:or} baud, not for {baud}.",
+    "firmware.not_readable": "{path} cannot be read as firmware: {why}",
+    "firmware.line_damaged": "{path}: line {line} is damaged, so the file is not used.",
+    "firmware.line_unknown": "{path}: line {line} has a gap or an unknown type of record.",
+    "firmware.cut_off": "{path} ends before its last line: the file is incomplete.",
+    "firmware.not_glove": "{path} is not firmware of a glove (version 1.1 or later).",
+    "firmware.too_large": "{path} has {size_bytes} bytes; the chip has {chip_bytes}.",
+    "firmware.no_avrdude": (
+        "avrdude, which writes the firmware, is not installed. On Debian run: sudo "
+        "apt-get install avrdude; for other systems see github.com/avrdudes/avrdude."
+    ),
+    "firmware.available": "Firmware {version} is available (installed: {installed}).",
+    "zed.height": "A ZED has no images {height_px} pixels high. Possible heights: {known:list}.",
+    "zed.not_calibration": "{path} is not a calibration file of a ZED camera: {why}",
+    "zed.missing_key": (
+        "{path} has no {key} in [{section}]: the file is incomplete, or belongs to another camera."
+    ),
+    "zed.not_number": '{path}: {key} in [{section}] is "{text}", which is not a number.',
+}

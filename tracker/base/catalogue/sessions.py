@@ -1,0 +1,80 @@
+"""Texts about recordings."""
+
+TEXTS = {
+    "session.messages_damaged": "Damaged messages in {file} were ignored: {topics:list}.",
+    "session.robot_unknown": "{path} does not describe the robot {robot}.",
+    "session.robot_not_json": "The session's robot description is not JSON.",
+    "session.robot_not_object": "The session's robot description is not a JSON object.",
+    "session.state_damaged": "The tracking state in the recording is damaged.",
+    "session.state_version": "The tracking state in the recording is of another version.",
+    "session.state_invalid": "The tracking state in the recording is damaged: {why}.",
+    "session.none_between": "There is no estimate between {start_s:g} s and {end_s:g} s.",
+    "session.no_joint": 'There is no keypoint or joint "{name}" in this session.',
+    "session.not_tracked": "{path} contains no estimates. Track it first.",
+    "session.none_in": "There is no session in {path}.",
+    "session.image_damaged": "An image of {camera} is damaged.",
+    "session.image_kind": "An image of {camera} is neither JPEG nor PNG.",
+    "session.image_size": "An image of {camera} claims a size of {width} by {height} pixels.",
+    "session.many_types": "A session has at most {most} types of messages.",
+    "session.many_channels": "A session has at most {most} channels.",
+    "session.header_damaged": "{path} is not an MCAP file: its header is damaged.",
+    "session.not_orderable": "{path} cannot be read in order: its chunks all overlap.",
+    "session.not_mcap": "{path} is not an MCAP file.",
+    "session.record_size": "{path} contains a record of {size_bytes} bytes: it is damaged.",
+    "session.no_imu": "{path} contains no IMU samples.",
+    "session.part_too_large": "{path} contains no {part} of at most {limit_bytes} bytes.",
+    "session.part_missing": (
+        "{path} contains no {part}: it was not recorded by Glovetrack, or only in part."
+    ),
+    "session.start_time": (
+        "{path} has an impossible start time: its wall_clock_ns, its monotonic_ns or its "
+        "first log time is out of range."
+    ),
+    "session.glove_side": "{path} is for the {side:word} hand.",
+    "session.no_stereo": "{path} does not describe a stereo camera. Missing: {missing:list}.",
+    "session.nothing_recovered": "{path} contains nothing that can be recovered.",
+    "session.instant_range": (
+        "An instant is outside the years 1901 to 2038, which ROS 2 can represent."
+    ),
+    "session.state_misfit": (
+        "The start state of this recording does not match the engine {engine} with this "
+        "hand and glove, so it cannot be tracked again. ({where})"
+    ),
+    "align.unknown_method": 'Recordings are aligned by {known:or}, not by "{method}".',
+    "align.no_overlap": "According to their clocks the recordings were not made at the same time.",
+    "align.too_short": "The recordings do not share {needed_s:g} s of movement.",
+    "align.no_fit": "The movements do not match (correlation {correlation:.2f}).",
+    "align.ambiguous": (
+        "The movements match at more than one offset (correlations {correlation:.2f} and "
+        "{elsewhere:.2f}): they are too regular."
+    ),
+    "align.no_movement": "A recording contains too little movement to be aligned by it.",
+    "align.nothing_common": "The recordings have neither IMUs nor tracked angles in common.",
+    "align.not_alignment": "{path} is not an alignment of two recordings.",
+    "compare.no_hand": "{first} and {second} have no hand in common.",
+    "compare.no_instant": "{first} and {second} do not overlap in time.",
+    "edits.schema": '{file} has schema "{schema}", not {expected}.',
+    "edits.invalid": "{file} is not a record of edits: {why}.",
+    "edits.too_many": "{file} lists {fills} filled gaps; at most {most} are read.",
+    "recording.started": "Recording started.",
+    "recording.finished": "The recording is complete.",
+    "recording.ended": "The recording has ended: {why}",
+    "recording.not_finished": "The recording could not be completed: {why}",
+    "recording.exists": "{path} already exists. A recording never overwrites a file.",
+    "recording.process_ended": (
+        "The recorder's process {why}.{there} You can start another recording."
+    ),
+    "recording.disk_low": "Only {free_gb:.1f} GB are left on the disk of {folder}.",
+    "recording.disk_full_stopped": (
+        "The disk of {folder} is nearly full ({left} left), so recording has stopped. "
+        "What was recorded is safe. Free some space."
+    ),
+    "recording.disk_full": (
+        "The disk of {folder} is nearly full ({left} left), so recording is not possible."
+        " Free some space."
+    ),
+    "recording.has_ended": "The recording {path} has already ended.",
+    "recording.images": 'Images can be {known:or}, not "{value}".',
+    "recording.compression": 'Compression can be {known:or}, not "{value}".',
+    "recording.jpeg_quality": "The JPEG quality is {quality}; it must be 1 to 100.",
+}

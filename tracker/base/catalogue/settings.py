@@ -1,0 +1,49 @@
+"""Texts about files, settings, streams and remote control."""
+
+TEXTS = {
+    "config.not_toml": "{file} is not valid TOML: {why}.",
+    "config.too_deep": "{file} is not valid TOML: it is nested too deeply.",
+    "config.too_large": (
+        "{file} is larger than {limit_bytes} bytes, so it is not a configuration file."
+    ),
+    "config.unclosed_text": "{file} is not valid TOML: a text in line {line} is not closed.",
+    "config.invalid_value": "{file}, line {line}: {key} {why}.",
+    "config.not_utf8": "{file} is not a UTF-8 text file.",
+    "config.invalid_setting": "settings: {key} {why}.",
+    "config.streams_table": "{file}: streams must be a table.",
+    "config.unknown_stream": "{file}: streams.{key} {why}.",
+    "file.not_writable": "{path} cannot be written: {why:word}.",
+    "file.not_regular": "{path} is not a regular file.",
+    "file.too_large": "{path} is larger than {limit_bytes} bytes, so it is not {what:word}.",
+    "file.is_input": "{path} is an input. Choose another name for the output.",
+    "file.occupied": "{path} already exists and {what:word}. Choose another name.",
+    "file.exists_force": (
+        "{path} already exists. Choose another name, or use --force to replace it."
+    ),
+    "file.folder_not_empty": (
+        "The folder {folder} is not empty. Choose another one, or use --force to replace "
+        "files in it."
+    ),
+    "file.exists": "{path} already exists. Choose another name.",
+    "file.not_readable": "{path} cannot be read: {why}.",
+    "file.missing": "There is no file {path}.",
+    "part.unknown": 'There is no {kind} "{name}". Available: {known:list}.',
+    "part.not_loaded": "The {kind} {name} cannot be loaded: {why}",
+    "part.wrong_type": "The {kind} {name} cannot be loaded: {entry} is not a {expected}.",
+    "stream.needs_package": "{what} requires a package that is not installed ({why}).{install}",
+    "stream.bad_port": '"{value}" is not a port for the {kind} {what}: ports are 1 to 65535.',
+    "stream.no_port": "The {kind} {what} has no port: clients find it by its name.",
+    "stream.no_route": "The {what} stream cannot go to {host}:{port}: {why}.",
+    "stream.port_range": "The {what} stream cannot go to {host}:{port}: ports are 1 to 65535.",
+    "stream.joints": 'Joints can be {known:or}, not "{value}".',
+    "stream.publishers": "The {kind} stream made {made} publishers for {hands} hands.",
+    "stream.server_not_started": "The {kind} server cannot start at {host}:{port}: {why}.",
+    "stream.failing": "The stream {stream} fails: {why}.",
+    "stream.works_again": "The stream {stream} works again.",
+    "remote.not_started": "Remote control by {kind} cannot start at {host}:{port}: {why}.",
+    "remote.no_answer": "The window did not respond, so nothing was done.",
+    "system.shared_memory_full": (
+        "The system has less than {needed_mb:.0f} MB of shared memory left, which is "
+        "required to pass images between processes. Close other programs."
+    ),
+}

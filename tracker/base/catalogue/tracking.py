@@ -1,0 +1,114 @@
+"""Texts about tracking, engines and calibration of the hand."""
+
+TEXTS = {
+    "tracking.abandoned": (
+        "Tracking stopped: the detected markers do not match the glove file. Fit the "
+        "colours, or check whether two of the hues are exchanged."
+    ),
+    "tracking.searching": "Looking for the hand.",
+    "tracking.tracked": "The hand is tracked.",
+    "tracking.coasting": "The hand is out of sight; its position is extrapolated.",
+    "tracking.lost": "The position of the hand is lost; finger angles are still measured.",
+    "tracking.side_searching": "Looking for the {side:word} hand.",
+    "tracking.side_tracked": "The {side:word} hand is tracked.",
+    "tracking.side_coasting": "The {side:word} hand is out of sight; its position is extrapolated.",
+    "tracking.side_lost": (
+        "The position of the {side:word} hand is lost; finger angles are still measured."
+    ),
+    "pose_reset.not_supported": (
+        "Pose reset: the engine {engine} does not support it. Choose the engine chain or inertial."
+    ),
+    "pose_reset.searching": (
+        "Pose reset, {side:word} hand: not possible before the hand is tracked."
+    ),
+    "pose_reset.bent": (
+        "Pose reset, {side:word} hand: not done, because fingers are bent. Hold the hand "
+        "flat and try again."
+    ),
+    "pose_reset.steep": (
+        "Pose reset, {side:word} hand: not done, because the fingers point up or down. "
+        "Hold the hand level and try again."
+    ),
+    "pose_reset.done": (
+        "Pose reset, {side:word} hand: joints corrected by up to {joints_deg:.0f}°. The "
+        "heading is measured by the camera."
+    ),
+    "pose_reset.done_heading": (
+        "Pose reset, {side:word} hand: joints corrected by up to {joints_deg:.0f}°, "
+        "heading by {heading_deg:.0f}°."
+    ),
+    "pose_reset.asked": "Pose reset: hand flat, fingers straight ahead.",
+    "guided.not_learned": "The engine {engine} does not learn from guided poses.",
+    "guided.unknown": 'There is no guided pose "{pose}". It is ignored.',
+    "guided.no_phase": 'The guided pose "{pose}" neither begins nor ends. It is ignored.',
+    "guided.pose": "{instruction:word}",
+    "engine.needs_camera": (
+        "The engine {engine} requires a camera with a stereo calibration. Without one, "
+        "choose the engine {other}, which shows the hand by its IMUs."
+    ),
+    "engine.needs_both_lenses": (
+        "The engine {engine} requires both lenses. With one lens, choose the engine chain."
+    ),
+    "engine.needs_root_imu": (
+        "The engine {engine} requires an IMU and markers on the {segment:word}."
+    ),
+    "engine.vist_gaps": (
+        "The engine vist requires an IMU on every segment of a chain; the glove {glove} "
+        "has none on {segments:list}."
+    ),
+    "engine.vist_extra": (
+        "The engine vist requires one IMU per segment; the glove {glove} has more."
+    ),
+    "engine.no_wearer": "This engine does not use a wearer's profile. Choose the engine chain.",
+    "engine.finger_estimator": 'There is no finger estimator "{name}". Available: {known:list}.',
+    "engine.changed": "The engine is now {engine}.",
+    "load.view_slower": "System overloaded: 3D view frame rate reduced.",
+    "load.no_overlays": "System overloaded: camera images are shown without overlays.",
+    "load.narrow_search": "System overloaded: images are searched only where markers are expected.",
+    "load.fewer_images": (
+        "System overloaded: fewer images are searched. All packets of the glove are still used."
+    ),
+    "load.recovered": "The system is no longer overloaded: full 3D view frame rate.",
+    "load.overlays_back": "Camera images are shown with overlays again.",
+    "load.full_search": "Whole images are searched again.",
+    "load.all_images": "All images are searched again.",
+    "thread.failed": "The {thread} thread failed: {type}: {why}.",
+    "calibration.no_segment": 'There is no segment "{segment}" whose calibration is estimated.',
+    "calibration.hand_length": (
+        "A hand is {least_mm:.0f} to {most_mm:.0f} mm long, from the crease of the wrist "
+        "to the tip of the middle finger; {length_mm:.0f} mm is not plausible. Measure it"
+        " again."
+    ),
+    "wearer.invalid": "{file} is not a profile of a wearer: {why}",
+    "wearer.other_hand": (
+        "{file} is for the hand {hand} with the glove {glove}; this is the hand "
+        "{our_hand} with the glove {our_glove}."
+    ),
+    "wearer.damaged": "{file} is not a profile of a wearer, or it is damaged.",
+    "listener.failed": "The listener {name} failed and was removed: {why}",
+    "still.too_short": "Only {seconds:.1f} s of samples arrived; {needed_s:g} s are required.",
+    "still.moved": "The hand moved ({moving:list}). Lay it flat on the table, palm down, and wait.",
+    "wiggle.rest": "Rest the forearm and tip the whole hand up and down, fingers stretched.",
+    "track.packets_repeated": (
+        "{count} repeated {count:packet|packets} of the {side:word} glove {count:was|were} ignored."
+    ),
+    "track.gaps_dropped": (
+        "{count} interpolated {count:gap|gaps} of {file} {count:was|were} not used: "
+        "tracking starts from the sensors."
+    ),
+    "track.settings_unused": (
+        "This version cannot use these settings of {file}: {settings:list}. They were "
+        "ignored; the other recorded settings were used."
+    ),
+    "track.settings_unused_more": (
+        "This version cannot use these settings of {file}: {settings:list} and {more} "
+        "more. They were ignored; the other recorded settings were used."
+    ),
+    "track.state_unused": (
+        "{file} was recorded by version {version} in the middle of tracking. The recorded"
+        " tracking state was not used, so the first seconds may differ."
+    ),
+    "simulation.camera_ended": "The simulated camera has ended.",
+    "simulation.pose_shown": "The simulated wearer is asked for the pose {pose:word}.",
+    "simulation.pose_over": "The simulated wearer is not asked for a pose any more.",
+}
