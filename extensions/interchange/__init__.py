@@ -1,1 +1,1 @@
-"""Export formats of motion capture, animation, robot models and films."""
+"""Export formats for motion capture, animation, robot models and video."""

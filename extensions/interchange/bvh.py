@@ -1,7 +1,8 @@
-"""BVH: a skeleton with one rotation per joint, cm, y up.
+"""Exports BVH: a skeleton with one rotation per joint, in cm, y up.
 
-A bone that the calibration changed has positions too, which stand in place of its offset. BVH
-knows no lost joint: it stands still, and the JSON beside the file tells when (``holes_s``).
+A bone whose length was changed by the calibration also has positions, which replace its offset. BVH
+cannot mark a joint as lost: it does not move, and ``holes_s`` in the JSON file next to the BVH file
+lists the periods.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ def _moves(tree: Skeleton, i: int) -> bool:
 def _joint(
     tree: Skeleton, i: int, depth: int, scale: float, lines: list[str], order: list[int]
 ) -> None:
-    """Write joint ``i`` and what hangs on it; ``order`` collects joints as their channels go."""
+    """Write joint ``i`` and its children; ``order`` collects joints in the order of channels."""
     pad, children = "  " * depth, tree.children(i)
     offset = tree.offset[i] * scale if depth else np.zeros(3)
     lines += [f"{pad}{'JOINT' if depth else 'ROOT'} {tree.names[i]}", f"{pad}{{"]
@@ -67,5 +68,5 @@ def _numbers(values: np.ndarray) -> str:
 
 
 def _euler_deg(q: np.ndarray) -> np.ndarray:
-    """(N, 3) degrees about z, then y, then x, each about the turned axes."""
+    """Angles (N, 3) in degrees about z, then y, then x (intrinsic)."""
     return Rotation.from_quat(q).as_euler("ZYX", degrees=True)

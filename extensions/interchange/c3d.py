@@ -1,6 +1,6 @@
-"""C3D: keypoints and the glove's markers as points, angles and IMUs as analogue channels, notes as
-events. A point's residual is its standard deviation where it was measured, 0 where it was inferred
-or interpolated and -1 where it was lost, as the format means them."""
+"""Exports C3D: keypoints and the glove's markers as points, angles and IMUs as analogue channels,
+notes as events. As the format defines it, a point's residual is its standard deviation if it was
+measured, 0 if it was inferred or interpolated, and -1 if it was lost."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ from tracker.session.export.series import EstimateSeries
 from tracker.session.raw_imu import MARKS, read_notes, read_raw_imu
 from tracker.session.reader import SessionReader
 
-_BLOCK = 512  # bytes; a C3D file counts its parts in these
-_DATA_START = 16  # byte of the header with the number of the first block of data, from 1
-_RESIDUALS = (1.0, 127.0)  # a byte in units of the file; 0 would say inferred
-_MEASURED_MM = 1.0  # residual of a measured point for which no sd is claimed
+_BLOCK = 512  # bytes: the unit of positions in a C3D file
+_DATA_START = 16  # byte of the header with the number of the first data block, from 1
+_RESIDUALS = (1.0, 127.0)  # range of the byte for measured points; 0 would mean inferred
+_MEASURED_MM = 1.0  # residual of a measured point without a standard deviation
 _UNITS = {"acc": "m/s^2", "gyr": "rad/s"}
 
 
 class _Points(NamedTuple):
-    """names (K,), position (N, K, 3) m, state (N, K), sd (N, K) m, what each is."""
+    """names (K,), position (N, K, 3) m, state (N, K), sd (N, K) m, descriptions (K,)."""
 
     names: list[str]
     position: Array
     state: IntArray
     sd: Array
-    words: list[str]
+    descriptions: list[str]
 
 
 def export_c3d(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """A lost point is invalid in the file (residual -1, NaN); it is never at the origin.
+    """Write the file. A lost point is invalid (residual -1, NaN), never at the origin.
 
-    Markers and IMUs are left out where ``options`` name joints to keep.
+    Markers and IMUs are omitted if ``options`` select joints.
     """
     m = load_series(reader, options, even=True, segments=True)
     points = _points(reader, m, bool(options.joints))
@@ -52,7 +52,7 @@ def export_c3d(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     file["parameters"]["ANALOG"]["LABELS"]["value"] = names
     file["parameters"]["ANALOG"]["UNITS"]["value"] = units
     file["data"]["analogs"] = values.T[None]
-    _tell(file, m)
+    _add_parameters(file, m)
     if "notes" not in options.anonymous:
         _put_events(file, reader, m)
     _put_gaps(file, m)
@@ -72,7 +72,7 @@ def _points(reader: SessionReader, m: EstimateSeries, some: bool) -> _Points:
         np.concatenate([own.position, on.position], axis=1),
         np.concatenate([own.state, on.state], axis=1),
         np.concatenate([own.sd, on.sd], axis=1),
-        [*own.words, *(f"{k.hue} marker on {k.segment}" for k in m.info.glove.markers)],
+        [*own.descriptions, *(f"{k.hue} marker on {k.segment}" for k in m.info.glove.markers)],
     )
 
 
@@ -82,14 +82,14 @@ def _put_points(file: ezc3d.c3d, points: _Points, unit: str, rate: float) -> Non
     parameters = file["parameters"]["POINT"]
     parameters["RATE"]["value"] = [rate]
     parameters["LABELS"]["value"] = points.names
-    parameters["DESCRIPTIONS"]["value"] = points.words
+    parameters["DESCRIPTIONS"]["value"] = points.descriptions
     parameters["UNITS"]["value"] = [unit]
     file["data"]["points"] = values
     file["data"]["meta_points"]["residuals"] = _residuals(points, unit).T[None]
 
 
 def _residuals(points: _Points, unit: str) -> Array:
-    """(N, K) in ``unit``, whole numbers: the format has a byte for each."""
+    """Residuals (N, K) in ``unit``, integers, since the format has one byte for each."""
     sd = np.where(np.isfinite(points.sd), points.sd, 1e-3 * _MEASURED_MM) * UNITS[unit]
     measured = np.clip(np.ceil(sd), *_RESIDUALS)
     known = np.where(points.state == Validity.MEASURED, measured, 0.0)
@@ -100,7 +100,7 @@ def _residuals(points: _Points, unit: str) -> Array:
 def _analogs(
     reader: SessionReader, m: EstimateSeries, some: bool
 ) -> tuple[list[str], Array, list[str]]:
-    """Names, (N, A) values and units: angles in degrees, then IMUs at the points' instants."""
+    """Names, values (N, A) and units: angles in degrees, then IMUs at the points' instants."""
     names, values = list(m.joint_names), np.rad2deg(m.angles)
     units = ["deg"] * len(names)
     raw = read_raw_imu(reader, need=False)
@@ -112,21 +112,21 @@ def _analogs(
     return [*names, *channels], np.column_stack([values, imu]), units
 
 
-def _tell(file: ezc3d.c3d, m: EstimateSeries) -> None:
-    """Axes and what the numbers mean, in parameters of our own."""
-    said = {
+def _add_parameters(file: ezc3d.c3d, m: EstimateSeries) -> None:
+    """Add axes and the meaning of values as parameters of our own."""
+    parameters = {
         "AXES": str(m.notes["axes_are"]),
         "BONE_AXES": m.bone_axes,
         "RESIDUAL": "standard deviation of a measured point; 0 inferred or interpolated; -1 lost",
         "ANGLES": "deg, flexion positive, as rotations about z (abduction), y (flexion), x (twist)",
-        "IMU": "in each IMU's own axes, on lines between packets; acc is specific force",
+        "IMU": "in each IMU's axes, linear between packets; acc is specific force",
     }
-    for name, words in said.items():
-        file.add_parameter("GLOVETRACK", name, [words])
+    for name, text in parameters.items():
+        file.add_parameter("GLOVETRACK", name, [text])
 
 
 def _put_events(file: ezc3d.c3d, reader: SessionReader, m: EstimateSeries) -> None:
-    """Notes within the series, in its seconds."""
+    """Add notes within the series, with times in s from its start."""
     for stamp, text in read_notes(reader, MARKS):
         t = (stamp - m.zero_ns - int(m.stamp_ns[0])) * 1e-9
         if 0.0 <= t <= m.elapsed[-1]:
@@ -135,7 +135,7 @@ def _put_events(file: ezc3d.c3d, reader: SessionReader, m: EstimateSeries) -> No
 
 
 def _put_gaps(file: ezc3d.c3d, m: EstimateSeries) -> None:
-    """An event where each stretch of interpolated points begins and ends."""
+    """Add an event at the beginning and end of each interpolated period."""
     filled = np.r_[False, m.interpolated.any(axis=1), False]
     for label, rows in (
         ("interp. begin", np.flatnonzero(filled[1:-1] & ~filled[:-2])),
@@ -147,9 +147,10 @@ def _put_gaps(file: ezc3d.c3d, m: EstimateSeries) -> None:
 
 
 def _check(path: Path, written: ezc3d.c3d) -> None:
-    """ezc3d tells of no write that failed, and reading a file cut short may end the program.
+    """Compare the file with what was written, since ezc3d does not report failed writes and reading
+    a truncated file may crash.
 
-    Raises DiskError if the file is not as long as it says or not what was written.
+    Raises DiskError if the file is shorter than its header states or differs.
     """
     points, analogs = written["data"]["points"], written["data"]["analogs"]
     with path.open("rb") as file:
@@ -163,4 +164,4 @@ def _check(path: Path, written: ezc3d.c3d) -> None:
             equal_nan=True,
         ):
             return
-    raise DiskError(f"{path.name} could not be written as a whole: the disk may be full.")
+    raise DiskError(f"{path.name} could not be written completely. The disk may be full.")

@@ -1,11 +1,11 @@
-"""What the formats of other programs add to the program."""
+"""Descriptors of export formats for other programs."""
 
 from __future__ import annotations
 
 from tracker.session.export.formats import COMMON, ExportFormat, Writer
 
 TRAJECTORY = ".joints.csv"
-"""Ending of the table next to a URDF."""
+"""Suffix of the table next to a URDF file."""
 _WHOLE_HAND = tuple(name for name in COMMON if name != "joints")
 _IN_METRES = tuple(name for name in _WHOLE_HAND if name != "units")
 _DRAWN = ("rate", "start", "stop", "anonymous", "every", "views")
@@ -58,7 +58,7 @@ URDF = ExportFormat(
     beside=(TRAJECTORY,),
     order=110,
 )
-MP4 = ExportFormat("mp4", "Film with the hand drawn in (MP4)", _mp4, options=_DRAWN, order=120)
+MP4 = ExportFormat("mp4", "Video with the hand drawn in (MP4)", _mp4, options=_DRAWN, order=120)
 PNG = ExportFormat(
     "png",
     "Folder of images with the hand drawn in (PNG)",

@@ -1,4 +1,4 @@
-"""Films: H.264 by the system's ffmpeg where there is one, which plays everywhere, else MPEG-4."""
+"""Writes videos: H.264 with the system's ffmpeg if available, otherwise MPEG-4."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ _ENCODERS = (
     ("libx264", ["-preset", "veryfast", "-crf", "20"]),
     ("libopenh264", ["-b:v", "6M"]),
 )
-"""Of ffmpeg, in this order, and what each is told."""
-_LOOK, _END = 20.0, 600.0  # s that ffmpeg may take to tell its encoders, and to end a film
+"""Encoders of ffmpeg in order of preference, with their arguments."""
+_LOOK, _END = 20.0, 600.0  # s: timeouts for listing encoders and for finishing a video
 PLAIN = "MPEG-4 part 2 (OpenCV)"
 NO_FFMPEG = (
-    "There is no ffmpeg with H.264 on this computer: the film is MPEG-4 part 2, which browsers and "
-    "some players do not show."
+    "ffmpeg with H.264 is not installed: the video is MPEG-4 part 2, which browsers and some "
+    "players cannot show."
 )
 
 
 class Film(Protocol):
-    """Takes images (h, w, 3) BGR of one size. ``codec`` in words."""
+    """Takes images (h, w, 3) BGR of one size. ``codec`` is the name of the encoding."""
 
     codec: str
 
@@ -41,7 +41,7 @@ class Film(Protocol):
 
 
 def open_film(path: Path, rate: float, image: Image) -> Film:
-    """A film of images like ``image`` at ``rate`` Hz. Raises FileError where none can be made."""
+    """Open a video for images like ``image`` at ``rate`` Hz. Raises FileError if that fails."""
     encoder = h264()
     return Mpeg4Film(path, rate, image) if encoder is None else H264Film(path, rate, image, encoder)
 
@@ -53,66 +53,66 @@ def h264() -> tuple[str, list[str]] | None:
         return None
     try:
         asked = [program, "-hide_banner", "-encoders"]
-        told = subprocess.run(asked, capture_output=True, text=True, timeout=_LOOK, check=False)
+        listing = subprocess.run(asked, capture_output=True, text=True, timeout=_LOOK, check=False)
     except (OSError, subprocess.TimeoutExpired):
         return None
-    known = told.stdout.split()
-    return next(((name, words) for name, words in _ENCODERS if name in known), None)
+    known = listing.stdout.split()
+    return next(((name, options) for name, options in _ENCODERS if name in known), None)
 
 
 class H264Film:
-    """Images go to ffmpeg as they are; an odd last row or column is left out."""
+    """Encodes with ffmpeg; an odd last row or column is cropped."""
 
     def __init__(
         self, path: Path, rate: float, image: Image, encoder: tuple[str, list[str]]
     ) -> None:
-        name, words = encoder
+        name, options = encoder
         self.codec = f"H.264 ({name})"
         self._path = path
-        self._words = tempfile.TemporaryFile()  # noqa: SIM115  closed with the film
+        self._log = tempfile.TemporaryFile()  # noqa: SIM115  closed with the video
         size = f"{image.shape[1]}x{image.shape[0]}"
         given = ["-f", "rawvideo", "-pix_fmt", "bgr24", "-s", size, "-r", f"{rate:.6f}", "-i", "-"]
         even = ["-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-pix_fmt", "yuv420p"]
-        made = ["-c:v", name, *words, "-movflags", "+faststart", "-f", "mp4", str(path)]
+        made = ["-c:v", name, *options, "-movflags", "+faststart", "-f", "mp4", str(path)]
         quiet = ["ffmpeg", "-hide_banner", "-loglevel", "error", "-y"]
         self._process = subprocess.Popen(
             [*quiet, *given, *even, *made],
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
-            stderr=self._words,
+            stderr=self._log,
         )
 
     def write(self, image: Image) -> None:
-        """Raises DiskError in ffmpeg's words where it has ended."""
+        """Append an image. Raises DiskError if ffmpeg has ended."""
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(np.ascontiguousarray(image).data)
         except OSError:
             self.close()
-            raise DiskError(f"{self._path.name} could not be written by ffmpeg.") from None
+            raise DiskError(f"ffmpeg could not write {self._path.name}.") from None
 
     def close(self) -> None:
-        """Raises DiskError where no whole film has come of it."""
+        """Finish the video. Raises DiskError if it is incomplete."""
         assert self._process.stdin is not None
-        if self._words.closed:
+        if self._log.closed:
             return
-        with suppress(OSError):  # it has ended already: its status tells why
+        with suppress(OSError):  # ffmpeg has ended; its exit status is checked below
             self._process.stdin.close()
         try:
             status = self._process.wait(_END)
         except subprocess.TimeoutExpired:
             self._process.kill()
             status = self._process.wait()
-        self._words.seek(0)
-        said = self._words.read().decode("utf-8", "replace").strip().splitlines()
-        self._words.close()
+        self._log.seek(0)
+        log = self._log.read().decode("utf-8", "replace").strip().splitlines()
+        self._log.close()
         if status:
-            why = said[-1] if said else f"it ended with {status}"
-            raise DiskError(f"{self._path.name} could not be written by ffmpeg: {why[:200]}")
+            why = log[-1] if log else f"exit status {status}"
+            raise DiskError(f"ffmpeg could not write {self._path.name}: {why[:200]}")
 
 
 class Mpeg4Film:
-    """OpenCV's own, where there is no ffmpeg."""
+    """Encodes with OpenCV if ffmpeg is not available."""
 
     codec = PLAIN
 
@@ -120,7 +120,7 @@ class Mpeg4Film:
         size = image.shape[1], image.shape[0]
         self._writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"mp4v"), rate, size)
         if not self._writer.isOpened():
-            raise FileError(f"OpenCV on this computer cannot write {path.name}.")
+            raise FileError(f"OpenCV cannot write {path.name} on this computer.")
 
     def write(self, image: Image) -> None:
         self._writer.write(image)

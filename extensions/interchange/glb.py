@@ -1,7 +1,7 @@
-"""Binary glTF 2.0: the hand as an animated tree of nodes, one small solid per bone; m, y up.
+"""Exports binary glTF 2.0: an animated tree of nodes with one small solid per bone, in m, y up.
 
-A bone that the calibration changed has an animated translation. Where an end of a bone is lost for
-longer than a moment its solid has no size, and nodes stand still: nothing is drawn in between.
+A bone whose length was changed by the calibration has an animated translation. While an end of a
+bone is lost for longer than `_MOMENT`, its solid has zero size and its nodes do not move.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from tracker.session.holes import LONGEST_FILLED, gaps
 from tracker.session.reader import SessionReader
 
 _FLOAT, _SHORT = 5126, 5123
-_MOMENT = 0.01  # s between a key and one that ends what it holds
-# A bone of unit length along x: thick near its joint, as wide as a tenth of its length.
+_MOMENT = 0.01  # s between a key and the key that ends its value
+# A bone of unit length along x: thick near its joint, with a width of a tenth of its length.
 _CORNERS = np.array(
     [[0, 0, 0], [0.2, 0.1, 0], [0.2, 0, 0.1], [0.2, -0.1, 0], [0.2, 0, -0.1], [1, 0, 0]], "<f4"
 )
@@ -43,7 +43,7 @@ def export_glb(reader: SessionReader, path: Path, options: ExportOptions) -> Est
 
 
 class _Buffer:
-    """The binary part and the accessors that point into it."""
+    """The binary chunk and its accessors."""
 
     def __init__(self) -> None:
         self.data = bytearray()
@@ -51,7 +51,7 @@ class _Buffer:
         self.accessors: list[dict[str, Any]] = []
 
     def add(self, values: np.ndarray, kind: str, component: int = _FLOAT) -> int:
-        """Append an array; returns the index of its accessor."""
+        """Append an array and return the index of its accessor."""
         raw = values.tobytes()
         self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(raw)})
         rows = values.reshape(len(values), -1)
@@ -77,7 +77,7 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     }
     animation = _animation(m, tree, buffer)
     document = {
-        "asset": {"version": "2.0", "generator": "Glovetrack", "extras": _told(m, tree, buffer)},
+        "asset": {"version": "2.0", "generator": "Glovetrack", "extras": _extras(m, tree, buffer)},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": _nodes(tree),
@@ -95,10 +95,10 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     return head + chunks + struct.pack("<I4s", len(buffer.data), b"BIN\0") + bytes(buffer.data)
 
 
-def _told(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
-    """What viewers pass over and programs may read: axes, in which share of the time each node's
-    place was measured, inferred and lost, and the accessors of all instants: ``t`` s, and of each
-    node ``state`` (0 lost, 1 inferred, 2 measured) and ``sd`` m, -1 where lost."""
+def _extras(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
+    """Data for programs, ignored by viewers: axes; shares of the time in which each node's position
+    was measured, inferred and lost; accessors of all instants ``t`` in s and, per node, ``state``
+    (0 lost, 1 inferred, 2 measured) and ``sd`` in m (-1 if lost)."""
     shares, states, sds = {}, {}, {}
     for name in tree.names:
         k = m.keypoint_names.index(name)
@@ -113,7 +113,7 @@ def _told(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
 
 
 def _nodes(tree: Skeleton) -> list[dict[str, Any]]:
-    """The joints, then one node per bone that carries its solid, in the order of their ends."""
+    """The joints, followed by one node per bone with its solid, in the order of the bones' ends."""
     n = len(tree.names)
     nodes: list[dict[str, Any]] = [
         {
@@ -154,12 +154,13 @@ class _Tracks:
         return self._buffer.add(t.astype("<f4"), "SCALAR")
 
     def add(
-        self, node: int, path: str, times: int, values: np.ndarray, way: str = "LINEAR"
+        self, node: int, path: str, times: int, values: np.ndarray, interpolation: str = "LINEAR"
     ) -> None:
-        """``values`` of ``path`` (translation, rotation or scale) at the keys of ``times``."""
+        """Animate ``path`` (translation, rotation or scale) with ``values`` at the keys
+        ``times``."""
         kind = "VEC4" if path == "rotation" else "VEC3"
         output = self._buffer.add(values.astype("<f4"), kind)
-        self.samplers.append({"input": times, "output": output, "interpolation": way})
+        self.samplers.append({"input": times, "output": output, "interpolation": interpolation})
         target = {"node": node, "path": path}
         self.channels.append({"sampler": len(self.samplers) - 1, "target": target})
 
@@ -177,14 +178,14 @@ def _animation(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, 
 
 
 def _keys(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Times (s) of the keys and rows to take: where estimates are missing the last one stays."""
+    """Times (s) of the keys and their rows; gaps repeat the last estimate."""
     holes = np.flatnonzero(np.diff(t) > LONGEST_FILLED)
     rows = np.insert(np.arange(len(t)), holes + 1, holes)
     return np.insert(t, holes + 1, t[holes + 1] - _MOMENT), rows
 
 
 def _hide(t: np.ndarray, tree: Skeleton, tracks: _Tracks) -> None:
-    """Solids of bones with a lost end have no size for as long."""
+    """Give solids zero size while an end of their bone is lost."""
     n = len(tree.names)
     for i in range(1, n):
         lost = gaps(t, tree.known[:, i] & tree.known[:, tree.parent[i]])

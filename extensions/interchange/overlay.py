@@ -1,4 +1,4 @@
-"""Images with the tracked hand drawn in, and other views of it, as a film or a folder of PNG."""
+"""Exports images with the tracked hand drawn in, and other views, as a video or PNG files."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from tracker.session.reader import SessionReader
 Image = NDArray[np.uint8]
 _NEAR_NS = 50_000_000
 TABLE = "pictures.csv"
-_LATE_S = 0.2  # s that an image may arrive after its exposure
+_LATE_S = 0.2  # s: largest delay between exposure and arrival of an image
 
 
 @dataclass(frozen=True, eq=False)
 class Overlay:
-    """A session's motion and its images, drawn one at a time."""
+    """Draws a session's motion into its images, one at a time."""
 
     reader: SessionReader
     options: ExportOptions
@@ -41,8 +41,8 @@ class Overlay:
         object.__setattr__(self, "motion", load_series(self.reader, span, segments=True))
 
     def images(self) -> Iterator[tuple[int, Image]]:
-        """(stamp ns, (h, w, 3) BGR) of every chosen image of the tracked time, at ``rate`` with
-        images left out or repeated. Raises FileError if there is none."""
+        """Yields (stamp in ns, image (h, w, 3) BGR) of the selected images in the tracked time, at
+        ``rate``, for which images are omitted or repeated. Raises FileError if there is none."""
         rig, first, before, given = self.reader.rig(), 0, None, 0
         views = views_of(self.options.views, self.reader, self.motion, rig)
         for stamp, row, frame in self._chosen():
@@ -51,22 +51,22 @@ class Overlay:
             times = 1
             if self.options.rate is not None:
                 due = (stamp - first) / NS * self.options.rate
-                times = int(due + 0.499) + 1 - given  # one half way belongs to the one before
+                times = int(due + 0.499) + 1 - given  # halfway belongs to the previous one
             if times < 1:
                 continue
             whole = frame.unpack()
             image = self._drawn(whole, row, views) if whole is not None else None
             if image is None:
                 continue
-            for _ in range(times - 1):  # where images are missing the last one stands still
+            for _ in range(times - 1):  # missing images repeat the last one
                 yield stamp, image if before is None else before
             yield stamp, image
             before, given = image, given + times
         if not given:
-            raise FileError(f"{self.reader.path} holds no images of the tracked time.")
+            raise FileError(f"{self.reader.path} contains no images of the tracked time.")
 
     def frame_rate(self) -> float:
-        """Of what `images` gives, a second, judged by the first hundred."""
+        """Rate of `images` in Hz, estimated from the first hundred."""
         if self.options.rate is not None:
             return self.options.rate
         stamps: list[int] = []
@@ -78,7 +78,8 @@ class Overlay:
         return NS / float(np.median(steps)) if len(steps) else 30.0
 
     def _chosen(self) -> Iterator[tuple[int, int, PackedFrame]]:
-        """Stamp, row of the motion and the image: of every n-th with an estimate near it."""
+        """Yields stamp, row of the motion and image for every n-th image with an estimate
+        nearby."""
         anchor, stamps = self.reader.anchor, self.motion.stamp_ns
         start, stop = anchor.monotonic(int(stamps[0])), anchor.monotonic(int(stamps[-1]))
         near = self.reader.packed_messages((StereoFrame,), start - _LATE_S, stop + _LATE_S)
@@ -94,12 +95,12 @@ class Overlay:
             count += 1
 
     def _drawn(self, frame: StereoFrame, row: int, views: Sequence[FilmView]) -> Image | None:
-        """All views of an instant; None without the first one's image."""
+        """All views of an instant; None without the first view's image."""
         return side_by_side([view.draw(frame, row) for view in views])
 
 
 def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """Raises FileError if the session has no images, or this computer cannot write MP4."""
+    """Write a video. Raises FileError if the session has no images or MP4 cannot be written."""
     overlay = Overlay(reader, options)
     rate, count = overlay.frame_rate(), 0
     film: Film | None = None
@@ -125,18 +126,18 @@ def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> Est
 
 
 def _check(path: Path, count: int) -> None:
-    """OpenCV tells of no write that failed. Raises DiskError if the last image is not there."""
+    """Check the last image, since OpenCV does not report failed writes. Raises DiskError."""
     film = cv2.VideoCapture(str(path))
     found = round(film.get(cv2.CAP_PROP_FRAME_COUNT))
     film.set(cv2.CAP_PROP_POS_FRAMES, max(count - 1, 0))
     whole, _ = film.read()
     film.release()
     if found != count or not whole:
-        raise DiskError(f"{path.name} could not be written as a whole: the disk may be full.")
+        raise DiskError(f"{path.name} could not be written completely. The disk may be full.")
 
 
 def export_png(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``path`` becomes a folder of 000000.png… and ``pictures.csv`` (file, t in s).
+    """Write the folder ``path`` with 000000.png… and ``pictures.csv`` (file, t in s).
 
     Raises FileError if the session has no images.
     """

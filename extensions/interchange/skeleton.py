@@ -16,7 +16,7 @@ from tracker.session.holes import gaps
 
 ROOT = "wrist"
 STIFF = 1e-5
-"""m within which a bone keeps its offset: five of them in a row stay below 0.1 mm."""
+"""m: smaller changes of a bone's offset are ignored; the sum over five bones is below 0.1 mm."""
 _DIGITS = {
     d: ("cmc", "mcp", "ip", "tip") if d == "thumb" else ("mcp", "pip", "dip", "tip") for d in CHAINS
 }
@@ -24,11 +24,11 @@ _DIGITS = {
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """N instants of n nodes, parents first; what was lost repeats what was known last.
+    """N instants of n nodes, parents first; lost values repeat the last known ones.
 
-    offset (n, 3) m in the parent's axes, the median; translation (N, n, 3) m, the root's in the
-    world, the others' offset at each instant; rotation (N, n, 4) xyzw against the parent's;
-    ``stretches`` (n,) where the offset changes, as the calibration does; known (N, n).
+    offset (n, 3) m in the parent's axes, the median; translation (N, n, 3) m, of the root in the
+    world, of other nodes the offset at each instant; rotation (N, n, 4) xyzw relative to the
+    parent; ``stretches`` (n,) whether the offset changes with the calibration; known (N, n).
     """
 
     names: tuple[str, ...]
@@ -43,7 +43,7 @@ class Skeleton:
         return [k for k, p in enumerate(self.parent) if p == i]
 
     def notes(self, t: Array) -> dict[str, object]:
-        """For the JSON: how many numbers repeat the last, and in which seconds of ``t`` (N,)."""
+        """For the JSON file: number of repeated values, and their periods in ``t`` (N,) s."""
         lost = {n: gaps(t, self.known[:, i]) for i, n in enumerate(self.names)}
         return {
             "held": int((~self.known).sum()),
@@ -54,7 +54,7 @@ class Skeleton:
 
 
 def skeleton(m: EstimateSeries) -> Skeleton:
-    """The tree of a series. Raises FileError where a keypoint was never seen."""
+    """The tree of a series. Raises FileError if a keypoint is never known."""
     names, parent = bone_tree(m.keypoint_names)
     columns = [m.keypoint_names.index(n) for n in names]
     p, q = m.keypoints[:, columns], m.q[:, columns]
@@ -69,7 +69,7 @@ def skeleton(m: EstimateSeries) -> Skeleton:
         )
         translation[~known[:, i] | ~known[:, max(a, 0)], i] = np.nan
     if not np.isfinite(translation).all(axis=2).any(axis=0).all():
-        raise FileError("A bone was never seen with both its ends, so there is no skeleton.")
+        raise FileError("No skeleton: both ends of a bone are never known at the same time.")
     offset = np.nanmedian(translation, axis=0)
     stretches = np.nanmax(np.abs(translation - offset), axis=(0, 2)) > STIFF
     return Skeleton(names, parent, offset, _held(translation, names), rotation, stretches, known)
@@ -78,7 +78,7 @@ def skeleton(m: EstimateSeries) -> Skeleton:
 def bone_tree(present: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[int, ...]]:
     """Keypoints of the skeleton and the row of each one's parent."""
     if ROOT not in present:
-        raise FileError("A skeleton needs the wrist; export all joints.")
+        raise FileError("A skeleton requires the wrist. Export all joints.")
     names, parent = [ROOT], [-1]
     for digit, parts in _DIGITS.items():
         before = 0
@@ -91,12 +91,13 @@ def bone_tree(present: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[int, ...
 
 
 def _held(values: Array, names: tuple[str, ...]) -> Array:
-    """Lost rows replaced by the last known ones (N, n, d); the first known ones at the start."""
+    """(N, n, d): lost rows replaced by the last known ones, at the start by the first known
+    ones."""
     out = values.copy()
     for k in range(values.shape[1]):
         known = np.asarray(np.isfinite(values[:, k]).all(axis=1))
         if not known.any():
-            raise FileError(f"{names[k]} was never tracked, so there is no skeleton.")
+            raise FileError(f"No skeleton: {names[k]} was never tracked.")
         last = np.maximum.accumulate(np.where(known, np.arange(len(known)), -1))
         out[:, k] = values[np.where(last < 0, np.argmax(known), last), k]
     return out

@@ -1,7 +1,7 @@
-"""URDF of the hand as calibrated, and a table of the values of its joints.
+"""Exports a URDF model of the calibrated hand and a table of its joint values.
 
-With the values of a row of the table (``NAME.joints.csv``) every keypoint is where that row of the
-CSV has it. See `tracker.session.export.urdf` for the model.
+With the joint values of a row of the table (``NAME.joints.csv``), every keypoint has the position
+of the same row of the CSV export. `tracker.session.export.urdf` describes the model.
 """
 
 from __future__ import annotations
@@ -27,16 +27,17 @@ from tracker.session.export.urdf import robot_links
 from tracker.session.export.urdf_joints import UrdfAxis
 from tracker.session.reader import SessionReader
 
-_LOOKS = 200  # instants at which the angles alone are compared with the estimates
+_LOOKS = 200  # instants at which a model with only the angles is compared with the estimates
 
 
 def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries | None:
-    """A joint of several axes becomes a chain with bare links. ConfigError for left-handed axes.
+    """Write model and table. A joint with several axes becomes a chain with links without mass.
 
-    Without estimates it is the hand at rest, and a trajectory without rows.
+    Without estimates the model is the hand at rest and the table is empty. Raises ConfigError for
+    left-handed axes.
     """
     if options.axes is not None and AXES[options.axes].left_handed:
-        raise ConfigError(f"A URDF has right-handed axes; {options.axes} has left-handed ones.")
+        raise ConfigError(f"URDF requires right-handed axes; {options.axes} is left-handed.")
     hand = reader.info.hand
     scale = _calibrated_scale(reader, hand)
     try:
@@ -53,16 +54,16 @@ def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> Es
 
 
 def _angles_alone(m: EstimateSeries, scale: Array) -> dict[str, object]:
-    """How far off, mm, it is for one who sets the angles of the session and nothing else.
+    """Error in mm of a model in which only the session's angles are set.
 
-    A joint has the axes of anatomy and a bone one size, where the estimate has a rotation for each
-    segment and a size that the calibration goes on finding.
+    The model has anatomical axes and constant bone lengths, whereas the estimate has a rotation per
+    segment and lengths that the calibration refines.
     """
     hand, glove = m.info.hand, m.info.glove
     known = np.isfinite(m.angles).all(axis=1) & np.isfinite(m.keypoints).all(axis=(1, 2))
     rows = np.flatnonzero(known)
     worst_mm = []
-    for k in np.flip(np.flip(rows)[:: max(len(rows) // _LOOKS, 1)]):  # the last one is among them
+    for k in np.flip(np.flip(rows)[:: max(len(rows) // _LOOKS, 1)]):  # includes the last one
         R_GB = Rotation.from_quat(m.q[k, 0]).as_matrix()
         R, p = hand.forward(m.angles[k], R_GB, m.keypoints[k, 0], scale)
         away = glove.keypoint_positions(hand, R, p, scale) - m.keypoints[k]
@@ -75,7 +76,7 @@ def _angles_alone(m: EstimateSeries, scale: Array) -> dict[str, object]:
 
 
 def _calibrated_scale(reader: SessionReader, hand: HandModel) -> Array:
-    """(S, 3) factors of the session's last calibration; ones where there is none."""
+    """Scale factors (S, 3) of the session's last calibration; ones without a calibration."""
     scale = np.ones((len(hand.segments), 3))
     for m in reader.messages([Calibration]):
         assert isinstance(m, Calibration)
@@ -86,7 +87,7 @@ def _calibrated_scale(reader: SessionReader, hand: HandModel) -> Array:
 
 
 def _write_trajectory(path: Path, m: EstimateSeries, axes: list[UrdfAxis]) -> None:
-    """A row of values, m and rad, for each row of the CSV; empty where lost."""
+    """Write a row of values in m and rad for each row of the CSV export; lost values are empty."""
     with path.open("w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["t", *(axis.name for axis in axes)])

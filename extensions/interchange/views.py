@@ -1,4 +1,4 @@
-"""What a film shows side by side: both cameras with the hand drawn in, the hand in 3D, curves."""
+"""Views in a video: both cameras with the hand drawn in, the hand in 3D, and curves."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Image = NDArray[np.uint8]
 _COLOUR = {Validity.MEASURED: (80, 220, 80), Validity.INFERRED: (60, 180, 250)}  # BGR
 _SKIN = {Validity.MEASURED: (150, 180, 220), Validity.INFERRED: (90, 170, 240)}
 _CURVES = ((178, 114, 0), (0, 94, 213), (115, 158, 0), (167, 121, 204), (0, 159, 230))
-_GROUND, _LINE, _WORDS = (40, 36, 32), (75, 70, 65), (210, 205, 200)
+_GROUND, _LINE, _TEXT = (40, 36, 32), (75, 70, 65), (210, 205, 200)
 _FROM = np.array([-0.55, -0.65, 0.55])  # whence the hand is looked at, in G
 _LIGHT = np.array([-0.3, -0.5, 0.8])
 _SPAN = 5.0  # s that curves reach back
@@ -34,7 +34,7 @@ _FONT = cv2.FONT_HERSHEY_SIMPLEX
 
 
 class FilmView(Protocol):
-    """Draws a row of the motion with the images of its instant; None where there is no image."""
+    """Draws a row of the motion with the images of its instant; None without an image."""
 
     def draw(self, frame: StereoFrame, row: int) -> Image | None: ...
 
@@ -42,7 +42,7 @@ class FilmView(Protocol):
 def views_of(
     names: Sequence[str], reader: SessionReader, m: EstimateSeries, rig: StereoRig
 ) -> list[FilmView]:
-    """Of `options.VIEWS`; what has no camera's size takes the rig's."""
+    """Views named in `options.VIEWS`; those without a camera have the rig's image size."""
     size = rig.left.width, rig.left.height
     made: dict[str, FilmView] = {}
     for name in names:
@@ -56,8 +56,8 @@ def views_of(
 
 
 def side_by_side(images: Sequence[Image | None]) -> Image | None:
-    """Two beside each other, more in rows of two, scaled to the first's height; what is missing is
-    black. None where the first is."""
+    """Images in rows of two, scaled to the height of the first; missing ones are black. None if the
+    first is missing."""
     first = images[0]
     if first is None or len(images) == 1:
         return first
@@ -75,7 +75,7 @@ def _fitted(image: Image, w: int, h: int) -> Image:
 
 
 class CameraView:
-    """One camera's image with bones and keypoints; what is lost is not drawn."""
+    """One camera's image with bones and keypoints; lost ones are not drawn."""
 
     def __init__(self, m: EstimateSeries, rig: StereoRig, right: bool) -> None:
         self._m, self._rig, self._right = m, rig, right
@@ -103,7 +103,7 @@ class CameraView:
 
 
 class HandView:
-    """The skin of the calibrated hand, from a place that stays; where it is lost, a word."""
+    """The skin of the calibrated hand from a fixed viewpoint; a text where the hand is lost."""
 
     def __init__(self, reader: SessionReader, m: EstimateSeries, size: tuple[int, int]) -> None:
         self._m, (self._w, self._h) = m, size
@@ -116,18 +116,18 @@ class HandView:
         known = m.keypoints[np.isfinite(m.keypoints).all(axis=2)]
         self._middle = known.mean(axis=0) if len(known) else np.zeros(3)
         reach = np.linalg.norm(known - self._middle, axis=1).max() if len(known) else 0.2
-        self._pixels = 0.45 * min(size) / float(max(reach, 0.1) + 0.03)  # a metre
+        self._pixels = 0.45 * min(size) / float(max(reach, 0.1) + 0.03)  # per metre
         ahead = -_FROM / np.linalg.norm(_FROM)
-        aside = np.cross(ahead, [0.0, 0, 1])
-        aside /= np.linalg.norm(aside)
-        self._axes = np.stack([aside, np.cross(ahead, aside), ahead])
+        right = np.cross(ahead, [0.0, 0, 1])
+        right /= np.linalg.norm(right)
+        self._axes = np.stack([right, np.cross(ahead, right), ahead])
 
     def draw(self, frame: StereoFrame, row: int) -> Image | None:
         image = np.full((self._h, self._w, 3), _GROUND, np.uint8)
         m = self._m
         q, p = m.segment_q[row], m.segment_p[row]
         if not (np.isfinite(q).all() and np.isfinite(p).all()):
-            cv2.putText(image, "lost", (20, 40), _FONT, 1.0, _WORDS, 2, cv2.LINE_AA)
+            cv2.putText(image, "lost", (20, 40), _FONT, 1.0, _TEXT, 2, cv2.LINE_AA)
             return image
         self._cross(image)
         points, normals = posed(self._rest, Rotation.from_quat(q).as_matrix(), p)
@@ -147,7 +147,7 @@ class HandView:
         return seen[:, :2] * self._pixels + [0.5 * self._w, 0.5 * self._h]
 
     def _tones(self, row: int) -> Array:
-        """(S, 3) colours of the segments' states."""
+        """Colours (S, 3) by the segments' states."""
         m = self._m
         states = np.full(len(m.info.hand.segments), int(Validity.INFERRED))
         segments = m.info.glove.keypoint_segments(m.info.hand)
@@ -157,16 +157,16 @@ class HandView:
         return np.array([_SKIN.get(Validity(int(s)), dull) for s in states], float)
 
     def _cross(self, image: Image) -> None:
-        """G's axes from where the hand mostly is: 10 cm each, with their names."""
+        """Draw G's axes at the hand's median position, 10 cm each, with their names."""
         ends = np.vstack([np.zeros(3), 0.1 * np.eye(3)]) @ self._axes.T
         at = self._at(ends) + [-0.36 * self._w, 0.36 * self._h]
         for k, name in enumerate("xyz"):
-            cv2.line(image, pixel(at[0]), pixel(at[k + 1]), _WORDS, 1, cv2.LINE_AA)
-            cv2.putText(image, name, pixel(at[k + 1] + 4), _FONT, 0.5, _WORDS, 1, cv2.LINE_AA)
+            cv2.line(image, pixel(at[0]), pixel(at[k + 1]), _TEXT, 1, cv2.LINE_AA)
+            cv2.putText(image, name, pixel(at[k + 1] + 4), _FONT, 0.5, _TEXT, 1, cv2.LINE_AA)
 
 
 class CurvesView:
-    """Flexions of one joint of each finger over the last seconds."""
+    """Flexion of one joint per finger over the last `_SPAN` seconds."""
 
     def __init__(self, m: EstimateSeries, size: tuple[int, int]) -> None:
         self._m, (self._w, self._h) = m, size
@@ -181,7 +181,7 @@ class CurvesView:
         for level in range(0, 120, 30):
             y = self._y(np.array([float(level)]))[0]
             cv2.line(image, (0, y), (self._w, y), _LINE, 1)
-            cv2.putText(image, f"{level} deg", (6, y - 4), _FONT, 0.45, _WORDS, 1, cv2.LINE_AA)
+            cv2.putText(image, f"{level} deg", (6, y - 4), _FONT, 0.45, _TEXT, 1, cv2.LINE_AA)
         x = np.round((t[first : row + 1] - t[row] + _SPAN) / _SPAN * self._w).astype(np.int32)
         for k, name in enumerate(self._joints):
             values, colour = self._angles[first : row + 1, k], _CURVES[k % len(_CURVES)]
@@ -201,12 +201,12 @@ class CurvesView:
 
 
 def _middle_joint(m: EstimateSeries, digit: str) -> str:
-    """The flexion that shows most of a digit's bending; empty where it has none."""
+    """The most representative flexion of a digit; empty if it has none."""
     of = [n for n in m.joint_names if n.startswith(f"{digit}_") and n.endswith("_flexion")]
     return of[min(1, len(of) - 1)] if of else ""
 
 
 def pixel(uv: Array) -> tuple[int, int]:
-    """Whole pixels, held to what OpenCV can draw."""
+    """Integer pixel coordinates, clipped to the range that OpenCV can draw."""
     u, v = np.clip(np.round(uv), -30000, 30000).astype(int)
     return int(u), int(v)

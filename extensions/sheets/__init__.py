@@ -1,1 +1,1 @@
-"""What a glove's builder prints: the markers in true size, the wiring, the camera's board."""
+"""Printed sheets for building a glove: markers at true scale, wiring, calibration board."""

@@ -1,4 +1,4 @@
-"""The camera's calibration board on a page of paper, in true size."""
+"""The camera's calibration board on a page, at true scale."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from tracker.calibration.stereo.board import BoardSpec, page_size, print_image
 
 
 def board_page(paper: str = "a4", spec: BoardSpec | None = None) -> Page:
-    """Across the page, with the ruler that it always has."""
+    """A landscape page with the board and a ruler."""
     high_mm, wide_mm = PAPERS_MM[paper]
     page = Page(wide_mm, high_mm)
     board, _ = print_image(spec or BoardSpec(), dpi=300)

@@ -1,4 +1,4 @@
-"""What this extension adds to the program."""
+"""Descriptor of the command ``print``."""
 
 from __future__ import annotations
 

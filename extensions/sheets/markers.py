@@ -1,4 +1,4 @@
-"""The patches of a glove to cut out, and where each is sewn, both in true size."""
+"""Pages with the patches of a glove and their positions, at true scale."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from tracker.messages import Array
 FILL = {"red": "#dc2626", "yellow": "#eab308", "green": "#16a34a", "blue": "#2563eb"}
 GAP_MM, LABEL_MM, HEAD_MM = 6.0, 6.0, 26.0
 MM = 1000.0
-BOARD_MM = 15.0  # of an IMU's breakout
+BOARD_MM = 15.0  # edge of an IMU's breakout board
 
 
 def marker_pages(hand: HandModel, glove: GloveModel, paper: str = "a4") -> list[Page]:
-    """Patches by segment, to cut out and sew on, and behind them the hand from above."""
+    """Pages with the patches by segment, to cut out and sew on, and with the hand from above."""
     wide_mm, high_mm = PAPERS_MM[paper]
     pages = _patches(glove, wide_mm, high_mm)
-    for title, below in (("Back of the hand", False), ("Palm and fingers' insides", True)):
+    for title, below in (("Back of the hand", False), ("Palm side", True)):
         if any((_normal_up(hand, glove)[k] < 0) == below for k in range(len(glove.markers))):
             pages.append(_hand(hand, glove, below, (wide_mm, high_mm), title))
     return pages
@@ -32,30 +32,30 @@ def marker_pages(hand: HandModel, glove: GloveModel, paper: str = "a4") -> list[
 def _patches(glove: GloveModel, wide_mm: float, high_mm: float) -> list[Page]:
     pages: list[Page] = []
     x_mm, y_mm = MARGIN_MM, -np.inf
-    told = f"{len(glove.markers)} patches in true size; cut along the line, from knitted cloth"
+    note = f"{len(glove.markers)} patches at true scale; cut along the line, from knitted cloth"
     segments = list(dict.fromkeys(m.segment for m in glove.markers))
     ordered = sorted(glove.markers, key=lambda m: (segments.index(m.segment), m.id))
     for segment, markers in groupby(ordered, key=lambda m: m.segment):
-        words = segment.replace("_", " ")
+        label = segment.replace("_", " ")
         for k, marker in enumerate(markers):
             size_mm = marker.size * MM
             if k == 0 or x_mm + size_mm > wide_mm - MARGIN_MM:
                 x_mm = MARGIN_MM
                 y_mm -= size_mm + GAP_MM + 2 * LABEL_MM
                 if y_mm < MARGIN_MM + LABEL_MM:
-                    pages.append(_new_page(glove, told, wide_mm, high_mm))
+                    pages.append(_new_page(glove, note, wide_mm, high_mm))
                     y_mm = high_mm - HEAD_MM - LABEL_MM - size_mm - GAP_MM
                 if k == 0:
-                    pages[-1].words(MARGIN_MM, y_mm + size_mm + LABEL_MM - 2, words, 9, FAINT)
+                    pages[-1].text(MARGIN_MM, y_mm + size_mm + LABEL_MM - 2, label, 9, FAINT)
             _draw_patch(pages[-1], marker, x_mm + size_mm / 2, y_mm + size_mm / 2)
-            pages[-1].words(x_mm, y_mm - 3, f"{marker.id} {marker.hue}", 6.5)
+            pages[-1].text(x_mm, y_mm - 3, f"{marker.id} {marker.hue}", 6.5)
             x_mm += max(size_mm, 14.0) + GAP_MM
     return pages
 
 
-def _new_page(glove: GloveModel, told: str, wide_mm: float, high_mm: float) -> Page:
+def _new_page(glove: GloveModel, note: str, wide_mm: float, high_mm: float) -> Page:
     page = Page(wide_mm, high_mm)
-    page.heading(f"Markers of the glove {glove.name} ({glove.side})", told)
+    page.heading(f"Markers of the glove {glove.name} ({glove.side})", note)
     page.ruler()
     return page
 
@@ -75,13 +75,13 @@ def _draw_patch(page: Page, marker: Marker, x_mm: float, y_mm: float) -> None:
 
 
 def _rest(hand: HandModel) -> tuple[Array, Array]:
-    """Rotations (S, 3, 3) and places (S, 3) m of the flat hand in its root's frame."""
+    """Rotations (S, 3, 3) and positions (S, 3) m of the flat hand in its root's frame."""
     R, p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))[:2]
     return np.asarray(R), np.asarray(p)
 
 
 def _normal_up(hand: HandModel, glove: GloveModel) -> Array:
-    """(M,) upward share of each marker's normal on the flat hand."""
+    """Upward component (M,) of each marker's normal on the flat hand."""
     R, _ = _rest(hand)
     segment = glove.marker_segment(hand)
     return np.asarray(np.einsum("mij,mj->mi", R[segment], glove.marker_normal)[:, 2])
@@ -90,11 +90,11 @@ def _normal_up(hand: HandModel, glove: GloveModel) -> Array:
 def _hand(
     hand: HandModel, glove: GloveModel, below: bool, paper_mm: tuple[float, float], title: str
 ) -> Page:
-    """The flat hand, fingers up the page; seen from below its sides are exchanged."""
+    """The flat hand with the fingers up; mirrored when seen from below."""
     page = Page(*paper_mm)
     page.heading(
         f"{title}: {glove.name} ({glove.side})",
-        "The flat hand in true size, its bones and joints; numbers as on the patches",
+        "Flat hand at true scale with bones and joints; numbers as on the patches",
     )
     page.ruler()
     R, p = _rest(hand)

@@ -1,4 +1,4 @@
-"""Pages in true size: everything is placed in millimetres from the lower left corner."""
+"""Pages at true scale, with coordinates in millimetres from the lower left corner."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ INK, FAINT = "#1f2937", "#6b7280"
 
 
 class Page:
-    """One page of paper, ``wide_mm`` by ``high_mm``; draw on ``axes`` in millimetres."""
+    """One page of ``wide_mm`` by ``high_mm``; draw on ``axes`` in millimetres."""
 
     def __init__(self, wide_mm: float, high_mm: float) -> None:
         self.wide_mm, self.high_mm = wide_mm, high_mm
@@ -26,30 +26,30 @@ class Page:
         self.axes.set_ylim(0.0, high_mm)
         self.axes.axis("off")
 
-    def words(
+    def text(
         self, x_mm: float, y_mm: float, text: str, points: float = 9.0, ink: str = INK
     ) -> None:
-        """Text that begins at a place."""
+        """Draw text that starts at a position."""
         self.axes.text(x_mm, y_mm, text, fontsize=points, color=ink, va="center")
 
-    def heading(self, title: str, told: str) -> None:
-        """At the top of the page."""
+    def heading(self, title: str, note: str) -> None:
+        """Draw a title and a note at the top of the page."""
         top = self.high_mm - MARGIN_MM
-        self.words(MARGIN_MM, top, title, 14)
-        self.words(MARGIN_MM, top - 7, told, 9, FAINT)
+        self.text(MARGIN_MM, top, title, 14)
+        self.text(MARGIN_MM, top - 7, note, 9, FAINT)
 
     def ruler(self) -> None:
-        """100 mm at the foot, to check the printer's scale."""
+        """Draw a scale of 100 mm at the bottom to check the printer's scale."""
         y, x = MARGIN_MM - 3, MARGIN_MM
         for mm in range(0, 101, 5):
             tall = 4.0 if mm % 10 == 0 else 2.5
             self.axes.plot([x + mm, x + mm], [y, y + tall], color=INK, linewidth=0.5)
         self.axes.plot([x, x + 100], [y, y], color=INK, linewidth=0.5)
-        self.words(x + 103, y + 2, "100 mm: print at 100 %, not to fit the page", 8, FAINT)
+        self.text(x + 103, y + 2, "100 mm: print at 100 %, not fitted to the page", 8, FAINT)
 
 
 def save_pages(pages: Iterable[Page], path: Path, title: str) -> None:
-    """All pages as one PDF, the same bytes each time."""
+    """Write all pages as one PDF; deterministic."""
     with PdfPages(path, metadata={"Title": title, "CreationDate": None}) as pdf:
         for page in pages:
             pdf.savefig(page.figure)

@@ -1,4 +1,4 @@
-"""``python -m extensions.sheets.pictures``: images of the printed sheets, for the guide."""
+"""``python -m extensions.sheets.pictures`` writes images of the printed sheets for the guide."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def main(argv: Sequence[str] | None = None) -> None:
 
 
 def take_sheets(out: Path) -> None:
-    """Patches, the hand and the wiring, as PNG."""
+    """Write patches, hand and wiring as PNG."""
     hand, glove = library.load()
     patches, above = marker_pages(hand, glove)[:2]
     for name, page in (("markers", patches), ("hand", above), ("wiring", wiring_page(glove))):

@@ -1,4 +1,4 @@
-"""The wiring between the microcontroller and what hangs on it (resources/firmware/README.md)."""
+"""The wiring diagram of the microcontroller and its parts (resources/firmware/README.md)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Box(NamedTuple):
 
 
 class Wire(NamedTuple):
-    """From a height (mm) of one box's right side to a height of another's left."""
+    """From a height (mm) on one box's right side to a height on another's left side."""
 
     of: Box
     y: float
@@ -37,7 +37,7 @@ class Wire(NamedTuple):
 
 
 def wiring_page(glove: GloveModel, paper: str = "a4") -> Page:
-    """One page; the glove file says which IMU hangs on which select line."""
+    """The page; the glove file defines which IMU is on which select line."""
     wide_mm, high_mm = PAPERS_MM[paper]
     page = Page(wide_mm, high_mm)
     page.heading(
@@ -59,7 +59,7 @@ def wiring_page(glove: GloveModel, paper: str = "a4") -> Page:
         Wire(nano, 245, down, 245, BUS, "D11 MOSI"),
     ]
     for pin, imu in zip(SELECT_PINS, imus, strict=False):
-        y = imu.y + 11  # straight, lest two wires share a line
+        y = imu.y + 11  # straight, so that wires do not overlap
         wires.append(Wire(nano, y, down, y, SELECT, pin))
         wires.append(Wire(down, y, imu, y, SELECT, end="NCS"))
     wires.append(Wire(nano, 84, up, 84, BACK, "D12 MISO"))
@@ -86,13 +86,13 @@ def _connect(page: Page, wire: Wire) -> None:
     page.axes.plot([x_0, middle, middle, x_1], [wire.y, wire.y, wire.at, wire.at],
                    color=wire.ink, linewidth=1.0)  # fmt: skip
     if wire.pin:
-        page.words(x_0 + 1.5, wire.y + 2, wire.pin, 6.5, wire.ink)
+        page.text(x_0 + 1.5, wire.y + 2, wire.pin, 6.5, wire.ink)
     if wire.end:
-        page.words(x_1 + 1.5, wire.at, wire.end, 5.5, wire.ink)
+        page.text(x_1 + 1.5, wire.at, wire.end, 5.5, wire.ink)
 
 
 def _buses(page: Page, down: Box, up: Box, power: Box, imus: list[Box]) -> None:
-    """Lines that all IMUs share: each enters from the right, in its colour."""
+    """Draw the lines that all IMUs share, from the right, each in its colour."""
     right = imus[0].x + imus[0].wide
     for j, (name, ink, source) in enumerate(
         (("SCL, SDA", BUS, down), ("AD0", BACK, up), ("VCC 3.3 V", POWER, power))
@@ -105,16 +105,16 @@ def _buses(page: Page, down: Box, up: Box, power: Box, imus: list[Box]) -> None:
         y = source.y + 3
         page.axes.plot([start, start + 4 + 3 * j, start + 4 + 3 * j, x], [y, y, foot, foot],
                        color=ink, linewidth=1.0)  # fmt: skip
-        page.words(start + 16, foot + 1.8, f"{name} of all IMUs", 6.5, ink)
+        page.text(start + 16, foot + 1.8, f"{name} of all IMUs", 6.5, ink)
 
 
 def _rest(page: Page) -> None:
     lines = (
-        "Ground of all parts together. 100 nF at each IMU. 10 kΩ from each NCS to 3.3 V.",
+        "Connect all grounds. 100 nF at each IMU. 10 kΩ from each NCS to 3.3 V.",
         "Motors: " + ", ".join(MOTOR_PINS) + " each through 22 Ω to the gate of a 2N7002, "
         "1N4148 across the motor.",
         "Battery: 300 kΩ from its plus to A7, 100 kΩ from A7 to ground.",
         "Keep the wires to a fingertip below 30 cm.",
     )
     for k, line in enumerate(lines):
-        page.words(MARGIN_MM, 40 - 6 * k, line, 8, FAINT if k == len(lines) - 1 else INK)
+        page.text(MARGIN_MM, 40 - 6 * k, line, 8, FAINT if k == len(lines) - 1 else INK)

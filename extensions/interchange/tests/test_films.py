@@ -148,7 +148,7 @@ def test_an_ffmpeg_that_ends_early_is_told_in_its_words(
     monkeypatch.setenv("PATH", str(tmp_path))
     image = np.zeros((400, 400, 3), np.uint8)
     made = H264Film(tmp_path / "a.mp4", 30.0, image, ENCODER)
-    with pytest.raises(DiskError, match=r"a\.mp4 could not be written by ffmpeg: no space left"):
+    with pytest.raises(DiskError, match=r"ffmpeg could not write a\.mp4: no space left"):
         for _ in range(100):
             made.write(image)
 
@@ -158,7 +158,7 @@ def test_without_ffmpeg_the_film_is_plain_and_that_is_said(
 ) -> None:
     monkeypatch.setattr(film.shutil, "which", lambda name: None)
     said = export(session, "mp4", session.with_name("o.mp4"))
-    assert said["codec"] == PLAIN and "no ffmpeg with H.264" in said["said"][0]
+    assert said["codec"] == PLAIN and "ffmpeg with H.264 is not installed" in said["said"][0]
 
 
 @pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="no ffmpeg")

@@ -1,4 +1,4 @@
-"""Sheets to build a glove with: true size, every patch once, nothing over the paper's edge."""
+"""Sheets to build a glove with: true scale, every patch once, nothing over the paper's edge."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def circles(page) -> list[Circle]:
 def test_every_patch_is_there_once_in_its_size_and_apart(name: str, paper: str) -> None:
     hand, glove = library.load(name)
     pages = marker_pages(hand, glove, paper)
-    cut = [p for p in pages if "patches in true size" in p.axes.texts[1].get_text()]
+    cut = [p for p in pages if "patches at true scale" in p.axes.texts[1].get_text()]
     drawn = [(c, page) for page in cut for c in circles(page)]
     assert len(drawn) == sum(m.shape == "circle" for m in glove.markers)
     sizes = sorted(1000 * m.size for m in glove.markers if m.shape == "circle")
