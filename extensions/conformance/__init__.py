@@ -1,5 +1,5 @@
-"""Whether a hand record is what robot labs ask for: signal, shape, placement, scripted steps.
+"""Checks hand records against the requirements of robot labs: signal, shape, placement, steps.
 
-The rules and limits are those of NVIDIA's acceptance of hand devices (NVIDIA/IsaacCapture,
-acceptance/hand/checker), written anew on arrays.
+Rules and limits are those of NVIDIA's acceptance test of hand devices (NVIDIA/IsaacCapture,
+acceptance/hand/checker), implemented on arrays.
 """

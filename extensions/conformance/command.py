@@ -47,7 +47,7 @@ def add_conformance(parser: argparse.ArgumentParser) -> None:
 
 
 def check_conformance(args: argparse.Namespace) -> int:
-    """Exit status 1 if a rule is not fulfilled."""
+    """Run the check; returns exit status 1 if a rule failed."""
     from extensions.conformance.page import as_json, page
     from extensions.conformance.run import judge, read_take
     from tracker.base.errors import ConfigError
@@ -73,25 +73,24 @@ def check_conformance(args: argparse.Namespace) -> int:
 
 
 def _page_path(output: Path | None, file: Path | None) -> Path | None:
-    """``output`` itself, or in it, where it is a folder or has no suffix, a page named as the
-    session."""
+    """``output``, or if that is a folder or has no suffix, a page in it with the session's name."""
     if output is None or (output.suffix and not output.is_dir()):
         return output
     return output / f"{file.stem if file is not None else SIMULATED}.html"
 
 
 def _outputs(out: Path | None, simulated: bool) -> list[Path]:
-    """The page, and of a simulated wearer the record and its labels beside it."""
-    from extensions.conformance.take import labels_beside
+    """The page and, for a simulated wearer, the record and its labels next to it."""
+    from extensions.conformance.take import labels_path
 
     if out is None:
         return []
     take = out.with_suffix(".mcap")
-    return [out, labels_beside(take), take] if simulated else [out]
+    return [out, labels_path(take), take] if simulated else [out]
 
 
 def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | None) -> Verdict:
-    """The verdict; the record and its labels are beside the page ``out``, if there is one."""
+    """The verdict; record and labels are written next to the page ``out``, if any."""
     from extensions.conformance.isaac.writer import write_records
     from extensions.conformance.run import judge, simulated_takes
     from extensions.conformance.take import take_of, write_labels
@@ -102,9 +101,9 @@ def _simulated(args: argparse.Namespace, sides: tuple[str, ...], out: Path | Non
     takes = [take_of(side, found) for side, found in records.items()]
     if out is None:
         return judge(f"a simulated wearer, seed {args.seed}", takes, steps)
-    _, *beside = _outputs(out, True)
+    _, *others = _outputs(out, True)
     make_folder(out.parent)
-    with whole_files(*beside, force=args.force) as (labels, record):
+    with whole_files(*others, force=args.force) as (labels, record):
         write_records(record, records)
         write_labels(labels, record.name, steps, min(int(t.sample[0]) for t in takes))
     return judge(record.name, takes, steps)
@@ -115,8 +114,8 @@ def _lines(verdict: Verdict) -> list[str]:
     for f in verdict.findings:
         if f.status != "pass":
             lines.append(f"{f.status}: {f.layer}, {f.side}: {f.rule}: {f.figure} ({f.limit})")
-    kept = sum(f.status == "pass" for f in verdict.findings)
-    return [*lines, f"{kept} of {len(verdict.findings)} rules passed."]
+    passed = sum(f.status == "pass" for f in verdict.findings)
+    return [*lines, f"{passed} of {len(verdict.findings)} rules passed."]
 
 
 CONFORMANCE = Command(

@@ -1,4 +1,4 @@
-"""The hand record of NVIDIA's Isaac tools, from a session: see `extensions.conformance.isaac`."""
+"""Exports a session as a hand record of NVIDIA's Isaac tools (`extensions.conformance.isaac`)."""
 
 from __future__ import annotations
 
@@ -23,14 +23,15 @@ from tracker.session.ros import topics
 
 
 class Arrivals(NamedTuple):
-    """When each estimate was there, and when it was on the glove's clock: (N,) ns since 1970."""
+    """Times (N,) ns since 1970 at which estimates were available, and times on the glove's
+    clock."""
 
     available_ns: IntArray
     device_ns: IntArray
 
 
 def export_isaac(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """Both hands in one file; returns the estimates of the main one."""
+    """Write both hands to one file; returns the estimates of the main one."""
     hands: dict[str, tuple[EstimateSeries, Arrivals]] = {}
     for one in readers_of_hands(reader):
         with one:
@@ -42,13 +43,13 @@ def export_isaac(reader: SessionReader, path: Path, options: ExportOptions) -> E
 
 
 def readers_of_hands(reader: SessionReader) -> Iterator[SessionReader]:
-    """The same session once for each hand, the left one first; the caller closes them."""
+    """A reader of the session per hand, left first; the caller closes them."""
     for side in reader.sides or ("",):
         yield SessionReader(reader.path, side=side)
 
 
 def write_hands(writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, Arrivals]]) -> None:
-    """One series per side, in G; records of both in the order of their available times."""
+    """Write one series per side, in G, in the order of available times."""
     streams = [hand_records(side, *given) for side, given in hands.items()]
     for _, side, record in merge(*streams, key=lambda item: item[0]):
         writer.write(side, record)
@@ -58,7 +59,7 @@ def write_hands(writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, A
 def hand_records(
     side: str, m: EstimateSeries, arrivals: Arrivals
 ) -> Iterator[tuple[int, str, HandRecord]]:
-    """(available time ns, side, record) in order, of a series in G."""
+    """Yields (available time in ns, side, record) in order for a series in G."""
     to_monotonic = m.info.anchor.monotonic_ns - m.info.anchor.wall_ns + m.zero_ns
     radii = joint_radii(m.info.hand)
     hand = openxr_joints(m.keypoints, m.q, m.state, m.keypoint_names, radii)
@@ -73,10 +74,10 @@ def hand_records(
 
 
 def arrivals(reader: SessionReader, m: EstimateSeries) -> Arrivals:
-    """From the log times of a session's keypoints and its glove's packets.
+    """Arrival times from the log times of a session's keypoints and the glove's packets.
 
-    Estimates between recorded ones came when their neighbours did; without a glove's clock its
-    time is the sample's.
+    Times of estimates between recorded ones are interpolated; without a glove clock the sample time
+    is used.
     """
     topic = frozenset([topics.hand(m.info.side, "keypoints")])
     found = [(r.publish_time, r.log_time) for r in ordered(reader.source, topic)]

@@ -1,4 +1,4 @@
-"""What the conformance check adds to the program: the stream and the export of Isaac records."""
+"""Descriptors of the conformance extension: command, stream and export of Isaac records."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _make(options: IsaacOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     from extensions.conformance.stream import IsaacPublisher
 
     if not options.file:
-        raise StreamError("The Isaac record needs a file: isaac:take.mcap.")
+        raise StreamError("Specify a file for the Isaac record: isaac:take.mcap.")
     first, *others = (names.with_openxr() for names in hands)
     record = IsaacPublisher(first, Path(options.file))
     yield record

@@ -1,4 +1,4 @@
-"""What a rule found."""
+"""Findings of the rules."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Plot:
 
 @dataclass(frozen=True, eq=False)
 class Finding:
-    """One rule on one hand: what was measured, against what. ``advice``: does not decide."""
+    """Result of one rule on one hand: figure and limit. ``advice``: does not affect the verdict."""
 
     layer: str
     rule: str
@@ -41,7 +41,7 @@ Rule = Callable[[RecordTake, Sequence[ScriptStep]], Finding]
 
 
 class LayerJudge:
-    """Makes the findings of one layer on one hand."""
+    """Collects the findings of one layer on one hand."""
 
     def __init__(self, layer: str, take: RecordTake) -> None:
         self._layer, self._take = layer, take
@@ -56,7 +56,7 @@ class LayerJudge:
         plot: tuple[Array, str, tuple[float, ...]] | None = None,
         advice: bool = False,
     ) -> None:
-        """``ok`` is None where too little was seen; ``plot``: values per record, unit, limits."""
+        """Add a finding. ``ok`` is None without enough data; ``plot``: values, unit, limits."""
         status = UNKNOWN if ok is None else PASS if ok else FAIL
         drawn = None
         if plot is not None:

@@ -1,4 +1,4 @@
-"""The verdict as one HTML page that needs nothing from elsewhere."""
+"""The verdict as one self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ svg { display: block; max-width: 100% } details summary { cursor: pointer; color
 def page(verdict: Verdict) -> str:
     """The HTML text."""
     mark = "pass" if verdict.ok else "fail"
-    words = "All rules passed." if verdict.ok else "Not all rules passed."
+    outcome = "All rules passed." if verdict.ok else "Not all rules passed."
     body = [
         f"<h1>Conformance of {html.escape(verdict.name)}</h1>",
-        f"<p class='verdict {mark}'>{words} {_counts(verdict)}</p>",
-        "<p>Rules and limits of NVIDIA's acceptance of hand devices, judged by glovetrack "
+        f"<p class='verdict {mark}'>{outcome} {_counts(verdict)}</p>",
+        "<p>Rules and limits of NVIDIA's acceptance test of hand devices, checked by glovetrack "
         f"{__version__} on {_span(verdict)}.</p>",
     ]
     for layer, title in LAYERS.items():
@@ -53,8 +53,8 @@ def page(verdict: Verdict) -> str:
 
 
 def as_json(verdict: Verdict) -> dict[str, Any]:
-    """What the page says, without plots: ``checks`` in the form of the command's contract, and
-    ``findings`` with the status and whether a rule is advice alone."""
+    """The page's content without plots: ``checks`` as specified for the command, and ``findings``
+    with the status and whether a rule is only advice."""
     return {
         "take": verdict.name,
         "ok": verdict.ok,
@@ -121,7 +121,7 @@ def _table(found: Sequence[Finding], steps: Sequence[ScriptStep], zero: dict[str
 
 
 def _svg(plot: Plot, steps: Sequence[ScriptStep], zero: int) -> str:
-    """Least and largest value in each of `POINTS` stretches, so that no outlier is left out."""
+    """SVG plot of the minimum and maximum in each of `POINTS` intervals, which shows outliers."""
     known = plot.values[np.isfinite(plot.values)]
     if not len(known):
         return "<p>nothing known</p>"
@@ -160,7 +160,7 @@ def _svg(plot: Plot, steps: Sequence[ScriptStep], zero: int) -> str:
 
 
 def _pieces(plot: Plot) -> list[list[tuple[float, float]]]:
-    """Runs of known values, thinned."""
+    """Runs of known values, decimated."""
     out: list[list[tuple[float, float]]] = [[]]
     size = max(1, len(plot.values) // POINTS)
     for start in range(0, len(plot.values), size):

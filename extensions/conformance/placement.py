@@ -1,4 +1,4 @@
-"""Where the hand is in the room, and whether its axes are OpenXR's."""
+"""Rules on the hand's position in the room, and on the orientation of its axes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from extensions.conformance.take import (
 from tracker.hand.names import FINGERS
 from tracker.messages import Array
 
-NEAR = 0.25  # m from the origin, which stands on the floor
+NEAR = 0.25  # m from the origin, which is on the floor
 NEAR_SHARE = 0.5
 MOVED = 0.001  # m of a fingertip from one record to the next
 LEAST_MOVED = 30  # records
@@ -42,10 +42,10 @@ def _origin(take: RecordTake, judge: LayerJudge) -> None:
     distance = np.linalg.norm(take.position[:, WRIST], axis=1)
     known = distance[np.isfinite(distance)]
     near = float((known < NEAR).mean()) if len(known) else np.nan
-    words = f"nearer in {near:.1%}"
+    figure = f"nearer in {near:.1%}"
     ok = None if not len(known) else near <= NEAR_SHARE
     limit = f"> {NEAR:g} m in more than half"
-    judge.say("the wrist is in the room", ok, words, limit, (distance, "m", (NEAR,)))
+    judge.say("the wrist is in the room", ok, figure, limit, (distance, "m", (NEAR,)))
 
 
 def _frozen(take: RecordTake, judge: LayerJudge) -> None:
@@ -56,19 +56,19 @@ def _frozen(take: RecordTake, judge: LayerJudge) -> None:
     same = (wrist[1:] == wrist[:-1]).all(axis=1)[moving]
     share = float(same.mean()) if len(same) else np.nan
     ok = None if len(same) < LEAST_MOVED else share <= FROZEN
-    words = f"{share:.1%} of {len(same)} records with moving fingers"
-    judge.say("the wrist is not frozen", ok, words, f"≤ {FROZEN:.0%}")
+    figure = f"{share:.1%} of {len(same)} records with moving fingers"
+    judge.say("the wrist is not frozen", ok, figure, f"≤ {FROZEN:.0%}")
 
 
 def _axes(take: RecordTake, judge: LayerJudge) -> None:
     xyzw, wxyz = _along(take, [0, 1, 2, 3]), _along(take, [1, 2, 3, 0])
     ok = None if np.isnan(xyzw) else xyzw >= ALONG and xyzw >= wxyz
-    words = f"{xyzw:.2f}" + (f"; read as wxyz {wxyz:.2f}" if not ok else "")
-    judge.say("−z along the bones, xyzw", ok, words, f"≥ {ALONG:g}")
+    figure = f"{xyzw:.2f}" + (f"; read as wxyz {wxyz:.2f}" if not ok else "")
+    judge.say("−z along the bones, xyzw", ok, figure, f"≥ {ALONG:g}")
 
 
 def _along(take: RecordTake, order: list[int]) -> float:
-    """Mean cosine between −z and the bone, quaternions read in this order."""
+    """Mean cosine between −z and the bone for quaternions in this order."""
     found = []
     for chain in CHAINS.values():
         for a, b in pairwise(chain):
@@ -83,7 +83,7 @@ def _along(take: RecordTake, order: list[int]) -> float:
 
 
 def hand_axes(position: Array) -> Array:
-    """(N, 3, 3) columns: forward, across the palm, their normal, from positions (N, 26, 3)."""
+    """Axes (N, 3, 3) from positions (N, 26, 3). Columns: forward, across the palm, normal."""
     forward = position[:, KNUCKLES["middle"]] - position[:, WRIST]
     across = position[:, KNUCKLES["little"]] - position[:, KNUCKLES["index"]]
     columns = [forward, across, np.cross(forward, across)]
@@ -91,13 +91,13 @@ def hand_axes(position: Array) -> Array:
 
 
 def angles_deg(axes: Array, reference: Array) -> Array:
-    """(N,) the largest angle of the three axes (N, 3, 3) to those of ``reference`` (3, 3)."""
+    """Largest angle (N,) between the three axes (N, 3, 3) and those of ``reference`` (3, 3)."""
     cosine = np.clip((axes * reference).sum(axis=1), -1, 1)
     return np.asarray(np.rad2deg(np.arccos(cosine)).max(axis=1))
 
 
 def _same_frame(take: RecordTake, judge: LayerJudge, steps: Sequence[ScriptStep]) -> None:
-    """While the wrist turns its quaternion turns with the joints' positions."""
+    """Compare the rotation of the wrist's quaternion with that of the joints' positions."""
     limit = f"≤ {APART_DEG:g}° (95 %) over ≥ {TURNED_DEG:g}°"
     window = next((s for s in steps if s.label == "wrist_rotate"), None)
     axes = hand_axes(take.position)
@@ -115,5 +115,5 @@ def _same_frame(take: RecordTake, judge: LayerJudge, steps: Sequence[ScriptStep]
     values = np.full(len(take), np.nan)
     values[rows] = apart
     ok = None if turned < TURNED_DEG else p95 <= APART_DEG
-    words = f"{p95:.1f}° over {turned:.0f}°"
-    judge.say("wrist and joints turn together", ok, words, limit, (values, "°", (APART_DEG,)))
+    figure = f"{p95:.1f}° over {turned:.0f}°"
+    judge.say("wrist and joints turn together", ok, figure, limit, (values, "°", (APART_DEG,)))

@@ -1,4 +1,4 @@
-"""Takes from sessions, from records and from the simulator, and the verdict on them."""
+"""Reads takes from sessions, records and the simulator, and judges them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from extensions.conformance.take import (
     SCRIPT,
     RecordTake,
     ScriptStep,
-    labels_beside,
+    labels_path,
     read_labels,
     take_of,
 )
@@ -46,12 +46,12 @@ from tracker.vision.rig import default_pose, ideal_rig
 
 GLOVES = {"right": "vist-small", "left": "vist-small-left"}
 WARM_UP = (Cue("fist", 1.5, 1.0), Cue("open", 1.0, 1.0)) * 2
-"""Before the first step, while the hand's size is being found."""
+"""Shown before the first step, while the hand size is estimated."""
 
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """Findings on the hands of a take. ``ok``: nothing that decides failed or stayed unknown."""
+    """Findings on the hands of a take. ``ok``: all rules except advice passed."""
 
     name: str
     findings: tuple[Finding, ...]
@@ -65,9 +65,9 @@ class Verdict:
 
 
 def judge(name: str, takes: Sequence[RecordTake], steps: Sequence[ScriptStep]) -> Verdict:
-    """All rules on all hands. Raises FileError where there is no record at all."""
+    """Apply all rules to all hands. Raises FileError without records."""
     if not takes or not any(len(take) for take in takes):
-        raise FileError(f"{name} holds no record of a hand.")
+        raise FileError(f"{name} contains no hand records.")
     findings: list[Finding] = []
     with np.errstate(invalid="ignore", divide="ignore"):
         for take in takes:
@@ -81,45 +81,45 @@ def judge(name: str, takes: Sequence[RecordTake], steps: Sequence[ScriptStep]) -
 def read_take(path: Path, sides: Sequence[str] = ()) -> tuple[list[RecordTake], list[ScriptStep]]:
     """The hands of a session or of an Isaac record, and its steps.
 
-    Steps stand in ``TAKE.labels.json`` beside it, or in a session are notes with their names, each
-    from the note on. Raises FileError.
+    Steps are read from ``TAKE.labels.json`` next to it, or are notes of the session with the names
+    of steps, each starting at its note. Raises FileError.
     """
     with SessionReader(path) as reader:
         if reader.metadata:
             records = session_records(reader)
-            steps = read_labels(labels_beside(path)) or noted_steps(reader)
+            steps = read_labels(labels_path(path)) or noted_steps(reader)
         else:
             records = {side: [] for side in SIDES}
             for side, record in read_records(path):
                 records[side].append(record)
-            steps = read_labels(labels_beside(path))
+            steps = read_labels(labels_path(path))
     takes = [take_of(side, found) for side, found in records.items() if found]
     missing = [s for s in sides if s not in {take.side for take in takes}]
     if missing:
-        raise FileError(f"{path} holds no {' or '.join(missing)} hand.")
+        raise FileError(f"{path} contains no {' or '.join(missing)} hand.")
     return [take for take in takes if not sides or take.side in sides], steps
 
 
 def session_records(reader: SessionReader) -> dict[str, list[HandRecord]]:
-    """The records that an export of the session writes, of each of its hands."""
+    """The records, by hand, that an export of the session would write."""
     found = {}
     for one in readers_of_hands(reader):
         with one:
             m = recorded_series(one, segments=False)
-            told = hand_records(m.info.side, m, arrivals(one, m))
-            found[m.info.side] = [record for _, _, record in told]
+            records = hand_records(m.info.side, m, arrivals(one, m))
+            found[m.info.side] = [record for _, _, record in records]
     return found
 
 
 def noted_steps(reader: SessionReader) -> list[ScriptStep]:
-    """Windows of the script that begin at a note with the step's name."""
+    """Windows of the script, each starting at a note with the step's name."""
     notes = [m for m in reader.messages([Event]) if isinstance(m, Event)]
     found = [(m.text.strip(), round(m.t * NS)) for m in notes if m.text.strip() in SCRIPT]
     return [ScriptStep(label, at, at + round(SCRIPT[label] * NS)) for label, at in found]
 
 
 def cues(side: str) -> tuple[list[Cue], list[str]]:
-    """What a simulated wearer of one glove shows, and the step of each cue ("" for none)."""
+    """Cues of a simulated wearer of one glove, and the step of each cue ("" for none)."""
     out, labels = list(WARM_UP), [""] * len(WARM_UP)
     for label, hold in SCRIPT.items():
         gesture = {"open_hand_open": "open", "open_hand_close": "open", "wrist_rotate": "turn"}
@@ -141,9 +141,9 @@ def simulated(
     progress: Callable[[float], None] = lambda share: None,
     change: Change = lambda message: message,
 ) -> tuple[list[HandRecord], list[ScriptStep]]:
-    """Records of a simulated wearer who shows the script, tracked as a session is; and the steps.
+    """Records of a simulated wearer who performs the script, tracked like a session, and the steps.
 
-    ``change`` alters what the sensors give. Raises ConfigError for a glove of the other side.
+    ``change`` modifies the sensor data. Raises ConfigError for a glove of the other side.
     """
     options = SimulateOptions(glove=glove or GLOVES[side], seed=seed, images=False)
     _, info = build(options)
@@ -176,7 +176,7 @@ def simulated(
 def simulated_takes(
     sides: Sequence[str], seed: int, glove: str, progress: Callable[[float], None]
 ) -> tuple[Mapping[str, list[HandRecord]], list[ScriptStep]]:
-    """Both hands, or one, on one clock: each shows the same step at the same time."""
+    """Takes of one or both hands on one clock, showing the same step at the same time."""
     records: dict[str, list[HandRecord]] = {}
     steps: list[ScriptStep] = []
     for k, side in enumerate(sides):

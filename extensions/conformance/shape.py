@@ -1,4 +1,4 @@
-"""The hand's shape: whole, of a person's size, rigid bones, fingers in order, of its side."""
+"""Rules on the hand's shape: completeness, size, rigid bones, order of fingers, side."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ from tracker.hand.names import FINGERS
 from tracker.messages import Array, IntArray
 
 COMPLETE = 0.95  # share of records with all 21 joints
-SUSTAINED = 0.5  # s for which another set of valid joints counts as a change of source
+SUSTAINED = 0.5  # s: a different set of valid joints this long counts as a change of source
 RADIUS = (0.001, 0.05)  # m
 BAD_RADII = 0.01  # share
 LENGTH = (0.10, 0.30)  # m from wrist to middle tip, along the bones
-VARIES = 0.10  # sd of a bone's length by its mean
+VARIES = 0.10  # standard deviation of a bone's length relative to its mean
 RATIOS = {"middle/palm": (0.6, 1.5), "little/middle": (0.55, 1.0), "thumb/middle": (0.6, 1.5)}
 ORDER = 0.9  # share of records
-ACROSS = 0.3  # of the way from index to little knuckle, along the wrist's x
+ACROSS = 0.3  # of the distance from index to little knuckle, along the wrist's x
 CURL = 0.25  # of straightness, between the most curled and the most extended fifth
 PALMWARD = 0.01  # m that tips sink when curled
 FIFTH, QUARTER = 0.2, 0.25
-PLACED = 0.25  # of the palm's length that palm and metacarpals may be off
+PLACED = 0.25  # tolerance of palm and metacarpals, as a share of the palm's length
 TOGETHER = 0.003  # m
 MISPLACED = 0.05  # share
 
@@ -63,7 +63,7 @@ def _complete(take: RecordTake, judge: LayerJudge, whole: NDArray[np.bool_]) -> 
 
 
 def _source(take: RecordTake, judge: LayerJudge) -> None:
-    """Sets of valid joints that lasted, one after another."""
+    """Count changes between sustained sets of valid joints."""
     lasting: list[bytes] = []
     rows = np.flatnonzero(take.valid.any(axis=1))
     sets = take.valid[rows]
@@ -77,13 +77,13 @@ def _source(take: RecordTake, judge: LayerJudge) -> None:
 
 
 def _radius(take: RecordTake, judge: LayerJudge) -> None:
-    told = take.radius[take.valid]
-    if not len(told):
+    radii = take.radius[take.valid]
+    if not len(radii):
         judge.say("radius", None, "no joint", "1–50 mm")
         return
-    bad = float((~((told >= RADIUS[0]) & (told <= RADIUS[1]))).mean())
-    words = f"{np.nanmin(told) * 1e3:.1f}–{np.nanmax(told) * 1e3:.1f} mm, {bad:.1%} outside"
-    judge.say("radius", bad <= BAD_RADII, words, f"1–50 mm in {1 - BAD_RADII:.0%}")
+    bad = float((~((radii >= RADIUS[0]) & (radii <= RADIUS[1]))).mean())
+    figure = f"{np.nanmin(radii) * 1e3:.1f}–{np.nanmax(radii) * 1e3:.1f} mm, {bad:.1%} outside"
+    judge.say("radius", bad <= BAD_RADII, figure, f"1–50 mm in {1 - BAD_RADII:.0%}")
 
 
 def _lengths(take: RecordTake, chain: list[int]) -> Array:
@@ -122,7 +122,7 @@ def _bones(take: RecordTake, judge: LayerJudge) -> None:
 
 
 def _extremes(straight: Array, share: float) -> tuple[IntArray, IntArray]:
-    """Rows of the most curled and the most extended records among those known."""
+    """Rows of the most curled and the most extended known records."""
     rows = np.argsort(straight, kind="stable").astype(np.int64)[: int(np.isfinite(straight).sum())]
     n = max(1, int(share * len(rows)))
     return rows[:n], rows[-n:]
@@ -157,9 +157,9 @@ def _side(take: RecordTake, judge: LayerJudge, whole: NDArray[np.bool_]) -> None
     x = across[:, 0] / np.maximum(np.linalg.norm(across, axis=1), 1e-9)
     share, sign = _median(x), 1.0 if take.side == "right" else -1.0
     ok = None if np.isnan(share) or abs(share) < ACROSS else share * sign > 0
-    words = f"x {share:+.2f} from index to little"
+    figure = f"x {share:+.2f} from index to little"
     limit = f"{'≥ +' if sign > 0 else '≤ −'}{ACROSS:g}"
-    judge.say(f"a {take.side} hand", ok, words, limit, (x, "", (sign * ACROSS,)))
+    judge.say(f"a {take.side} hand", ok, figure, limit, (x, "", (sign * ACROSS,)))
     limit = f"≥ {PALMWARD * 1e3:g} mm to the palm"
     rows = np.flatnonzero(whole)
     if len(rows) < 10:
@@ -172,18 +172,19 @@ def _side(take: RecordTake, judge: LayerJudge, whole: NDArray[np.bool_]) -> None
     spread = float(straight[extended].mean() - straight[curled].mean())
     shift = float(rise[curled].mean() - rise[extended].mean())
     ok = None if spread < CURL or abs(shift) < PALMWARD else shift < 0
-    words = f"{-shift * 1e3:.0f} mm when curled by {spread:.2f}"
-    judge.say("fingers bend to the palm", ok, words, limit)
+    figure = f"{-shift * 1e3:.0f} mm when curled by {spread:.2f}"
+    judge.say("fingers bend to the palm", ok, figure, limit)
 
 
 def _palm(take: RecordTake, judge: LayerJudge) -> None:
-    """PALM in the middle of the middle metacarpal, each metacarpal from wrist to knuckle."""
+    """Check that the palm is at the middle of the middle metacarpal, and each metacarpal joint on
+    the line from wrist to knuckle."""
     p = take.position
     palm = np.linalg.norm(p[:, KNUCKLES["middle"]] - p[:, WRIST], axis=1)
     centre = (p[:, METACARPALS["middle"]] + p[:, KNUCKLES["middle"]]) / 2
     off = {"palm": np.linalg.norm(p[:, PALM] - centre, axis=1) / palm}
     for f in FINGERS:
-        off[f] = _beside(p[:, METACARPALS[f]], p[:, WRIST], p[:, KNUCKLES[f]]) / palm
+        off[f] = _off_line(p[:, METACARPALS[f]], p[:, WRIST], p[:, KNUCKLES[f]]) / palm
     optional = [PALM, *METACARPALS.values()]
     worst, seen = 0.0, False
     for (_, values), joint in zip(off.items(), optional, strict=True):
@@ -198,15 +199,15 @@ def _palm(take: RecordTake, judge: LayerJudge) -> None:
     )
 
 
-def _beside(point: Array, a: Array, b: Array) -> Array:
-    """(N,) m from a point to the line between two others."""
+def _off_line(point: Array, a: Array, b: Array) -> Array:
+    """Distance (N,) m of a point from the line through two others."""
     ab = b - a
     share = ((point - a) * ab).sum(axis=1) / np.maximum((ab * ab).sum(axis=1), 1e-12)
     return np.asarray(np.linalg.norm(point - a - np.clip(share, 0, 1)[:, None] * ab, axis=1))
 
 
 def _nearest(p: Array, joint: int) -> Array:
-    """(N,) m to the nearest other joint."""
+    """Distance (N,) m to the nearest other joint."""
     others = np.delete(p, joint, axis=1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)

@@ -1,4 +1,4 @@
-"""The signal: numbers that are numbers, stamps in order, no gaps, no jumps."""
+"""Rules on the signal: finite values, ordered time stamps, no gaps, no jumps."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from extensions.conformance.finding import Finding, LayerJudge
 from extensions.conformance.take import RecordTake
 from tracker.base.clock import NS
 
-UNIT = 1e-3  # a quaternion's length may differ from 1 by
+UNIT = 1e-3  # tolerance of a quaternion's norm
 PRESENT = 0.95  # share of records with a hand
-IRREGULAR = 0.2  # median deviation of the interval by its median
+IRREGULAR = 0.2  # median deviation of the interval relative to its median
 GAP = 5.0  # periods
 FASTEST = 20.0  # m/s
-SHORTEST = 0.004  # s: a shorter interval tells of the clock, not of the hand
+SHORTEST = 0.004  # s: shorter intervals reflect the clock, not the hand
 
 
 def judge_signal(take: RecordTake) -> list[Finding]:
@@ -25,9 +25,9 @@ def judge_signal(take: RecordTake) -> list[Finding]:
 
 
 def _numbers(take: RecordTake, judge: LayerJudge) -> None:
-    told = np.concatenate([take.position, take.orientation], axis=2)[take.valid]
-    bad = int((~np.isfinite(told)).any(axis=1).sum()) if len(told) else 0
-    judge.say("finite", None if not len(told) else bad == 0, f"{bad} joints not finite", "0")
+    values = np.concatenate([take.position, take.orientation], axis=2)[take.valid]
+    bad = int((~np.isfinite(values)).any(axis=1).sum()) if len(values) else 0
+    judge.say("finite", None if not len(values) else bad == 0, f"{bad} joints not finite", "0")
     length = np.linalg.norm(take.orientation[take.valid], axis=1)
     off = float(np.nanmax(np.abs(length - 1))) if len(length) else np.nan
     ok = None if not len(length) else off <= UNIT
@@ -50,8 +50,8 @@ def _stamps(take: RecordTake, judge: LayerJudge) -> None:
     period = float(np.median(forward))
     deviation = float(np.median(np.abs(forward - period))) / period
     plot = (forward * 1e3, "ms", (period * 1e3 * GAP,))
-    words = f"{deviation:.3f} of {period * 1e3:.1f} ms"
-    judge.say("regular intervals", deviation <= IRREGULAR, words, f"≤ {IRREGULAR:g}")
+    figure = f"{deviation:.3f} of {period * 1e3:.1f} ms"
+    judge.say("regular intervals", deviation <= IRREGULAR, figure, f"≤ {IRREGULAR:g}")
     longest = float(forward.max()) / period
     judge.say("no gaps", longest <= GAP, f"{longest:.1f} periods", f"≤ {GAP:g} periods", plot)
 

@@ -1,4 +1,4 @@
-"""Whether what each scripted step names was shown, in the settled part of its window."""
+"""Rules on the scripted steps: each gesture is shown in the settled part of its window."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def judge_steps(take: RecordTake, steps: Sequence[ScriptStep]) -> list[Finding]:
 
 
 def settled_rows(take: RecordTake, step: ScriptStep) -> IntArray:
-    """Records of a window after the move into it."""
+    """Records of a window after the transition into it."""
     start = step.start_ns + int(SETTLED * (step.end_ns - step.start_ns))
     return np.flatnonzero((take.sample >= start) & (take.sample < step.end_ns))
 
@@ -62,17 +62,17 @@ def _windows(take: RecordTake, judge: LayerJudge, steps: Sequence[ScriptStep]) -
     wrong += [s.label for s in steps if s.end_ns <= s.start_ns]
     wrong += [s.label for s in set(steps) if sum(o.label == s.label for o in steps) > 1]
     missing = [label for label in SCRIPT if label not in {s.label for s in steps}]
-    words = f"{len(steps)} steps" + "".join(f", {w} overlaps or repeats" for w in wrong)
-    words += f", without {', '.join(missing)}" if missing else ""
-    judge.say("windows in order", not wrong and not missing, words, f"{len(SCRIPT)} steps")
+    figure = f"{len(steps)} steps" + "".join(f", {w} overlaps or repeats" for w in wrong)
+    figure += f", without {', '.join(missing)}" if missing else ""
+    judge.say("windows in order", not wrong and not missing, figure, f"{len(SCRIPT)} steps")
     short = []
     for s in steps:
         span = min(s.end_ns, int(take.sample[-1])) - max(s.start_ns, int(take.sample[0]))
         inside = (take.sample >= s.start_ns) & (take.sample < s.end_ns)
         if not inside.any() or span < COVERED * (s.end_ns - s.start_ns):
             short.append(s.label)
-    words = ", ".join(short) or "all"
-    judge.say("windows have records", not short, words, f"≥ {COVERED:.0%} of each")
+    figure = ", ".join(short) or "all"
+    judge.say("windows have records", not short, figure, f"≥ {COVERED:.0%} of each")
 
 
 def _opens_and_fists(take: RecordTake, judge: LayerJudge, straight: dict[str, float]) -> None:
@@ -110,7 +110,7 @@ def _pinch(take: RecordTake, judge: LayerJudge, label: str, finger: str, rows: I
 
 
 def _turn(take: RecordTake, judge: LayerJudge, rows: dict[str, IntArray]) -> None:
-    """The wrist turns, and in no other step as much."""
+    """Check that the wrist turns most in this step."""
     axes = hand_axes(take.position)
     turned = {}
     for label, inside in rows.items():
@@ -122,5 +122,5 @@ def _turn(take: RecordTake, judge: LayerJudge, rows: dict[str, IntArray]) -> Non
         return
     most = max(turned, key=lambda label: turned[label])
     ok = turned["wrist_rotate"] >= TURNED_DEG and most == "wrist_rotate"
-    words = f"{turned['wrist_rotate']:.0f}°" + ("" if ok else f", most in {most}")
-    judge.say("wrist_rotate", ok, words, f"≥ {TURNED_DEG:g}°, the most of all steps")
+    figure = f"{turned['wrist_rotate']:.0f}°" + ("" if ok else f", most in {most}")
+    judge.say("wrist_rotate", ok, figure, f"≥ {TURNED_DEG:g}°, the most of all steps")

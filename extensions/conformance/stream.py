@@ -1,6 +1,7 @@
-"""Estimates as a record of NVIDIA's Isaac tools, written while the hand is tracked.
+"""Writes live estimates as a record of NVIDIA's Isaac tools.
 
-An estimate that a newer one overtook is not in it; a session has them all, and its export too.
+Estimates that were replaced by newer ones before they were written are missing; a session and its
+export contain all of them.
 """
 
 from __future__ import annotations
@@ -19,23 +20,22 @@ from tracker.streaming.publisher import Names, OtherHand, StreamError
 
 
 class IsaacPublisher:
-    """Writes to a new file, which has its index once the publisher is closed.
+    """Writes to a new file, which is complete once the publisher is closed.
 
-    Raises StreamError where the file is there already or cannot be made, or ``names`` are without
-    OpenXR's radii.
+    Raises StreamError if the file exists or cannot be created, or if ``names`` lack OpenXR's radii.
     """
 
     def __init__(
         self, names: Names, path: Path, clock_ns: Callable[[], int] = time.monotonic_ns
     ) -> None:
         if not names.openxr:
-            raise StreamError("The Isaac record holds OpenXR's joints.")
+            raise StreamError("The Isaac record requires OpenXR's joints.")
         self._names, self._clock_ns = names, clock_ns
         self.name = f"Isaac record {path.name}"
         try:
             self._file = path.open("xb")
         except OSError as error:
-            raise StreamError(f"{path} cannot be made: {error.strerror}.") from error
+            raise StreamError(f"{path} cannot be created: {error.strerror}.") from error
         self._writer = IsaacWriter(self._file)
         self._last = 0
         self._writing = threading.Lock()
@@ -44,11 +44,11 @@ class IsaacPublisher:
         self._send(self._names, estimate)
 
     def beside(self, names: Names) -> OtherHand:
-        """Another hand in the same record."""
+        """A publisher of another hand to the same record."""
         return OtherHand(self.name, partial(self._send, names))
 
     def _send(self, names: Names, estimate: Estimate) -> None:
-        with self._writing:  # each hand has a thread of its own
+        with self._writing:  # each hand has its own thread
             self._write(names, estimate)
 
     def _write(self, names: Names, estimate: Estimate) -> None:

@@ -1,4 +1,4 @@
-"""One hand's records as arrays, and the windows in which something was to be shown."""
+"""One hand's records as arrays, and the windows of the scripted steps."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ REQUIRED = [WRIST, *(j for chain in CHAINS.values() for j in chain)]
 
 @dataclass(frozen=True, eq=False)
 class RecordTake:
-    """N records of one hand: available and sample (N,) ns, active (N,); position (N, 26, 3) m,
-    orientation (N, 26, 4) xyzw and radius (N, 26) m, NaN where ``valid`` (N, 26) is not set.
+    """N records of one hand: available and sample times (N,) ns, active (N,); position (N, 26, 3)
+    m, orientation (N, 26, 4) xyzw and radius (N, 26) m, NaN where ``valid`` (N, 26) is not set.
     """
 
     side: str
@@ -54,18 +54,19 @@ class RecordTake:
 
     @cached_property
     def t(self) -> Array:
-        """(N,) s from the first record."""
+        """Time (N,) s from the first record."""
         return (self.sample - self.sample[0]) / NS
 
     @cached_property
     def local(self) -> Array:
-        """(N, 26, 3) m from the wrist, in its axes."""
+        """Positions (N, 26, 3) m relative to the wrist, in its axes."""
         from_wrist = self.position - self.position[:, WRIST, None]
         return np.asarray(from_wrist @ rotations(self.orientation[:, WRIST]))
 
     @cached_property
     def straightness(self) -> Array:
-        """(N,) mean over the four fingers of knuckle to tip by the length along the bones."""
+        """(N,) distance from knuckle to tip divided by the length along the bones, mean over the
+        four fingers."""
         shares = []
         for f in FINGERS:
             p = self.position[:, CHAINS[f]]
@@ -75,13 +76,13 @@ class RecordTake:
 
     @cached_property
     def pinch(self) -> Array:
-        """(N, 4) m from the thumb's tip to each finger's."""
+        """Distances (N, 4) m from the thumb's tip to each fingertip."""
         tips = self.position[:, [TIPS[f] for f in FINGERS]]
         return np.asarray(np.linalg.norm(tips - self.position[:, TIPS["thumb"], None], axis=2))
 
 
 def rotations(q: Array) -> Array:
-    """(N, 3, 3) of xyzw; NaN stays NaN and a length other than 1 is divided out."""
+    """Rotations (N, 3, 3) of quaternions xyzw, which are normalised; NaN stays NaN."""
     x, y, z, w = (q / np.linalg.norm(q, axis=1, keepdims=True)).T
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -92,7 +93,7 @@ def rotations(q: Array) -> Array:
 
 
 def take_of(side: str, records: Sequence[HandRecord]) -> RecordTake:
-    """Arrays of a hand's records in the order in which they came."""
+    """Arrays of a hand's records, in their order."""
     n, k = len(records), len(JOINTS)
     active = np.array([r.joints is not None for r in records], bool)
     valid = np.zeros((n, k), bool)
@@ -110,7 +111,7 @@ def take_of(side: str, records: Sequence[HandRecord]) -> RecordTake:
 
 
 class ScriptStep(NamedTuple):
-    """A window of sample times, ns, in which ``label`` was to be shown."""
+    """A window of sample times in ns for the gesture ``label``."""
 
     label: str
     start_ns: int
@@ -119,7 +120,7 @@ class ScriptStep(NamedTuple):
 
 PINCHES = {f"pinch_{f}": f for f in FINGERS}
 GRASPS = {"right_grasps_left_fist": "left", "left_grasps_right_fist": "right"}
-"""Which hand makes the fist."""
+"""The hand that makes the fist."""
 OPENS = ("open_hand_open", "open_hand_close")
 SCRIPT: dict[str, float] = {
     "open_hand_open": 4.0,
@@ -129,19 +130,19 @@ SCRIPT: dict[str, float] = {
     "wrist_rotate": 6.0,
     "open_hand_close": 4.0,
 }
-"""Seconds that each step is held."""
+"""Duration of each step in s."""
 BEATS, BEAT = 3, 0.8  # before each step; s
 SETTLED = 0.4
-"""Share of a window that may still hold the move into it."""
+"""Share of a window that may contain the transition into it."""
 
 
-def labels_beside(path: Path) -> Path:
-    """Where the windows of a take are written."""
+def labels_path(path: Path) -> Path:
+    """Path of the file with the windows of a take."""
     return path.with_name(f"{path.stem}.labels.json")
 
 
 def write_labels(path: Path, take: str, steps: Sequence[ScriptStep], first_ns: int) -> str:
-    """The sidecar's text for the file ``take``."""
+    """Write the sidecar of the file ``take`` and return its text."""
     rows = [
         {
             "index": i,
@@ -161,11 +162,11 @@ def write_labels(path: Path, take: str, steps: Sequence[ScriptStep], first_ns: i
 
 
 def read_labels(path: Path) -> list[ScriptStep]:
-    """Windows of a sidecar; none where there is no file. Raises FileError for another form."""
+    """Windows of a sidecar; empty without a file. Raises FileError for invalid content."""
     if not path.is_file():
         return []
     try:
         rows: Iterable[dict[str, Any]] = json.loads(read_text(path))["steps"]
         return [ScriptStep(str(r["label"]), int(r["start_ns"]), int(r["end_ns"])) for r in rows]
     except (ValueError, KeyError, TypeError) as error:
-        raise FileError(f"{path} is no list of labelled steps.") from error
+        raise FileError(f"{path} is not a list of labelled steps.") from error

@@ -1,4 +1,4 @@
-"""Records of a file, of ours or of another program's."""
+"""Reads records from files of this or other programs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tracker.hand.names import SIDES
 
 
 def read_records(path: Path) -> Iterator[tuple[str, HandRecord]]:
-    """(side, record) in the order of log times. Raises FileError for what is no such file."""
+    """Yields (side, record) in the order of log times. Raises FileError for other files."""
     try:
         check_regular(Path(path))
         with Path(path).open("rb") as file:
@@ -27,6 +27,6 @@ def read_records(path: Path) -> Iterator[tuple[str, HandRecord]]:
                 if side is not None and schema is not None and schema.name == NAME:
                     yield side, decode(message.data)
     except (McapError, struct.error, EOFError) as error:
-        raise FileError(f"{path} is no MCAP file, or cut off.") from error
+        raise FileError(f"{path} is not an MCAP file, or it is truncated.") from error
     except OSError as error:
         raise FileError(f"{path} cannot be read: {error.strerror}.") from error

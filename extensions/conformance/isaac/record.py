@@ -1,4 +1,4 @@
-"""One message of the record: a hand's 26 joints, or none, and its three stamps."""
+"""One message of the record: a hand's 26 joints, if any, and its three time stamps."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ JOINT = np.dtype(
         "itemsize": 36,
     }
 )
-"""core.HandJointPose: m, xyzw, flag, m."""
+"""core.HandJointPose: position in m, quaternion xyzw, validity, radius in m."""
 STAMPS = np.dtype("<i8")
 
 
 class Stamps(NamedTuple):
-    """ns: when the record was there and when the hand was so, both of the system's monotonic
-    clock; and the latter on the glove's own clock."""
+    """Times in ns: when the record was available and when the hand was sampled, both on the
+    system's monotonic clock; and the sample time on the glove's clock."""
 
     available: int
     sample: int
@@ -36,16 +36,16 @@ class Stamps(NamedTuple):
 
 
 class HandRecord(NamedTuple):
-    """``joints`` (26,) of `JOINT`, None while the hand is inactive."""
+    """``joints`` (26,) of type `JOINT`; None while the hand is inactive."""
 
     stamps: Stamps
     joints: np.ndarray | None
 
 
 def joints_of(hand: OpenXrHand) -> np.ndarray | None:
-    """(26,) of `JOINT`; None where the wrist is lost: there is no hand without it.
+    """Joints (26,) of type `JOINT`; None if the wrist is lost, since a hand requires it.
 
-    A lost joint has a cleared flag and nothing in its place.
+    A lost joint has a cleared flag and zero values.
     """
     valid = hand.state != Validity.LOST
     if not valid[JOINTS.index("wrist")]:
@@ -59,7 +59,7 @@ def joints_of(hand: OpenXrHand) -> np.ndarray | None:
 
 
 class _Template(NamedTuple):
-    """A message whose parts are put in at their places; all messages of a kind are alike."""
+    """A message with the offsets of its parts, which are the same in all messages of a kind."""
 
     bytes: bytes
     joints: int
@@ -97,14 +97,14 @@ def _template(active: bool) -> _Template:
 
 
 def _struct(b: flatbuffers.Builder, size: int, align: int) -> int:
-    """Room for a struct; its place from the end."""
+    """Reserve space for a struct; returns its offset from the end."""
     b.Prep(align, size)
     b.Pad(size)
     return int(b.Offset())
 
 
 def decode(data: bytes) -> HandRecord:
-    """The record in a message. Raises FileError for what is none."""
+    """The record in a message. Raises FileError if it is invalid."""
     try:
         return _decode(data)
     except (ValueError, TypeError, IndexError, struct.error) as error:

@@ -1,8 +1,8 @@
-"""The binary schema of `core.HandPoseRecord`, which readers of the record look for in the file.
+"""The binary schema of `core.HandPoseRecord`, which readers expect in the file.
 
 Source: names, types and ids of NVIDIA/IsaacTeleop, src/core/schema/fbs/{hand,pose,point,quaternion,
 timestamp}.fbs; the form of a binary schema is google/flatbuffers, reflection/reflection.fbs, whose
-field numbers stand beside each value written here. Made without flatbuffers' compiler.
+field numbers are given next to each value. No flatbuffers compiler is needed.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _SIZE = {BOOL: 1, LONG: 8, FLOAT: 4}
 
 
 class _Field(NamedTuple):
-    """``offset``: bytes from the start of a struct, or the place in a table's vtable."""
+    """``offset``: bytes from the start of a struct, or the position in a table's vtable."""
 
     name: str
     kind: int
@@ -72,13 +72,13 @@ _OBJECTS = (
         _Field(axis, FLOAT, i, 4 * i) for i, axis in enumerate("xyzw")
     ), 4, 16),
 )  # fmt: skip
-"""In the order of their names, as a reader searches them."""
+"""Sorted by name, because readers use binary search."""
 _ROW = {o.name: i for i, o in enumerate(_OBJECTS)}
 
 
 @cache
 def binary_schema() -> bytes:
-    """The .bfbs of `NAME`."""
+    """The binary schema (.bfbs) of `NAME`."""
     b = flatbuffers.Builder(2048)
     objects = [_object(b, o) for o in _OBJECTS]
     rows, enums = _vector(b, objects), _vector(b, [])

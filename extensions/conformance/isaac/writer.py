@@ -1,4 +1,4 @@
-"""The file: MCAP without compression, one topic a hand."""
+"""Writes MCAP files without compression, with one topic per hand."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def topic(side: str) -> str:
 
 
 class IsaacWriter:
-    """Writes records of both hands to an open file, which stays the caller's to close.
+    """Writes records of both hands to an open file, which the caller closes.
 
-    Both topics are there even where one hand is not. Records of a hand come in the order of their
+    Both topics exist even with only one hand. Records of a hand must be in the order of their
     available times.
     """
 
@@ -43,15 +43,15 @@ class IsaacWriter:
         self._sequence += 1
 
     def finish(self) -> None:
-        """Write the index, without which most readers take a file for cut off."""
+        """Write the index, without which most readers treat the file as truncated."""
         self._writer.finish()
 
 
 def write_records(path: Path, hands: Mapping[str, Sequence[HandRecord]]) -> None:
-    """A file of the records of each side, in the order of their available times."""
-    told = [(r.stamps.available, side, r) for side, records in hands.items() for r in records]
+    """Write a file with the records of each side in the order of their available times."""
+    items = [(r.stamps.available, side, r) for side, records in hands.items() for r in records]
     with path.open("wb") as file:
         writer = IsaacWriter(file)
-        for _, side, record in sorted(told, key=lambda item: item[:2]):
+        for _, side, record in sorted(items, key=lambda item: item[:2]):
             writer.write(side, record)
         writer.finish()

@@ -218,7 +218,7 @@ def test_another_recording_is_not_disturbed(dialog, window, clock):
     window.host.error.connect(said.append)
     dialog.start()
     assert window.host.recording.request is other and not dialog.run.is_running
-    assert said == ["End the recording that is under way first."]
+    assert said == ["Stop the current recording first."]
     dialog.close()
     assert window.host.recording.request is other
 
@@ -254,7 +254,7 @@ def test_the_drawn_hand_turns_from_side_to_side():
     assert apart.max() > 120
 
 
-@pytest.mark.parametrize(("simulated", "words"), [(True, "do not follow"), (False, "Open the")])
+@pytest.mark.parametrize(("simulated", "words"), [(True, "do not follow"), (False, "First open")])
 def test_a_simulated_wearer_who_does_not_follow_is_said_to(window, engine, simulated, words):
     setup = dataclasses.replace(scripted_setup(engine), simulated=simulated)
     window.host.adopt(setup)

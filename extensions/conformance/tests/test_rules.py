@@ -18,7 +18,7 @@ from extensions.conformance.run import Verdict, cues, judge, read_take
 from extensions.conformance.take import (
     RecordTake,
     ScriptStep,
-    labels_beside,
+    labels_path,
     read_labels,
     take_of,
     write_labels,
@@ -262,9 +262,9 @@ def test_a_record_and_its_labels_are_read_again(scripted, tmp_path: Path) -> Non
     path = tmp_path / "take.mcap"
     write_records(path, {side: scripted[side][0] for side in SIDES})
     steps = scripted["right"][1]
-    write_labels(labels_beside(path), path.name, steps, 0)
-    assert labels_beside(path).name == "take.labels.json"
-    assert read_labels(labels_beside(path)) == steps
+    write_labels(labels_path(path), path.name, steps, 0)
+    assert labels_path(path).name == "take.labels.json"
+    assert read_labels(labels_path(path)) == steps
     takes, again = read_take(path)
     assert again == steps and {t.side for t in takes} == {"right", "left"}
     v = judge("take", takes, again)

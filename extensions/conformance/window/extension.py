@@ -1,4 +1,4 @@
-"""What the conformance check adds to the window."""
+"""Window command of the conformance check."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from app.words import mark
 
 
 def _can_run(on: CommandContext) -> bool:
-    """Whether there is a hand that is tracked and can be recorded."""
+    """Whether a tracked hand can be recorded."""
     setup = on.host.setup
     return on.host.running and setup is not None and setup.live is not None
 
 
 def _run(on: CommandContext) -> None:
-    """Scripted gestures, recorded and judged."""
+    """Open the dialog."""
     from extensions.conformance.window.guide.dialog import ConformanceDialog
 
     setup = on.host.setup

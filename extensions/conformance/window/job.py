@@ -1,4 +1,4 @@
-"""A recorded take judged as a job: the verdict, its page and its labels beside the take."""
+"""Judges a recording in a background job; writes the page and the labels next to it."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ if TYPE_CHECKING:
 
 
 class Judged(NamedTuple):
-    """``page`` is the HTML."""
+    """The verdict and its page as HTML."""
 
     verdict: Verdict
     page: Path
 
 
 def conformance_job(take: Path) -> Job:
-    """A job whose result is `Judged`. The steps are notes of the session ``take``."""
+    """A job that returns `Judged`. The steps are notes of the session ``take``."""
 
     def run(progress: JobProgress) -> Judged:
         from extensions.conformance.page import page
         from extensions.conformance.run import judge, read_take
-        from extensions.conformance.take import labels_beside, write_labels
+        from extensions.conformance.take import labels_path, write_labels
         from tracker.base.files import write_whole
 
         progress(0.1, take.name)
         takes, steps = read_take(take)
         progress(0.6, take.name)
         verdict = judge(take.name, takes, steps)
-        write_labels(labels_beside(take), take.name, steps, min(int(t.sample[0]) for t in takes))
+        write_labels(labels_path(take), take.name, steps, min(int(t.sample[0]) for t in takes))
         out = free_path(take.with_suffix(".conformance.html"))
         write_whole(out, page(verdict))
         return Judged(verdict, out)

@@ -1,4 +1,4 @@
-"""Leading a wearer through the script of a conformance take: which step, and for how long."""
+"""State of the guided conformance script: the current step and its progress."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Conformance: a script of gestures, recorded and judged by the rules of robot labs."""
+"""The guided conformance check: scripted gestures are recorded and judged."""

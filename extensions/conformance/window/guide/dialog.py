@@ -1,4 +1,4 @@
-"""A minute of scripted gestures is recorded, judged, and told rule by rule."""
+"""The dialog that records a minute of scripted gestures and shows the result of each rule."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TASK = "conformance"
 
 
 class ConformanceDialog(LeadingDialog):
-    """Its take is a recording like any other, with a note where each step begins."""
+    """Records a session with a note at the beginning of each step."""
 
     def __init__(
         self,
@@ -57,9 +57,9 @@ class ConformanceDialog(LeadingDialog):
     # --- the script
 
     def start(self) -> None:
-        """Begin a recording and the first step; where another one is under way it says so."""
+        """Start a recording and the first step; reports an error during another recording."""
         if self._host.recording.request is not None:
-            self._host.error.emit(self.tr("End the recording that is under way first."))
+            self._host.error.emit(self.tr("Stop the current recording first."))
             return
         try:
             request = RecordingPlan(self._store).request_for(TASK)
@@ -90,7 +90,7 @@ class ConformanceDialog(LeadingDialog):
         self.lead.show_run(self.run, self._setup.tracked.latest_estimate())
 
     def _lead_wearer(self) -> None:
-        """A simulated wearer shows what a real one sees."""
+        """Let a simulated wearer perform the gesture on screen."""
         gesture, live = self.run.gesture(), self._setup.live
         if gesture != self._shown and live is not None and live.wearer is not None:
             self._shown = gesture
@@ -119,14 +119,14 @@ class ConformanceDialog(LeadingDialog):
         self.outcome.show_verdict(judged.verdict.ok, rows, judged.verdict.name)
 
     def open_page(self) -> None:
-        """In the browser."""
+        """Open the page in the browser."""
         if self._page is not None:
             QDesktopServices.openUrl(QUrl.fromLocalFile(str(self._page)))
 
     # --- the window
 
     def done(self, result: int) -> None:
-        """What was recorded so far is a recording like any other."""
+        """Close the dialog; what was recorded so far is an ordinary recording."""
         self.run.cancel()
         self._lead_wearer()
         self._end_take()

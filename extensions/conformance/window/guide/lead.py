@@ -1,4 +1,4 @@
-"""The page that leads through the script: words, and the beats before each step."""
+"""The page that guides through the script, with instructions and beats before each step."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tracker.messages import Estimate
 
 
 class ScriptPage(LeadingPage):
-    """Buttons and words; `ConformanceDialog` does what they ask."""
+    """Instructions and buttons of the `ConformanceDialog`."""
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
         super().__init__(setup, background, parent)
@@ -26,7 +26,7 @@ class ScriptPage(LeadingPage):
         self.lay_out((self.words, self.beat, self.notes), (self.stop, self.start))
 
     def show_run(self, run: ScriptRun, estimate: Estimate | None) -> None:
-        """As it is now."""
+        """Show the current state of the run."""
         waiting = run.cue.phase == CuePhase.WAITING
         if not waiting and self.stage.pose != run.drawn():
             self.stage.show_pose(run.drawn())
@@ -48,15 +48,15 @@ class ScriptPage(LeadingPage):
         if self._alone:
             self.notes.setText(
                 self.tr(
-                    "The simulated wearers of this demo do not follow these gestures, so rules on "
-                    "gestures will not be met. The demo of one hand follows them."
+                    "The simulated wearers of this demo do not follow the gestures, so the rules "
+                    "on gestures will fail. Use the demo of one hand instead."
                 )
             )
             return
         self.notes.setText(
             self.tr(
-                "Open the hand and close it a few times first, so that its size is known. Then do "
-                "what the hand on the left does: three beats to come to each gesture, and hold it "
-                "until the ring is full. It takes {} seconds and is recorded."
+                "First open and close the hand a few times so that its size is known. Then copy "
+                "the hand on the left: move into each gesture during three beats and hold it until "
+                "the ring is full. The recording takes {} seconds."
             ).format(round(run.duration))
         )

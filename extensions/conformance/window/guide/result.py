@@ -1,4 +1,4 @@
-"""The verdict: each rule with its figure and its limit, and the way to the page."""
+"""The page with the verdict: each rule with its figure and limit, and a link to the report."""
 
 from __future__ import annotations
 
@@ -22,32 +22,32 @@ class VerdictPage(OutcomePage):
         names = (*first, self.tr("Figure"), self.tr("Limit"))
         self.name_columns(self.tr("Rules"), names, wide=3)
         self.page_button = QPushButton(self.tr("Open the &page"))
-        self.page_button.setToolTip(self.tr("With a plot for each rule, to be kept and sent"))
+        self.page_button.setToolTip(self.tr("Report with a plot for each rule"))
         self.page_button.clicked.connect(self.page_wanted)
         self.lay_out(self.page_button)
 
     def show_waiting(self) -> None:
-        """Before the verdict is there."""
-        self.tell(self.tr("The take is judged…"), "")
+        """Show that the recording is being judged."""
+        self.tell(self.tr("Checking the recording…"), "")
         self.enable(False)
 
     def show_problem(self, text: str) -> None:
-        self.tell(self.tr("The take cannot be judged"), text)
+        self.tell(self.tr("The recording cannot be checked"), text)
         self.enable(True)
         self.page_button.setEnabled(False)
 
     def show_verdict(self, ok: bool, rows: Sequence[FindingRow], take: str) -> None:
-        """What is not kept comes first."""
-        kept = sum(row.look == GOOD for row in rows)
+        """Show the rules, failed ones first."""
+        passed = sum(row.look == GOOD for row in rows)
         order = {BAD: 0, GOOD: 2}
-        told = sorted(rows, key=lambda row: order.get(row.look, 1))
+        ordered = sorted(rows, key=lambda row: order.get(row.look, 1))
         self.tell(
             self.tr("All rules passed") if ok else self.tr("Not all rules passed"),
-            self.tr("{} of {} rules, on {}").format(kept, len(rows), take),
+            self.tr("{} of {} rules, on {}").format(passed, len(rows), take),
             [
                 (f"{r.look.sign} {tr(r.look.word)}", r.layer, r.rule, r.figure, r.limit)
-                for r in told
+                for r in ordered
             ],
-            [r.look.colour for r in told],
+            [r.look.colour for r in ordered],
         )
         self.enable(True)
