@@ -1,4 +1,7 @@
-"""`import glovetrack`: light, typed, whole, and without effect on the host process."""
+"""`import glovetrack`: light, whole, and without effect on the host process.
+
+Its types are checked in `typed_program`.
+"""
 
 from __future__ import annotations
 
@@ -58,39 +61,3 @@ def test_every_name_is_there() -> None:
     assert set(glovetrack.__all__) <= set(dir(glovetrack))
     with pytest.raises(AttributeError, match="no attribute 'Tracker'"):
         glovetrack.Tracker  # noqa: B018
-
-
-PROGRAM = """
-import glovetrack
-from glovetrack.applications import HandSample, Step
-from glovetrack.cameras import CameraDriver, Pair
-from glovetrack.engine import Pipeline, Settings, load
-from glovetrack.streams import StreamKind, StreamSettings
-
-rec = glovetrack.open("session.mcap")
-reveal_type(rec.keypoints["index_tip"])
-reveal_type(rec.imu("dorsum").gyro)
-reveal_type(rec.track(engine="vist"))
-with glovetrack.LiveTracker.simulated() as live:
-    for estimate in live:
-        reveal_type(estimate.sd)
-"""
-
-
-def test_a_type_checker_knows_every_name_and_refuses_others(tmp_path: Path) -> None:
-    program, wrong = tmp_path / "program.py", tmp_path / "wrong.py"
-    program.write_text(PROGRAM)
-    wrong.write_text("import glovetrack\nglovetrack.nothing\n")
-    mypy = [sys.executable, "-m", "mypy", "--cache-dir", str(ROOT / ".mypy_cache")]
-    done = subprocess.run(
-        [*mypy, "--strict", "--follow-imports=silent", str(program)],
-        cwd=ROOT, capture_output=True, text=True,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stdout
-    said = done.stdout
-    assert said.count("Revealed type") == 4 and '"Any"' not in said
-    assert "glovetrack.recording.Recording" in said
-    refused = subprocess.run(
-        [*mypy, "--follow-imports=silent", str(wrong)], cwd=ROOT, capture_output=True, text=True
-    )
-    assert refused.returncode == 1 and "nothing" in refused.stdout
