@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from tests.cloth_masks import cloth_of, looked_at
 from tracker.engine.hands import Hands, Sided
@@ -102,10 +103,19 @@ def with_cloth(frame: BlobFrame, sim: Simulation) -> BlobFrame:
             return None
         mask = np.zeros(x.shape, bool)
         for (u, v), z in zip(rig.project(p_C, right), p_C[:, 2], strict=True):
-            mask |= np.hypot(x - u, y - v) < rig.fx * SEEN_AS / z
+            r = rig.fx * SEEN_AS / z
+            rows, columns = pixels_within(y[:, 0], v, r), pixels_within(x[0], u, r)
+            disc = np.hypot(x[rows, columns] - u, y[rows, columns] - v) < r
+            mask[rows, columns] |= disc
         return replace(blobs, cloth=cloth_of(mask))
 
     return replace(frame, left=side(frame.left, False), right=side(frame.right, True))
+
+
+def pixels_within(along: NDArray[np.int64], centre: float, radius: float) -> slice:
+    """The indices of ascending coordinates that are closer than ``radius`` to ``centre``."""
+    first, end = np.searchsorted(along, (centre - radius, centre + radius))
+    return slice(int(first), int(end))
 
 
 @dataclass(frozen=True)
