@@ -31,11 +31,27 @@ detector.hue_table = functools.lru_cache(maxsize=16)(detector.hue_table)
 """Hundreds of tests make detectors of the same few profiles, and a table takes 0.1 s to fill."""
 
 
+def _check_handle(handle: int) -> None:
+    os.fstat(handle)
+
+
+os.fsync = _check_handle
+"""No test cuts the power. Each window syncs ten times, which takes up to 0.1 s a time on a busy
+disk. Processes that tests start sync as usual."""
+
+
 def pytest_configure(config: pytest.Config) -> None:
     folder = tempfile.TemporaryDirectory(prefix="glovetrack-tests-")
     config.add_cleanup(folder.cleanup)
     crash_traces.register(config, Path(folder.name))
     kernel_twins.register(config, Path(folder.name))
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Modules with a time limit of their own, the slowest ones, first: a worker that starts one of
+    them last would leave the other cores idle."""
+    slow = {item.path for item in items if item.get_closest_marker("timeout")}
+    items.sort(key=lambda item: item.path not in slow)
 
 
 def pytest_collection_finish() -> None:
