@@ -6,6 +6,7 @@ import time
 
 import pytest
 
+from tests.gui import patience
 from tracker.base.child import start_child
 
 
@@ -18,6 +19,7 @@ def work(pipe) -> None:
 
 
 def sleep(pipe) -> None:
+    pipe.send("started")
     pipe.recv()
 
 
@@ -28,12 +30,14 @@ def test_a_job_that_gets_on_is_waited_for(qtbot) -> None:
     process.join()
 
 
-def test_a_job_that_stands_still_is_given_up(qtbot) -> None:
+def test_a_job_that_stands_still_is_given_up(qtbot, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(patience, "STALLED", 2.0)
     pipe, process = start_child("sleeps", sleep)
+    assert pipe.poll(60)  # its start uses the processor
+    pipe.recv()
     began = time.monotonic()
-    time.sleep(3.0)  # its start uses the processor
     with pytest.raises(qtbot.TimeoutError):
         qtbot.waitUntil(lambda: False, timeout=1000)
-    assert time.monotonic() - began < 30
+    assert 2.0 < time.monotonic() - began < 30
     pipe.send(None)
     process.join()

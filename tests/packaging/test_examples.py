@@ -39,14 +39,15 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """What a wheel installs, and the examples."""
     site = tmp_path_factory.mktemp("site")
     subprocess.run([sys.executable, "-c", STAGE, str(site)], cwd=ROOT, check=True)
+    sources = []
     for project in sorted(EXAMPLES.glob("*/pyproject.toml")):
         if "lerobot" in project.parent.name:
             continue  # its own test runs it with the interface of LeRobot
-        source = site / "sources" / project.parent.name
-        shutil.copytree(project.parent, source)
-        command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps"]
-        command += ["--no-build-isolation", "--target", str(site), str(source)]
-        subprocess.run(command, check=True, capture_output=True)
+        sources.append(site / "sources" / project.parent.name)
+        shutil.copytree(project.parent, sources[-1])
+    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps"]
+    command += ["--no-build-isolation", "--target", str(site), *map(str, sources)]
+    subprocess.run(command, check=True, capture_output=True)
     return site
 
 

@@ -231,9 +231,14 @@ def test_a_damaged_attachment_costs_no_other(session: Path, session_info) -> Non
     assert any("attachment" in d.what for d in saved.damage)
 
 
-@pytest.mark.parametrize("summed", [True, False], ids=["with a checksum", "without"])
-def test_verify_sees_every_flipped_bit(session: Path, summed: bool) -> None:
+@pytest.mark.parametrize(
+    ("summed", "ms"), [(True, 200), (False, 1500)], ids=["with a checksum", "without"]
+)
+def test_verify_sees_every_flipped_bit(
+    tmp_path: Path, record: Record, maker, summed: bool, ms: int
+) -> None:
     """Of the whole file in one with a checksum of its data; of records and indexes in others."""
+    session = record(tmp_path / "a.mcap", list(maker.stream(ms, images=False)))
     data, rng = session.read_bytes(), np.random.default_rng(5)
     if not summed:
         (start,) = struct.unpack("<Q", data[-28:-20])

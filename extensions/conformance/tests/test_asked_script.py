@@ -30,6 +30,7 @@ from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import default_pose, ideal_rig
 
 BEGIN = 8.0  # s of free motion before the script
+FPS = 20.0  # as the tests of the demo
 
 
 @pytest.mark.timeout(300)
@@ -41,7 +42,8 @@ def test_a_wearer_who_is_asked_for_each_gesture_keeps_every_rule(tmp_path: Path)
     run = ScriptRun("right", lambda label, t: begun.append((label, t)))
     own = RandomPostures(info.hand, 1, duration=BEGIN + run.duration + 1.0, camera=camera)
     motion = AskedMotion(own, 1)
-    sim = Simulation(info.hand, info.glove, motion, 1, rig=ideal_rig(pose=camera))
+    rig = ideal_rig(pose=camera)
+    sim = Simulation(info.hand, info.glove, motion, 1, fps=FPS, rig=rig)
     # As the dialog leads the wearer: at the tick at which the gesture is another one.
     run.start(BEGIN)
     t, shown = BEGIN, ""
