@@ -206,3 +206,70 @@ class ScrollPlot(CurvePlot):
             low, high = found
             room = max(0.0, 1.0 - MARGIN * (high - low))
             self.plot.setYRange(low - room, high + room, padding=0)
+
+
+class TwoAxisPlot(CurvePlot):
+    """A plot whose curves may belong to an axis at the right; both follow their curves until one
+    is zoomed."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        item = self.plot.getPlotItem()
+        self.right = pg.ViewBox(enableMenu=False)
+        item.scene().addItem(self.right)
+        item.getAxis("right").linkToView(self.right)
+        self.right.setXLink(item.vb)
+        self.right.setMouseEnabled(x=False, y=True)
+        item.vb.sigResized.connect(self._fit_right)
+        item.vb.sigRangeChangedManually.connect(lambda _which: self.zoomed_by_user())
+        self.right.sigRangeChangedManually.connect(lambda _which: self.zoomed_by_user())
+        self.plot.setLabel("bottom", "s")
+        self.follows = True  # whether the axes follow the curves
+        for axis in ("left", "right"):
+            item.getAxis(axis).enableAutoSIPrefix(False)
+
+    def zoomed_by_user(self) -> None:
+        """The axes stay as the user has put them."""
+        self.follows = False
+
+    def _fit_right(self) -> None:
+        self.right.setGeometry(self.plot.getPlotItem().vb.sceneBoundingRect())
+
+    def _place(self, look: CurveLook) -> pg.PlotItem | pg.ViewBox:
+        return self.right if look.right else super()._place(look)
+
+    def show_axes(self, left: str, right: str) -> None:
+        """Titles; an empty right one takes that axis away."""
+        self.plot.setLabel("left", left)
+        self.plot.showAxis("right", bool(right))
+        if right:
+            self.plot.setLabel("right", right)
+            keep_axes(self.plot, ("right",))
+        self._fit_right()
+
+    def show_time(self, begin: float, end: float) -> None:
+        """Show the time axis from ``begin`` to ``end`` (s)."""
+        before = self.plot.viewRange()[0]
+        if abs(before[0] - begin) > 1e-6 or abs(before[1] - end) > 1e-6:
+            self.plot.setXRange(begin, end, padding=0)
+
+    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
+        """As of every plot; both axes are fitted to what is in sight, unless they are zoomed."""
+        super().draw(curves, now)
+        if not self.follows:
+            return
+        for box, right in ((self.plot.getPlotItem().vb, False), (self.right, True)):
+            shown = zip(self._seen, self._looks, strict=True)
+            seen = [values for values, look in shown if look.right == right]
+            found = span_of(np.concatenate(seen)) if seen else None
+            if found is not None:
+                _fit(box, found)
+
+
+def _fit(box: pg.ViewBox, wanted: tuple[float, float]) -> None:
+    """Grow at once, shrink late: an axis that changes is drawn again, which costs the most."""
+    low, high = box.viewRange()[1]
+    size = wanted[1] - wanted[0]
+    inside = low <= wanted[0] and wanted[1] <= high
+    if not inside or high - low > 1.5 * size:
+        box.setYRange(wanted[0], wanted[1], padding=0.05)

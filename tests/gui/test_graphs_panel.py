@@ -32,7 +32,7 @@ GYRO_X = "right/imu/dorsum/gyro/x"
 def graphs(live, qtbot):
     """The panel in front, with its signals listed."""
     live.run_command("show_graphs")
-    qtbot.waitUntil(lambda: bool(live.panels["graphs"].signals), timeout=30_000)
+    qtbot.waitUntil(lambda: bool(live.panels["graphs"].data.signals), timeout=30_000)
     return live.panels["graphs"]
 
 
@@ -55,12 +55,12 @@ def show(panel, *graphs: tuple[str, ...]):
     window = panel.window()
     window.docks["graphs"].setFloating(True)
     window.docks["graphs"].resize(900, 700)
-    panel.show_graphs([Graph(keys) for keys in graphs])
+    panel.stack.show_graphs([Graph(keys) for keys in graphs])
     deadline = time.monotonic() + 30
-    while not all(plot.is_in_sight for plot in panel.plots):
+    while not all(plot.is_in_sight for plot in panel.stack.plots):
         QApplication.processEvents()
         assert time.monotonic() < deadline
-    return panel.plots
+    return panel.stack.plots
 
 
 def only(panel, *keys: str):
@@ -75,7 +75,7 @@ def drawn(plot, k: int = 0):
 
 def test_every_signal_of_the_hand_is_in_the_tree(graphs):
     hand, glove, _ = models()
-    keys = graphs.signals.keys()
+    keys = graphs.data.signals.keys()
     for imu, kind, axis in itertools.product(
         glove.imu_names, ("gyro", "accel"), ("x", "y", "z", "norm")
     ):
@@ -89,7 +89,7 @@ def test_every_signal_of_the_hand_is_in_the_tree(graphs):
 
 
 def test_the_first_start_shows_the_index_finger_and_what_it_measures(graphs, engine):
-    first, second = graphs.plots
+    first, second = graphs.stack.plots
     assert first.graph.keys == (
         "right/hand/angle/index_mcp_flexion",
         "right/hand/angle/index_pip_flexion",
@@ -104,7 +104,7 @@ def test_the_first_start_shows_the_index_finger_and_what_it_measures(graphs, eng
 def test_a_signal_is_found_by_words_ticked_and_taken_out(graphs, engine):
     plot = only(graphs)
     graphs.tree.search.setText("dorsum RATE x")
-    assert [k for k in graphs.signals if not leaf(graphs, k).isHidden()] == [GYRO_X]
+    assert [k for k in graphs.data.signals if not leaf(graphs, k).isHidden()] == [GYRO_X]
     tick(graphs, GYRO_X)
     assert plot.graph.keys == (GYRO_X,)
     graphs.refresh(graphs.host.snapshot())
@@ -131,7 +131,7 @@ def test_two_units_have_two_axes_and_a_third_is_refused_in_words(graphs):
     point = "right/hand/point/index_tip/x"
     tick(graphs, point)
     assert point not in plot.graph.keys
-    assert graphs.said.isVisible() and "mm" in graphs.said.text()
+    assert graphs.message.isVisible() and "mm" in graphs.message.text()
     assert leaf(graphs, point).checkState(0) == Qt.CheckState.Unchecked
     tick(graphs, GYRO_X, False)
     assert not plot.plot.plot.getAxis("right").isVisible()
@@ -212,18 +212,18 @@ def test_a_lost_joint_and_a_hole_interrupt_the_line(graphs, engine):
 
 def test_graphs_and_named_layouts_survive_a_restart(graphs, live, store, qtbot):
     only(graphs, GYRO_X)
-    graphs.plots[0].controls.span.setCurrentIndex(2)
-    graphs.plots[0].controls.span.activated.emit(2)
-    graphs.layouts.save("mine", graphs.graphs)
-    graphs._add_graph()
+    graphs.stack.plots[0].controls.span.setCurrentIndex(2)
+    graphs.stack.plots[0].controls.span.activated.emit(2)
+    graphs.layouts.save("mine", graphs.stack.graphs)
+    graphs.add.click()
     live.close()
     second = MainWindow(store)
     qtbot.addWidget(second)
     second.show()
-    assert [g.keys for g in second.panels["graphs"].graphs] == [(GYRO_X,), ()]
-    assert second.panels["graphs"].graphs[0].span == 30.0
+    assert [g.keys for g in second.panels["graphs"].stack.graphs] == [(GYRO_X,), ()]
+    assert second.panels["graphs"].stack.graphs[0].span == 30.0
     second.panels["graphs"].layouts.show_layout("mine")
-    assert [g.keys for g in second.panels["graphs"].graphs] == [(GYRO_X,)]
+    assert [g.keys for g in second.panels["graphs"].stack.graphs] == [(GYRO_X,)]
     second.panels["graphs"].layouts.delete("mine")
     assert second.panels["graphs"].layouts.names == []
     second.close()
@@ -242,16 +242,16 @@ def test_a_dragged_branch_fills_a_graph_up_to_its_limit(graphs, qtbot):
     keys = bytes(tree.mimeData([branch.parent()]).data("application/x-glovetrack-signals").data())
     plot.dropped.emit(keys.decode().split("\n"))
     assert len(plot.graph.keys) == MOST_CURVES
-    assert str(MOST_CURVES) in graphs.said.text()
+    assert str(MOST_CURVES) in graphs.message.text()
     plot.controls.close_button.click()
-    assert graphs.plots == [] and graphs.chosen is None
+    assert graphs.stack.plots == [] and graphs.stack.chosen is None
     tick(graphs, GYRO_X)
-    assert [g.keys for g in graphs.graphs] == [(GYRO_X,)]
+    assert [g.keys for g in graphs.stack.graphs] == [(GYRO_X,)]
 
 
 def test_nothing_is_computed_out_of_sight(graphs, live, engine, monkeypatch, qtbot):
     asked = []
-    monkeypatch.setattr(graphs._live, "take", lambda view: asked.append(view))
+    monkeypatch.setattr(graphs.data._live, "take", lambda view: asked.append(view))
     live.show_panel("library")
     live.docks["graphs"].hide()
     qtbot.wait(200)
@@ -269,7 +269,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot
     graphs = window.panels["graphs"]
     angle, residual = "right/hand/angle/index_pip_flexion", "right/images/residual_left"
     show(graphs, (angle, residual), (GYRO_X,), ("right/gestures/fist", "right/images/blobs_left"))
-    qtbot.waitUntil(lambda: graphs._take is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: graphs.data.recording is not None, timeout=60_000)
     player = window.host.setup.player
     player.play(False)
     graphs.refresh(window.host.snapshot())
@@ -277,7 +277,7 @@ def test_a_replay_shows_the_whole_recording_and_a_click_goes_there(window, qtbot
         take, start = read_take(reader), reader.anchor.monotonic(reader.span_ns[0])
         samples = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
         blobs = [m for m in reader.messages([BlobFrame]) if isinstance(m, BlobFrame)]
-    first, second, third = graphs.plots
+    first, second, third = graphs.stack.plots
     t, values = drawn(first)
     np.testing.assert_allclose(t, take.t)
     column = take.angle_names.index("index_pip_flexion")

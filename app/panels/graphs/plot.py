@@ -5,22 +5,28 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
-from app.panels.graphs.controls import GraphControls
 from app.panels.graphs.looks import curve_looks
 from app.panels.graphs.tree import keys_in
-from app.viewmodels.graphs import WHOLE, Graph, axis_title, number, units_of, value_at
+from app.viewmodels.graphs import SPANS, WHOLE, Graph, axis_title, number, units_of, value_at
 from app.viewmodels.signal_curves import Curve, no_curve
 from app.viewmodels.signals import Signal as Figure
-from app.widgets.curve_plot import CurveLook, CurvePlot, keep_axes, span_of
+from app.widgets.curve_plot import CurveLook, TwoAxisPlot
+from app.widgets.icons import dress
 from app.widgets.measures import TIGHT
 from app.words import local
-from tracker.messages import Array
 
 SIGNS = {Qt.PenStyle.SolidLine: "━", Qt.PenStyle.DashLine: "╍", Qt.PenStyle.DotLine: "┅"}
 HEIGHT = 130  # px that a graph has at least
@@ -28,65 +34,79 @@ TRAIL = 0.5
 """Share of a replay graph's span that is before the position."""
 
 
-class TwoAxisPlot(CurvePlot):
-    """A plot whose curves may belong to an axis at the right; both follow their curves until one
-    is zoomed."""
+class GraphControls(QWidget):
+    """Widgets in a row."""
 
-    def __init__(self) -> None:
-        super().__init__()
-        item = self.plot.getPlotItem()
-        self.right = pg.ViewBox(enableMenu=False)
-        item.scene().addItem(self.right)
-        item.getAxis("right").linkToView(self.right)
-        self.right.setXLink(item.vb)
-        self.right.setMouseEnabled(x=False, y=True)
-        item.vb.sigResized.connect(self._fit_right)
-        item.vb.sigRangeChangedManually.connect(lambda _which: self.zoomed_by_user())
-        self.right.sigRangeChangedManually.connect(lambda _which: self.zoomed_by_user())
-        self.plot.setLabel("bottom", "s")
-        self.follows = True  # whether the axes follow the curves
-        for axis in ("left", "right"):
-            item.getAxis(axis).enableAutoSIPrefix(False)
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.span = QComboBox()
+        self.span.setAccessibleName(self.tr("Time window"))
+        self.span.setToolTip(self.tr("Time window"))
+        self.pause = self._button("pause", self.tr("Pause this graph; tracking goes on"))
+        self.pause.setCheckable(True)
+        words = self.tr("Fit both axes to the curves (double-click the graph)")
+        self.fit = self._button("maximize", words)
+        self.copy = self._button("copy", self.tr("Copy what is shown as CSV"))
+        self.close_button = self._button("x", self.tr("Remove this graph"))
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(TIGHT)
+        for widget in (self.span, self.pause, self.fit, self.copy, self.close_button):
+            row.addWidget(widget)
 
-    def zoomed_by_user(self) -> None:
-        """The axes stay as the user has put them."""
-        self.follows = False
+    def _button(self, icon: str, text: str) -> QToolButton:
+        button = QToolButton()
+        dress(button, icon)
+        button.setToolTip(text)
+        button.setAccessibleName(text)
+        button.setAutoRaise(True)
+        return button
 
-    def _fit_right(self) -> None:
-        self.right.setGeometry(self.plot.getPlotItem().vb.sceneBoundingRect())
+    def offer_spans(self, replay: bool, chosen: float) -> None:
+        """Those of a recording, or of a live hand."""
+        self.span.clear()
+        for span in (WHOLE, *SPANS) if replay else SPANS:
+            text = self.tr("Whole recording") if span == WHOLE else f"{span:.0f} s"
+            self.span.addItem(text, span)
+        self.span.setCurrentIndex(max(0, self.span.findData(chosen)))
 
-    def _place(self, look: CurveLook) -> pg.PlotItem | pg.ViewBox:
-        return self.right if look.right else super()._place(look)
-
-    def show_axes(self, left: str, right: str) -> None:
-        """Titles; an empty right one takes that axis away."""
-        self.plot.setLabel("left", left)
-        self.plot.showAxis("right", bool(right))
-        if right:
-            self.plot.setLabel("right", right)
-            keep_axes(self.plot, ("right",))
-        self._fit_right()
-
-    def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
-        """As of every plot; both axes are fitted to what is in sight, unless they are zoomed."""
-        super().draw(curves, now)
-        if not self.follows:
-            return
-        for box, right in ((self.plot.getPlotItem().vb, False), (self.right, True)):
-            shown = zip(self._seen, self._looks, strict=True)
-            seen = [values for values, look in shown if look.right == right]
-            found = span_of(np.concatenate(seen)) if seen else None
-            if found is not None:
-                _fit(box, found)
+    @property
+    def chosen_span(self) -> float:
+        """s, or `WHOLE`."""
+        return float(self.span.currentData())
 
 
-def _fit(box: pg.ViewBox, wanted: tuple[float, float]) -> None:
-    """Grow at once, shrink late: an axis that changes is drawn again, which costs the most."""
-    low, high = box.viewRange()[1]
-    size = wanted[1] - wanted[0]
-    inside = low <= wanted[0] and wanted[1] <= high
-    if not inside or high - low > 1.5 * size:
-        box.setYRange(wanted[0], wanted[1], padding=0.05)
+class GraphLegend(QLabel):
+    """The names of the curves in their colours, with the values at the cursor."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def show_entries(
+        self,
+        entries: Sequence[tuple[Figure, CurveLook, float | None]],
+        missing: Sequence[str],
+        t: float | None,
+    ) -> None:
+        """Signals with their looks and values at ``t`` (s; None without a cursor), and the keys of
+        unavailable signals."""
+        lines = []
+        for signal, look, value in entries:
+            text = escape(signal.label).replace(" ", "&nbsp;")  # lines break between entries
+            if value is not None:
+                text += f"&nbsp;<b>{number(value)}</b>&nbsp;{escape(signal.unit)}"
+            lines.append(
+                f'<span style="color:{look.colour}">{SIGNS[look.style]}</span>&nbsp;{text}'
+            )
+        unavailable = escape(self.tr("not available"))
+        lines += [f"<i>{escape(key)}: {unavailable}</i>" for key in missing]
+        if not lines:
+            lines = [escape(self.tr("Tick signals in the tree, or drag them here."))]
+        at = f"{local(t):.2f} s&nbsp;&nbsp; " if t is not None else ""
+        self.setText(at + "&nbsp; ".join(lines))
 
 
 class GraphPlot(QFrame):
@@ -112,10 +132,7 @@ class GraphPlot(QFrame):
         ignored = QSizePolicy.Policy.Ignored  # pyqtgraph asks for 480 px
         self.plot.setSizePolicy(ignored, ignored)
         self.controls = GraphControls()
-        self.legend = QLabel()
-        self.legend.setWordWrap(True)
-        self.legend.setTextFormat(Qt.TextFormat.RichText)
-        self.legend.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.legend = GraphLegend()
         self.mark = QFrame()
         self.mark.setFixedWidth(TIGHT)
         self._lay_out()
@@ -211,7 +228,7 @@ class GraphPlot(QFrame):
             span = self.span
             begin = 0.0 if span == WHOLE else position - TRAIL * span
             end = duration if span == WHOLE else begin + span
-            self._show_time(begin, end)
+            self.plot.show_time(begin, end)
         self.curves, self.now = list(curves), 0.0
         self.redraw()
 
@@ -219,11 +236,6 @@ class GraphPlot(QFrame):
         """After a zoom, too, while no new curves come."""
         if self.curves:
             self.plot.draw(self.curves, self.now)
-
-    def _show_time(self, begin: float, end: float) -> None:
-        before = self.plot.plot.viewRange()[0]
-        if abs(before[0] - begin) > 1e-6 or abs(before[1] - end) > 1e-6:
-            self.plot.plot.setXRange(begin, end, padding=0)
 
     # --- zoom
 
@@ -239,7 +251,7 @@ class GraphPlot(QFrame):
         """Both axes follow the curves again."""
         self.plot.follows = True
         if not self._is_replay:
-            self._show_time(-self.span, 0.0)
+            self.plot.show_time(-self.span, 0.0)
         self.redraw()
 
     def _choose_span(self) -> None:
@@ -256,24 +268,13 @@ class GraphPlot(QFrame):
     # --- reading
 
     def read(self, t: float | None) -> None:
-        """Show the cursor at an instant of the axis, and the values there in the legend."""
+        """Show the cursor at ``t`` (s on the axis), and the values there in the legend; None hides
+        the cursor."""
         self.plot.show_cursor(t)
-        entries = []
         curves = self.curves or [no_curve()] * len(self.signals)
-        for signal, curve, look in zip(self.signals, curves, self.plot.looks, strict=True):
-            text = escape(signal.label).replace(" ", "&nbsp;")  # lines break between entries
-            if t is not None:
-                value = number(value_at(curve, self.now + t))
-                text += f"&nbsp;<b>{value}</b>&nbsp;{escape(signal.unit)}"
-            entries.append(
-                f'<span style="color:{look.colour}">{SIGNS[look.style]}</span>&nbsp;{text}'
-            )
-        gone = self.tr("not available")
-        entries += [f"<i>{escape(key)}: {escape(gone)}</i>" for key in self._missing]
-        if not entries:
-            entries = [escape(self.tr("Tick signals in the tree, or drag them here."))]
-        at = f"{local(t):.2f} s&nbsp;&nbsp; " if t is not None else ""
-        self.legend.setText(at + "&nbsp; ".join(entries))
+        values = [None if t is None else value_at(curve, self.now + t) for curve in curves]
+        entries = list(zip(self.signals, self.plot.looks, values, strict=True))
+        self.legend.show_entries(entries, self._missing, t)
 
     # --- mouse
 
