@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
@@ -59,3 +59,16 @@ class Panel(QWidget):
 
     def shut_down(self) -> None:
         """Free what Qt does not; called once, before the window goes."""
+
+
+class MessageLabel(QLabel):
+    """A wrapped message below a panel's controls; hidden while it is empty."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWordWrap(True)
+        self.hide()
+
+    def show_message(self, text: str) -> None:
+        self.setText(text)
+        self.setVisible(bool(text))

@@ -17,6 +17,7 @@ Image = NDArray[np.uint8]
 DIMMED = 0.35
 DIMMED_COLOUR = 0.55  # the same while something is to be pointed at
 ROOM_STEP = 4
+ROOM_EVERY = 8  # refreshes
 HAND_MARGIN_PX = 60
 ROOM_SHARE = 2e-4
 """Of an image: a patch of 12 mm at 0.6 m is 0.02 %."""
@@ -128,3 +129,25 @@ def room_image(view: Snapshot) -> Image | None:
     )
     image[v0:v1, u0:u1] = 0
     return image
+
+
+class RoomColours:
+    """Hues that occur in the background, by name, with their share of the image."""
+
+    def __init__(self) -> None:
+        self.shares: dict[str, float] = {}
+        self._age = 0  # refreshes since the last measurement
+
+    def measure(self, image: Image, profile: ColourProfile) -> None:
+        """Measure an image of the room without the glove; `watch` then pauses for a while."""
+        self.shares, self._age = room_shares(image, profile), -10 * ROOM_EVERY
+
+    def watch(self, view: Snapshot | None, profile: ColourProfile) -> None:
+        """Measure the image around the tracked hand, on every `ROOM_EVERY`-th call."""
+        self._age += 1
+        if self._age < ROOM_EVERY:
+            return
+        self._age = 0
+        image = room_image(view) if view is not None else None
+        if image is not None:
+            self.shares = room_shares(image, profile)

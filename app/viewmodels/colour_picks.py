@@ -1,21 +1,27 @@
-"""What a pixel that the user points at says about a hue: whether it has one, and which."""
+"""Pixels that the user clicks on: whether a pixel has a hue, and whether it is the selected one."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from enum import Enum
+from functools import lru_cache
 
 import cv2
 import numpy as np
 
 from app.viewmodels.colour_images import Image
 from app.viewmodels.colours import nearest_hue
+from app.viewmodels.names import spoken
+from app.words import tr
 from tracker.calibration.colours_fit import fit_samples
 from tracker.calibration.colours_image import PICKED_PX
 from tracker.calibration.colours_sample import calmed, core_pixels
+from tracker.glove import library
 from tracker.messages import Array
-from tracker.vision.colours import ColourProfile, HueRange
+from tracker.vision.colours import ColourProfile, HueRange, parse_profile
 
 LEAST_SATURATION, LEAST_VALUE = 50, 30  # of 255: below, noise decides which hue a pixel has
+SAME_PX = 8.0  # of the mask, between two clicks on one marker
 LEAST_CHROMA = 15.0  # levels between the largest and the smallest channel
 
 
@@ -59,3 +65,45 @@ def mistaken_for(
     if inside:
         return shipped
     return current if current != chosen.name else ""
+
+
+@lru_cache
+def factory_colours() -> ColourProfile:
+    """The colours that are shipped with the program."""
+    return parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+
+
+class PickCheck:
+    """Rejects clicks that are probably mistakes; a second click on the same marker is accepted."""
+
+    def __init__(self) -> None:
+        self._questioned: tuple[str, float, float] | None = None  # hue, u, v of the last such click
+
+    def problem(self, hsv: Array, u: float, v: float, chosen: HueRange, now: ColourProfile) -> str:
+        """Why an HSV pixel (3,) at (u, v) of the mask is not taken into the ``chosen`` range of the
+        profile ``now``; empty if it is."""
+        before, self._questioned = self._questioned, None
+        if not has_hue(hsv):
+            words = tr(
+                "This pixel is too grey or too dark to have a hue (saturation {}, value {}). "
+                "Click the middle of a {} marker."
+            )
+            return words.format(int(hsv[1]), int(hsv[2]), spoken(chosen.name))
+        other = mistaken_for(hsv, chosen, now, factory_colours())
+        if not other or (
+            before is not None
+            and before[0] == chosen.name
+            and np.hypot(u - before[1], v - before[2]) < SAME_PX
+        ):
+            return ""
+        self._questioned = chosen.name, u, v
+        words = tr("This looks like {0}, not {1}. Choose {0} first, or click again to take it.")
+        return words.format(spoken(other), spoken(chosen.name))
+
+
+def missing_picks(hues: Collection[str], picked: Collection[str]) -> str:
+    """Which hues still need a click before the colours are learned; empty if none does."""
+    missing = [spoken(h) for h in hues if h not in picked]
+    words = tr("Clicked: {}. Still to be clicked before the colours are learned: {}.")
+    there = ", ".join(spoken(h) for h in hues if h in picked)
+    return words.format(there, ", ".join(missing)) if missing else ""

@@ -4,49 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import lru_cache, partial
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_fits import FitWork, MarkerWatch
 from app.viewmodels.colour_images import (
     Image,
+    RoomColours,
     hue_histogram,
     mask_image,
     pixel_bgr,
     pixel_hsv,
-    room_image,
-    room_shares,
 )
 from app.viewmodels.colour_live import LiveImages
-from app.viewmodels.colour_picks import Eyedropper, has_hue, mistaken_for, range_at
+from app.viewmodels.colour_picks import Eyedropper, PickCheck, missing_picks, range_at
+from app.viewmodels.colour_search import MASK_STEP, ImageSearch, MaskShown, ShownImage
 from app.viewmodels.colours import HueRow, blob_counts, expected_counts, hue_rows, seen_rows
 from app.viewmodels.names import spoken
-from app.widgets.image_shapes import Ring
 from app.words import tr
 from tracker.base.errors import ConfigError
 from tracker.base.files import write_kept
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.calibration.colours_learn import taught
-from tracker.glove import library
-from tracker.messages import Array, Blobs
+from tracker.messages import Blobs
 from tracker.vision.colours import (
     ColourProfile,
     HueRange,
     load_profile,
-    parse_profile,
     profile_to_toml,
 )
-from tracker.vision.detector import Detector
 
-MASK_STEP = 2
-ROOM_EVERY = 8  # refreshes
 CHANNELS = ("hue", "saturation", "value")
-SAME = 8.0  # px of the mask between two clicks on one marker
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,34 +110,6 @@ def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -
     return replace(hue_range, value=interval)
 
 
-@dataclass(frozen=True, eq=False)
-class ShownImage:
-    """One side's image, and what belongs to it: the live exposure, or None for a kept image. A
-    ``frozen`` one stays while the live one goes on."""
-
-    image: Image | None
-    view: Snapshot | None
-    right: bool
-    frozen: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class MaskShown:
-    """The image in the range tuned, dimmed elsewhere and `MASK_STEP` times smaller, with the blobs
-    found; the shares (180,) of its hues; each hue's interval (from, to, colour)."""
-
-    image: Image
-    rings: list[Ring]
-    histogram: Array
-    intervals: list[tuple[int, int, str]]
-
-
-@lru_cache
-def factory_colours() -> ColourProfile:
-    """Those that the program comes with."""
-    return parse_profile(library.text("colours", library.DEFAULT_COLOURS))
-
-
 class ColourTuning:
     """The profile of one camera while it is tuned."""
 
@@ -155,13 +119,9 @@ class ColourTuning:
         self.hue = 0  # row of the one that is tuned
         self.markers, self.live = MarkerWatch(setup), LiveImages(setup)
         self.last_words = tr("Colours of {}").format(setup.camera.name) if kept is not None else ""
-        self.room: dict[str, float] = {}
+        self.room, self.search, self._check = RoomColours(), ImageSearch(setup), PickCheck()
         self._history = ProfileHistory(Tuned(kept or setup.profile, self.last_words))
         self._dragging = False
-        self._asked: tuple[str, float, float] | None = None  # hue, u, v of a click in question
-        self._room_age = 0
-        self._found: Blobs | None = None
-        self._searched: Image | None = None  # where ``_found`` was looked for
 
     @property
     def profile(self) -> ColourProfile:
@@ -178,7 +138,7 @@ class ColourTuning:
         """Set an end of a range; all that a slider does while it is ``held`` is one step."""
         changed = with_range(self.profile, with_channel(self.hue_range, channel, interval))
         if changed != self.profile:
-            self._change(Tuned(changed, picks=self._picks), merge=self._dragging)
+            self._change(Tuned(changed, picks=self._history.now.picks), merge=self._dragging)
         self._dragging = held
 
     def _change(self, new: Tuned, merge: bool = False) -> None:
@@ -186,10 +146,6 @@ class ColourTuning:
         self._history.change(new, merge)
         if new.words or not self.live.wanted:  # it still says that a fit waits
             self.last_words = new.words
-
-    @property
-    def _picks(self) -> Mapping[str, Pick]:
-        return self._history.now.picks
 
     def pick(self, image: Image, u: float, v: float, how: Eyedropper) -> bool:
         """Take a pixel of the mask into the range, set the range by it, or leave it out.
@@ -199,68 +155,33 @@ class ColourTuning:
         """
         at_u, at_v = u * MASK_STEP, v * MASK_STEP
         pixel = np.array(pixel_hsv(image, at_u, at_v))
-        name, picks = self.hue_range.name, dict(self._picks)
+        name, picks = self.hue_range.name, dict(self._history.now.picks)
         if how is Eyedropper.REMOVE:
             changed, row = remove_pixel(self.hue_range, pixel), -1
-        elif self._refuses(pixel) or self._questions(pixel, u, v):
-            return False
         else:
+            problem = self._check.problem(pixel, u, v, self.hue_range, self.profile)
+            if problem:
+                self.last_words = problem
+                return False
             setting = how is Eyedropper.SET
             changed = (
                 range_at(image, at_u, at_v, name) if setting else add_pixel(self.hue_range, pixel)
             )
             row, picks[name] = self.hue, Pick(image, np.array([at_u, at_v]), name)
         learned = taught(self.profile, pixel_bgr(image, at_u, at_v), row)
-        words = self._picked_words(picks) if row >= 0 else ""
+        words = missing_picks(self.profile.hue_names, picks) if row >= 0 else ""
         self._change(Tuned(with_range(learned, changed), words, picks))
         return True
-
-    def _refuses(self, pixel: Array) -> bool:
-        """Whether a pixel is too grey or too dark to have a hue."""
-        if has_hue(pixel):
-            return False
-        self._asked = None
-        words = tr(
-            "This pixel is too grey or too dark to have a hue (saturation {}, value {}). "
-            "Click the middle of a {} marker."
-        )
-        self.last_words = words.format(int(pixel[1]), int(pixel[2]), spoken(self.hue_range.name))
-        return True
-
-    def _questions(self, pixel: Array, u: float, v: float) -> bool:
-        """Whether a click is more likely a mistake: on a marker of a hue that is not chosen."""
-        name = self.hue_range.name
-        other = mistaken_for(pixel, self.hue_range, self.profile, factory_colours())
-        before, self._asked = self._asked, None
-        if not other:
-            return False
-        if (
-            before is not None
-            and before[0] == name
-            and np.hypot(u - before[1], v - before[2]) < SAME
-        ):
-            return False
-        self._asked = name, u, v
-        words = tr("This looks like {0}, not {1}. Choose {0} first, or click again to take it.")
-        self.last_words = words.format(spoken(other), spoken(name))
-        return True
-
-    def _picked_words(self, picks: Mapping[str, Pick]) -> str:
-        """Which hues a marker is still to be pointed at of."""
-        missing = [spoken(h) for h in self.profile.hue_names if h not in picks]
-        words = tr("Clicked: {}. Still to be clicked before the colours are learned: {}.")
-        there = ", ".join(spoken(h) for h in self.profile.hue_names if h in picks)
-        return words.format(there, ", ".join(missing)) if missing else ""
 
     @property
     def all_picked(self) -> bool:
         """A marker of each hue was pointed at since the last `picked_fit`."""
-        return self._picks.keys() == set(self.profile.hue_names)
+        return self._history.now.picks.keys() == set(self.profile.hue_names)
 
     def picked_fit(self) -> FitWork:
         """Learn from the markers that were pointed at, and from the images around them where there
         are some, in another thread."""
-        picks = list(self._picks.values())
+        picks = list(self._history.now.picks.values())
         self._history.now = replace(self._history.now, picks={})
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
         learned = partial(learn_picked, picks, profile, size, self.setup.camera.rig.fx)
@@ -310,58 +231,25 @@ class ColourTuning:
         write_kept(path, profile_to_toml(self.profile))
         self.last_words = tr("Exported to {}").format(path.name)
 
-    # --- what images tell
-
     def check_room(self, image: Image) -> None:
-        """Take an image for the room without the glove, and believe it for a while."""
-        self.room, self._room_age = room_shares(image, self.profile), -10 * ROOM_EVERY
-        self.last_words = "" if self.room else tr("The room has none of the colours.")
+        """Measure the colours of the room in an image without the glove."""
+        self.room.measure(image, self.profile)
+        self.last_words = "" if self.room.shares else tr("The room has none of the colours.")
 
-    def watch_room(self, view: Snapshot | None) -> None:
-        """The colours beside the tracked hand, at every `ROOM_EVERY`-th call."""
-        self._room_age += 1
-        if self._room_age < ROOM_EVERY:
-            return
-        self._room_age = 0
-        image = room_image(view) if view is not None else None
-        if image is not None:
-            self.room = room_shares(image, self.profile)
-
-    def search(self, shown: ShownImage) -> Callable[[], Blobs] | None:
-        """The work of searching an image with the profile as it is now, for another thread; None
-        where nothing is to be searched: the live image is searched by the engine."""
-        image = shown.image if self._is_mine(shown) and not self._dragging else None
-        if image is None or (image is not self._searched and (shown.view is None or shown.frozen)):
-            self._found = None
-        self._searched = image
-        if image is None:
-            return None
-        profile, size = self.profile, float(self.setup.glove.marker_size.mean())
-        return lambda: Detector(profile, size, self.setup.camera.rig.fx).detect(image)[0]
-
-    def _is_mine(self, shown: ShownImage) -> bool:
-        """Whether no engine searches the image with these colours: a kept or a frozen one, or a
-        replay's."""
-        return shown.view is None or shown.frozen or self.setup.player is not None
-
-    def is_new(self, shown: ShownImage) -> bool:
-        """Whether an image is to be searched here and was not."""
-        return self._is_mine(shown) and shown.image is not self._searched
-
-    def found(self, blobs: Blobs) -> None:
-        """What the last `search` has found."""
-        self._found = blobs
+    def search_work(self, shown: ShownImage) -> Callable[[], Blobs] | None:
+        """A search of an image with the current profile; see `ImageSearch.work`."""
+        return self.search.work(shown, None if self._dragging else self.profile)
 
     # --- what is shown
 
     def rows(self, shown: ShownImage) -> list[HueRow]:
         """One per hue."""
-        if shown.view is not None and not self._is_mine(shown):
-            return seen_rows(shown.view, self.profile, self.room)
-        counts = blob_counts([self._found], self.profile.hue_names, self.profile)
+        if shown.view is not None and not self.search.is_own(shown):
+            return seen_rows(shown.view, self.profile, self.room.shares)
+        counts = blob_counts([self.search.blobs], self.profile.hue_names, self.profile)
         live = shown.view if shown.frozen and self.setup.player is None else None
         expected = expected_counts(live) if live is not None else None
-        return hue_rows(self.profile, counts, expected, self.room)
+        return hue_rows(self.profile, counts, expected, self.room.shares)
 
     def words(self, rows: list[HueRow]) -> str:
         """What was done last, and what stands in the way of a hue."""
@@ -377,20 +265,7 @@ class ColourTuning:
         pairs = zip(self.profile.hues, rows, strict=True)
         return MaskShown(
             mask_image(shown.image, self.hue_range, MASK_STEP, picking),
-            self._rings(shown, rows[self.hue].colour),
+            self.search.rings(shown, self.hue, rows[self.hue].colour),
             hue_histogram(shown.image),
             [(*hue.hue, row.colour) for hue, row in pairs],
         )
-
-    def _rings(self, shown: ShownImage, colour: str) -> list[Ring]:
-        """Round the blobs of the hue that is tuned."""
-        blobs, view = self._found, shown.view
-        if view is not None and view.blobs is not None and not self._is_mine(shown):
-            blobs = view.blobs.right if shown.right else view.blobs.left
-        rings: list[Ring] = []
-        if blobs is not None:
-            for i in np.flatnonzero(blobs.hue == self.hue):
-                u, v = blobs.uv[i] / MASK_STEP
-                radius = float(max(blobs.size[i])) / 2 / MASK_STEP + 2
-                rings.append(Ring(float(u), float(v), radius, colour))
-        return rings

@@ -14,10 +14,17 @@ from PySide6.QtWidgets import QFileDialog
 
 from app.storage.colour_store import ColourStore
 from app.storage.image_folder import MOST, ImageFolder, KeptImage, read_image
-from app.viewmodels import colour_tuning
+from app.viewmodels import colour_search
 from app.viewmodels.colour_fits import fit_words
-from app.viewmodels.colour_images import in_range, mask_image, masks_image, room_shares, to_hsv
-from app.viewmodels.colour_tuning import MASK_STEP, ROOM_EVERY
+from app.viewmodels.colour_images import (
+    ROOM_EVERY,
+    in_range,
+    mask_image,
+    masks_image,
+    room_shares,
+    to_hsv,
+)
+from app.viewmodels.colour_search import MASK_STEP
 from app.viewmodels.colours import hue_colours, seen_rows
 from app.viewmodels.states import GOOD, WARN
 from app.widgets.range_row import HueRangeSlider
@@ -283,7 +290,7 @@ class HeldDetector:
 def held(colours, qtbot, monkeypatch):
     """A kept image is shown, and its search is under way and does not end by itself."""
     held = HeldDetector()
-    monkeypatch.setattr(colour_tuning, "Detector", held.detector)
+    monkeypatch.setattr(colour_search, "Detector", held.detector)
     colours.image.source.keep_button.click()
     qtbot.waitUntil(lambda: len(held.begun) == 1, timeout=30_000)
     yield held
@@ -308,6 +315,7 @@ def test_a_kept_image_is_searched_beside_the_window(colours, held, qtbot):
 def test_a_replay_is_searched_with_the_colours_that_are_tuned(colours, qtbot):
     """What it has recorded was found with others, or there is nothing recorded."""
     colours.tuning.setup = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
+    colours.tuning.search = colour_search.ImageSearch(colours.tuning.setup)
     index = colours.tuning.profile.hue_names.index("green")
     chip = colours.ranges.hues.chips[index]
     image = colours.image.source.image()
@@ -324,9 +332,10 @@ def test_a_replay_whose_images_come_faster_than_searches_shows_what_is_found(
     colours, engine, qtbot, monkeypatch
 ):
     held, found = HeldDetector(), []
-    monkeypatch.setattr(colour_tuning, "Detector", held.detector)
-    monkeypatch.setattr(colours.tuning, "found", found.append)
-    colours.tuning.setup = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
+    monkeypatch.setattr(colour_search, "Detector", held.detector)
+    replayed = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
+    colours.tuning.search = colour_search.ImageSearch(replayed)
+    monkeypatch.setattr(colours.tuning.search, "found", found.append)
     qtbot.waitUntil(lambda: len(held.begun) == 1, timeout=30_000)
     engine.frame = 60
     qtbot.waitUntil(
@@ -366,11 +375,11 @@ def test_a_search_of_an_image_that_is_gone_is_not_shown(colours, engine, held, q
 
 def test_kept_images_are_png_files_that_others_read(colours, engine, qtbot, tmp_path):
     image = frame_and_blobs(engine.frame)[0]
-    colours.image.source.save_file(tmp_path / "glove.png")
+    colours.image.source.stored.save_file(tmp_path / "glove.png", *colours.image.source.pair())
     idle(colours, qtbot)
     read = cv2.imread(str(tmp_path / "glove.png"))
     assert np.array_equal(read, np.hstack([image.left, image.right]))
-    colours.image.source.open_file(tmp_path / "glove.png")
+    colours.image.source.stored.open_file(tmp_path / "glove.png")
     qtbot.waitUntil(lambda: not colours.image.source.is_live, timeout=30_000)
     assert np.array_equal(colours.image.source.image(), image.left)
     colours.image.source.remove()
@@ -382,7 +391,7 @@ def test_a_removed_image_comes_back_with_undo(colours, engine, qtbot, tmp_path):
     source.keep_button.click()
     qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
     name, image = source.choice.currentText(), source.image()
-    path = source._folder.path(name)
+    path = source.stored.folder.path(name)
     source.remove()
     assert source.is_live and not path.exists() and source.choice.findText(name) < 0
     assert window.banner.text() == f"The image {name} was removed."
@@ -390,9 +399,9 @@ def test_a_removed_image_comes_back_with_undo(colours, engine, qtbot, tmp_path):
     qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
     assert path.exists() and source.choice.currentText() == name
     assert np.array_equal(source.image(), image)
-    source.save_file(tmp_path / "elsewhere.png")
+    source.stored.save_file(tmp_path / "elsewhere.png", *colours.image.source.pair())
     idle(colours, qtbot)
-    source.open_file(tmp_path / "elsewhere.png")
+    source.stored.open_file(tmp_path / "elsewhere.png")
     qtbot.waitUntil(lambda: source.choice.currentText() == "elsewhere", timeout=30_000)
     source.remove()
     window.banner.buttons[0].click()
@@ -404,7 +413,7 @@ def test_an_image_that_cannot_be_removed_is_reported(colours, qtbot):
     source.keep_button.click()
     qtbot.waitUntil(lambda: not source.is_live, timeout=30_000)
     name = source.choice.currentText()
-    source._folder.path(name).unlink()
+    source.stored.folder.path(name).unlink()
     source.remove()
     assert colours.window().banner.text().startswith(f"{name} was not removed: ")
 
@@ -517,8 +526,8 @@ def test_arrow_keys_move_the_marked_end_round_the_circle(colours, qtbot):
 
 def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monkeypatch):
     for _ in range(ROOM_EVERY):
-        colours.tuning.watch_room(colours.image.source.view)
-    assert colours.tuning.room == {}  # the grey table and the hand itself are no clash
+        colours.tuning.room.watch(colours.image.source.view, colours.tuning.profile)
+    assert colours.tuning.room.shares == {}  # the grey table and the hand itself are no clash
     room = np.full((720, 1280, 3), 120, np.uint8)
     room[100:200, 100:300] = (30, 180, 30)
     monkeypatch.setattr(colours.image.source, "image", lambda: room)

@@ -178,7 +178,7 @@ def test_what_the_device_does_not_confirm_is_shown_so(devices, glove, camera):
 
 def test_what_is_out_of_its_limits_is_refused_in_words(devices, camera):
     type_in(devices, "camera.exposure", "9000")
-    assert devices.edits == {} and "3 to 2047" in devices.said.toPlainText()
+    assert devices.edits == {} and "3 to 2047" in devices.report.toPlainText()
     type_in(devices, "camera.exposure", "bright")
     assert devices.edits == {} and not devices.apply.isEnabled()
     assert camera.wanted == Locks()
@@ -203,19 +203,19 @@ def test_a_file_reports_what_differs_and_applies_what_can_be(devices, glove, tmp
     devices.save_as(path)
     assert parse_toml(path.read_text("utf-8"), path.name)["glove_right"]["rate_hz"] == 100
     devices.load_from(path)
-    assert devices.edits == {} and "has the values" in devices.said.toPlainText()
+    assert devices.edits == {} and "has the values" in devices.report.toPlainText()
     text = path.read_text("utf-8")
     text = text.replace("rate_hz = 100", "rate_hz = 50", 1)
     text = text.replace('"1.2.0"', '"1.1.0"').replace('exposure = "automatic"', "exposure = 90")
     path.write_text(text, "utf-8")
     devices.load_from(path)
     assert devices.edits == {RATE: 50, "camera.exposure": 90}
-    said = devices.said.toPlainText()
+    said = devices.report.toPlainText()
     assert "3 differences, 2 to be applied" in said
     assert "1.1.0 in the file, 1.2.0 now (cannot be changed)" in said
     path.write_text("not [ TOML", "utf-8")
     devices.load_from(path)
-    assert path.name in devices.said.toPlainText()
+    assert path.name in devices.report.toPlainText()
 
 
 def test_a_value_of_another_type_cannot_be_applied(devices):

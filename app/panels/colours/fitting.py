@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QWidget
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import LatestJob, TaskOwner
 from app.viewmodels.colour_fits import Fit, FitWork, fit_words
-from app.viewmodels.colour_tuning import MASK_STEP, ColourTuning, ShownImage
+from app.viewmodels.colour_search import MASK_STEP, ShownImage
+from app.viewmodels.colour_tuning import ColourTuning
 from app.viewmodels.light import SHORT, LightWatch
 from app.widgets.chip import Chip
 from app.widgets.image_shapes import Ring

@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.panels.colours.source import ColoursSource
 from app.platform.tasks import LatestJob, TaskOwner
-from app.viewmodels.colour_tuning import ColourTuning, MaskShown, ShownImage
+from app.viewmodels.colour_search import MaskShown, ShownImage
+from app.viewmodels.colour_tuning import ColourTuning
 from app.widgets.image_view import ImageView
 from app.widgets.measures import TIGHT
 from tracker.messages import Blobs
@@ -53,13 +54,13 @@ class ColoursImage(QWidget):
     def refresh(self) -> None:
         """A replay has gone on: its image is searched, once the one before has been: where images
         come faster than they are searched none would ever be done."""
-        new = self.tuning is not None and self.tuning.is_new(self.shown())
+        new = self.tuning is not None and self.tuning.search.is_new(self.shown())
         if new and not self._search.is_busy:
             self.search()
 
     def search(self) -> None:
         """Have the image searched with the profile as it is now; an earlier search is outdated."""
-        work = self.tuning.search(self.shown()) if self.tuning is not None else None
+        work = self.tuning.search_work(self.shown()) if self.tuning is not None else None
         if work is None:
             self._search.forget()
         else:
@@ -67,7 +68,7 @@ class ColoursImage(QWidget):
 
     def _found(self, blobs: Blobs) -> None:
         if self.tuning is not None:
-            self.tuning.found(blobs)
+            self.tuning.search.found(blobs)
             self.changed.emit()
 
     def show_mask(self, mask: MaskShown | None) -> None:

@@ -19,8 +19,8 @@ from app.storage.colour_store import ColourAutosave, ColourStore
 from app.storage.image_folder import ImageFolder
 from app.storage.settings import SettingsStore
 from app.viewmodels.colour_fits import image_fit
-from app.viewmodels.colour_picks import Eyedropper
-from app.viewmodels.colour_tuning import ColourTuning, factory_colours
+from app.viewmodels.colour_picks import Eyedropper, factory_colours
+from app.viewmodels.colour_tuning import ColourTuning
 from app.widgets.measures import NEAR, TIGHT
 
 TWO_COLUMNS = 540  # px of width, more than two columns need at least
@@ -216,7 +216,7 @@ class ColoursPanel(Panel):
         self.tuning.markers.watch(view)
         if self.image.source.is_live:
             self.fitting.gather(view)
-        self.tuning.watch_room(self.image.source.view)
+        self.tuning.room.watch(self.image.source.view, self.tuning.profile)
         self.light.look_at(self.image.shown(), self.tuning)
         self._draw()
 

@@ -1,12 +1,13 @@
-"""Which image colours are tuned on: the live one, a frozen one, or one kept earlier."""
+"""The image that colours are tuned on: live, frozen, or stored earlier."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -33,18 +34,108 @@ from tracker.base.errors import GlovetrackError
 LIVE = 0
 
 
+class StoredImages(QObject):
+    """The stored images of a camera, and image files opened since the window was.
+
+    ``listed``: other images are available; the name of the one to show, empty for the live image.
+    ``removed``: a message and a function that undoes the removal.
+    """
+
+    listed = Signal(str)
+    failed = Signal(str)
+    removed = Signal(str, object)
+
+    def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._tasks = tasks
+        self.folder: ImageFolder | None = None
+        self._opened: dict[str, KeptImage] = {}
+
+    @property
+    def names(self) -> list[str]:
+        return [*(self.folder.names() if self.folder is not None else []), *self._opened]
+
+    def use_folder(self, folder: ImageFolder) -> None:
+        """Offer the images of another camera."""
+        self.folder = folder
+        self.listed.emit("")
+
+    def load(self, name: str, show: Callable[[KeptImage], None]) -> None:
+        """Call ``show`` with an image once it has been read."""
+        if name in self._opened:
+            show(self._opened[name])
+        elif self.folder is not None:
+            path = self.folder.path(name)
+            self._tasks.run(self.tr("Opening an image"), lambda _p: read_image(path), show)
+
+    def store(self, left: Image | None, right: Image | None) -> None:
+        """Write a pair of images to the camera's folder."""
+        if self.folder is None or left is None:
+            self.failed.emit(self.tr("There is no image yet that could be stored."))
+            return
+        folder = self.folder
+        shot = KeptImage(folder.free_name(datetime.now()), left, right)
+        self._tasks.run(
+            self.tr("Storing an image"),
+            lambda _progress: folder.keep(shot),
+            lambda _none: self.listed.emit(shot.name),
+        )
+
+    def open_file(self, path: Path) -> None:
+        """Show an image of any camera, single or side by side."""
+        self._tasks.run(self.tr("Opening an image"), lambda _p: read_image(path), self._add)
+
+    def _add(self, image: KeptImage) -> None:
+        self._opened[image.name] = image
+        self.listed.emit(image.name)
+
+    def save_file(self, path: Path, left: Image | None, right: Image | None) -> None:
+        """Write a pair of images to a file."""
+        if left is None:
+            self.failed.emit(self.tr("There is no image yet that could be saved."))
+            return
+        shot = KeptImage(path.stem, left, right)
+        self._tasks.run(self.tr("Saving an image"), lambda _p: write_image(path, shot))
+
+    def remove(self, name: str) -> None:
+        """Close an opened file, or move a stored image to the bin."""
+        opened = self._opened.pop(name, None)
+        if opened is not None:
+            undo = partial(self._add, opened)
+        elif self.folder is not None:
+            try:
+                undo = partial(self._put_back, self.folder, self.folder.remove(name))
+            except GlovetrackError as error:
+                self.failed.emit(str(error))
+                return
+        else:
+            return
+        self.listed.emit("")
+        self.removed.emit(self.tr("The image {} was removed.").format(name), undo)
+
+    def _put_back(self, folder: ImageFolder, file: RemovedFile) -> None:
+        try:
+            file.put_back()
+        except GlovetrackError as error:
+            self.failed.emit(str(error))
+            return
+        if folder is self.folder:  # the camera is still the same
+            self.listed.emit(file.path.stem)
+
+
 class ColoursSource(QWidget):
-    """The row of the choices. ``changed`` says that another image is shown."""
+    """A row of controls. ``changed``: another image is shown."""
 
     changed = Signal()
     failed = Signal(str)
-    removed = Signal(str, object)  # a sentence, and what undoes it
+    removed = Signal(str, object)  # a message, and a function that undoes the removal
 
     def __init__(self, tasks: TaskOwner, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._tasks = tasks
-        self._folder: ImageFolder | None = None
-        self._opened: dict[str, KeptImage] = {}  # from files elsewhere, while the window is open
+        self.stored = StoredImages(tasks, self)
+        self.stored.listed.connect(self._list)
+        self.stored.failed.connect(self.failed)
+        self.stored.removed.connect(self.removed)
         self._view: Snapshot | None = None
         self._kept: KeptImage | None = None
         self.choice = QComboBox()
@@ -57,9 +148,9 @@ class ColoursSource(QWidget):
         self.side.addItems([self.tr("Left"), self.tr("Right")])
         self.side.currentIndexChanged.connect(self.changed)
         self.freeze = QCheckBox(self.tr("Freeze"))
-        self.freeze.setToolTip(self.tr("Hold this image; tracking goes on"))
+        self.freeze.setToolTip(self.tr("Freeze the image; tracking continues"))
         self.freeze.toggled.connect(self.changed)
-        self.keep_button = self._button(self.tr("Keep"), self.tr("Keep this image for later"))
+        self.keep_button = self._button(self.tr("Store"), self.tr("Store this image for later"))
         self.keep_button.clicked.connect(self.keep)
         row = FlowLayout(self, spacing=TIGHT)
         for widget in (self.choice, self.side, self.freeze, self.keep_button, self._menu_button()):
@@ -73,8 +164,8 @@ class ColoursSource(QWidget):
         return button
 
     def _menu_button(self) -> QToolButton:
-        button = self._button("⋯", self.tr("More about images"))
-        button.setAccessibleName(self.tr("More about images"))
+        button = self._button("⋯", self.tr("More image commands"))
+        button.setAccessibleName(self.tr("More image commands"))
         menu = QMenu(button)
         menu.addAction(self.tr("Open an image…"), self.ask_open)
         menu.addAction(self.tr("Save this image…"), self.ask_save)
@@ -87,12 +178,12 @@ class ColoursSource(QWidget):
 
     def set_folder(self, folder: ImageFolder) -> None:
         """Offer the images of another camera."""
-        self._folder, self._view = folder, None
+        self._view = None
         self.freeze.setChecked(False)
-        self._list(None)
+        self.stored.use_folder(folder)
 
     def take(self, view: Snapshot) -> None:
-        """A newer snapshot; not taken while frozen."""
+        """Show a newer snapshot, unless the image is frozen."""
         if view.frame is not None and not (self.freeze.isChecked() and self._view is not None):
             self._view = view
 
@@ -102,16 +193,16 @@ class ColoursSource(QWidget):
 
     @property
     def is_frozen(self) -> bool:
-        """Whether a live image is held."""
+        """Whether a live image is frozen."""
         return self.is_live and self.freeze.isChecked() and self._view is not None
 
     @property
     def view(self) -> Snapshot | None:
-        """What belongs to the live (or frozen) image; None while a kept one is shown."""
+        """The snapshot of the live or frozen image; None for a stored one."""
         return self._view if self._kept is None else None
 
     def pair(self) -> tuple[Image | None, Image | None]:
-        """Both images shown now."""
+        """The images of both cameras."""
         if self._kept is not None:
             return self._kept.left, self._kept.right
         if self._view is None or self._view.frame is None:
@@ -123,14 +214,14 @@ class ColoursSource(QWidget):
         return self.side.currentIndex() == 1
 
     def image(self) -> Image | None:
-        """The one of the chosen side."""
+        """That of the selected camera."""
         return self.pair()[self.right]
 
-    # --- the kept ones
+    # --- stored images
 
-    def _list(self, chosen: str | None) -> None:
-        """Fill the choices anew and show ``chosen`` (None: the live image)."""
-        names = [*(self._folder.names() if self._folder is not None else []), *self._opened]
+    def _list(self, chosen: str) -> None:
+        """Fill the list and show the image ``chosen``; empty: the live image."""
+        names = self.stored.names
         self.choice.blockSignals(True)
         self.choice.clear()
         self.choice.addItem(self.tr("Live image"))
@@ -141,91 +232,36 @@ class ColoursSource(QWidget):
         self._choose(index)
 
     def _choose(self, index: int) -> None:
-        name = self.choice.itemText(index)
         if index <= LIVE:
             self._show(None)
-        elif name in self._opened:
-            self._show(self._opened[name])
-        elif self._folder is not None:
-            path = self._folder.path(name)
-            self._tasks.run(self.tr("Opening an image"), lambda _p: read_image(path), self._show)
+        else:
+            self.stored.load(self.choice.itemText(index), self._show)
 
     def _show(self, kept: KeptImage | None) -> None:
         self._kept = kept
         self.changed.emit()
 
     def keep(self) -> None:
-        """Put the image shown now into the camera's folder."""
-        left, right = self.pair()
-        if self._folder is None or left is None:
-            self.failed.emit(self.tr("There is no image yet that could be kept."))
-            return
-        folder = self._folder
-        shot = KeptImage(folder.free_name(datetime.now()), left, right)
-        self._tasks.run(
-            self.tr("Keeping an image"),
-            lambda _progress: folder.keep(shot),
-            lambda _none: self._list(shot.name),
-        )
+        """Store the images that are shown in the camera's folder."""
+        self.stored.store(*self.pair())
 
     def ask_open(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
             self, self.tr("Open an image"), "", "*.png *.jpg *.jpeg *.bmp *.tif"
         )
         if path:
-            self.open_file(Path(path))
-
-    def open_file(self, path: Path) -> None:
-        """Show an image of any camera, single or side by side."""
-
-        def opened(kept: KeptImage) -> None:
-            self._opened[kept.name] = kept
-            self._list(kept.name)
-
-        self._tasks.run(self.tr("Opening an image"), lambda _p: read_image(path), opened)
+            self.stored.open_file(Path(path))
 
     def ask_save(self) -> None:
         path, _ = QFileDialog.getSaveFileName(
             self, self.tr("Save this image"), "glove.png", "*.png"
         )
         if path:
-            self.save_file(Path(path).with_suffix(".png"))
-
-    def save_file(self, path: Path) -> None:
-        left, right = self.pair()
-        if left is None:
-            self.failed.emit(self.tr("There is no image yet that could be saved."))
-            return
-        shot = KeptImage(path.stem, left, right)
-        self._tasks.run(self.tr("Saving an image"), lambda _p: write_image(path, shot))
+            self.stored.save_file(Path(path).with_suffix(".png"), *self.pair())
 
     def remove(self) -> None:
-        """Remove the kept image that is shown."""
-        name = self.choice.currentText()
-        if self.is_live or self._folder is None:
-            self.failed.emit(self.tr("Choose a kept image first: the live one stays."))
+        """Remove the stored image that is shown."""
+        if self.is_live:
+            self.failed.emit(self.tr("Select a stored image first. The live image stays."))
             return
-        opened = self._opened.pop(name, None)
-        if opened is not None:
-            undo = partial(self._reopen, opened)
-        else:
-            try:
-                undo = partial(self._put_back, self._folder, self._folder.remove(name))
-            except GlovetrackError as error:
-                self.failed.emit(str(error))
-                return
-        self._list(None)
-        self.removed.emit(self.tr("The image {} was removed.").format(name), undo)
-
-    def _reopen(self, image: KeptImage) -> None:
-        self._opened[image.name] = image
-        self._list(image.name)
-
-    def _put_back(self, folder: ImageFolder, file: RemovedFile) -> None:
-        try:
-            file.put_back()
-        except GlovetrackError as error:
-            self.failed.emit(str(error))
-            return
-        if folder is self._folder:  # of the camera in use
-            self._list(file.path.stem)
+        self.stored.remove(self.choice.currentText())

@@ -55,10 +55,10 @@ class DevicesPanel(Panel):
         self.search.setAccessibleName(self.tr("Search settings"))
         self.search.setClearButtonEnabled(True)
         self.tree = DeviceTree()
-        self.said = QPlainTextEdit()
-        self.said.setReadOnly(True)
-        self.said.setMaximumHeight(REPORT_HEIGHT)
-        self.said.hide()
+        self.report = QPlainTextEdit()
+        self.report.setReadOnly(True)
+        self.report.setMaximumHeight(REPORT_HEIGHT)
+        self.report.hide()
         self.apply = QPushButton(self.tr("Apply"))
         self.revert = QPushButton(self.tr("Revert"))
         self.save = QPushButton(self.tr("Save as file…"))
@@ -69,7 +69,7 @@ class DevicesPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(TIGHT)
-        for widget in (self.search, self.tree, self.said, head):
+        for widget in (self.search, self.tree, self.report, head):
             column.addWidget(widget)
         self._connect()
         self._enable()
@@ -88,12 +88,12 @@ class DevicesPanel(Panel):
     def _forget(self) -> None:
         self.edits, self._asked, self.values = {}, {}, {}
         self.tree.show_values([], {})
-        self._say("")
+        self._show_report("")
         self._enable()
 
-    def _say(self, text: str) -> None:
-        self.said.setPlainText(text)
-        self.said.setVisible(bool(text))
+    def _show_report(self, text: str) -> None:
+        self.report.setPlainText(text)
+        self.report.setVisible(bool(text))
 
     def _enable(self) -> None:
         for button in (self.apply, self.revert):
@@ -120,13 +120,13 @@ class DevicesPanel(Panel):
             return
         if not is_allowed(value, wanted):
             text = self.tr("{}: {} is not possible ({}).")
-            self._say(text.format(value.path[-1], wanted, value.detail or value.text))
+            self._show_report(text.format(value.path[-1], wanted, value.detail or value.text))
             self.edits.pop(key, None)
         elif wanted == value.value:
             self.edits.pop(key, None)
         else:
             self.edits[key] = wanted
-            self._say("")
+            self._show_report("")
         self._show_edits()
 
     def apply_edits(self) -> None:
@@ -137,7 +137,7 @@ class DevicesPanel(Panel):
         try:
             apply_changes(setup, self._store, list(self.values.values()), self.edits)
         except GlovetrackError as error:
-            self._say(str(error))
+            self._show_report(str(error))
             return
         self._asked |= self.edits
         self.edits = {}
@@ -146,7 +146,7 @@ class DevicesPanel(Panel):
     def revert_edits(self) -> None:
         """Forget what was changed and not applied."""
         self.edits = {}
-        self._say("")
+        self._show_report("")
         self._show_edits()
 
     def _show_edits(self) -> None:
@@ -160,7 +160,7 @@ class DevicesPanel(Panel):
         if glove is None:
             return
         if not glove.vibrate(channel, MOTOR_AMPLITUDE, MOTOR_MS):
-            self._say(self.tr("The motor was not run: the glove is disconnected."))
+            self._show_report(self.tr("The motor was not run: the glove is disconnected."))
 
     # --- files
 
@@ -175,7 +175,7 @@ class DevicesPanel(Panel):
         try:
             save_settings(to_file(list(self.values.values())), path)
         except GlovetrackError as error:
-            self._say(str(error))
+            self._show_report(str(error))
 
     def _ask_load(self) -> None:
         words, kinds = self.tr("Load device settings"), self.tr("TOML (*.toml)")
@@ -188,8 +188,8 @@ class DevicesPanel(Panel):
         try:
             found = differences(read_settings(path), path.name, list(self.values.values()))
         except GlovetrackError as error:
-            self._say(str(error))
+            self._show_report(str(error))
             return
         self.edits = {d.key: d.stored for d in found if d.can_apply}
-        self._say(report_of(found, path.name))
+        self._show_report(report_of(found, path.name))
         self._show_edits()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from PySide6.QtWidgets import (
-    QLabel,
     QPushButton,
     QScrollArea,
     QSplitter,
@@ -18,7 +17,7 @@ from app.panels.graphs.data import SignalData
 from app.panels.graphs.layouts import GraphLayouts
 from app.panels.graphs.stack import GraphStack
 from app.panels.graphs.tree import SignalTree
-from app.panels.panel import Panel, PanelColours
+from app.panels.panel import MessageLabel, Panel, PanelColours
 from app.storage.settings import SettingsStore
 from app.viewmodels.graphs import first_graphs, from_setting, to_setting
 from app.widgets.measures import NEAR, TIGHT
@@ -56,9 +55,7 @@ class GraphsPanel(Panel):
         head = OneLine()
         for widget in (self.add, self.pause, self.show_tree, self.layout_button):
             head.add(widget)
-        self.message = QLabel()
-        self.message.setWordWrap(True)
-        self.message.hide()
+        self.message = MessageLabel()
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -90,14 +87,10 @@ class GraphsPanel(Panel):
         self.data.listed.connect(self._show_signals)
         self.data.opened.connect(self._opened)
         for part in (self.stack, self.data):
-            part.message.connect(self._show_message)
+            part.message.connect(self.message.show_message)
 
     def show_theme(self, colours: PanelColours) -> None:
         self.stack.set_colours(colours.base, colours.text)
-
-    def _show_message(self, text: str) -> None:
-        self.message.setText(text)
-        self.message.setVisible(bool(text))
 
     def _graphs_changed(self) -> None:
         self.add.setEnabled(not self.stack.is_full)

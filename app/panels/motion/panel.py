@@ -9,7 +9,6 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -21,7 +20,7 @@ from app.engines.snapshot import Snapshot
 from app.jobs.recording_curves import csv_of, read_motion
 from app.panels.hand_choice import HandChoice
 from app.panels.motion.table import MotionControls, MotionPlot, MotionTable
-from app.panels.panel import Panel, PanelColours
+from app.panels.panel import MessageLabel, Panel, PanelColours
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel
@@ -44,7 +43,6 @@ class MotionPanel(Panel):
         self.model: MotionModel | None = None
         self._setup: EngineSetup | None = None
         self._reading = LatestJob(self.tr("Measuring the take"), self)
-        self._reading.failed.connect(self._say)
         self._turn = 0
         self.table, self.plot = MotionTable(), MotionPlot()
         self.controls = MotionControls(store.value.angle_unit)
@@ -52,8 +50,7 @@ class MotionPanel(Panel):
         both.addWidget(self.table)
         both.addWidget(self.plot)
         both.setSizes([520, 480])
-        self.said = QLabel()
-        self.said.setWordWrap(True)
+        self.message = MessageLabel()
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
@@ -63,11 +60,12 @@ class MotionPanel(Panel):
         head.addWidget(self.controls, 1)
         column.addLayout(head)
         column.addWidget(both, 1)
-        column.addWidget(self.said)
+        column.addWidget(self.message)
         self._connect()
         self._clear()
 
     def _connect(self) -> None:
+        self._reading.failed.connect(self.message.show_message)
         row = self.controls
         row.measure.clicked.connect(self._add_distance)
         row.remove.clicked.connect(self._remove_distances)
@@ -79,10 +77,6 @@ class MotionPanel(Panel):
         self.host.opened.connect(self._open)
         self.host.hand_changed.connect(self._open)
         self.host.closed.connect(self._clear)
-
-    def _say(self, text: str) -> None:
-        self.said.setText(text)
-        self.said.setVisible(bool(text))
 
     # --- the engine
 
@@ -99,13 +93,13 @@ class MotionPanel(Panel):
                 break
         self.controls.enable(True)
         if setup.player is not None:
-            self._say(self.tr("Reading the whole take…"))
+            self.message.show_message(self.tr("Reading the whole take…"))
             side = setup.side if setup.others else ""
             self._reading.run(read_motion(setup.player.path, side), self._use_take)
 
     def _use_take(self, take: object) -> None:
         if self.model is not None and self.model.use_take(take):
-            self._say("")
+            self.message.show_message("")
             self._show_figures()
             self._show_curves()
 
@@ -117,7 +111,7 @@ class MotionPanel(Panel):
         self.plot.show_position(None)
         self.controls.offer_points(())
         self.controls.enable(False)
-        self._say("")
+        self.message.show_message("")
 
     def refresh(self, view: Snapshot | None) -> None:
         if self.model is None or view is None or view.estimate is None:
