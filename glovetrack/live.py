@@ -226,7 +226,7 @@ class LiveTracker:
             settings, words = streams, ""
         settings = with_streams(settings, str(words), host, joints)
         infos = self._info.hands
-        names = [Names.of(info.hand, info.glove, settings.joints) for info in infos]
+        names = [Names.of(info.hand, info.glove, settings.joints, self._anchor) for info in infos]
         for publishers in open_streams(settings, names).values():
             for info, publisher in zip(infos, publishers, strict=True):
                 attachment = attach(self._tracker.hand(info.side), [publisher], say=say)

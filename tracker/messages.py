@@ -253,7 +253,7 @@ class Motion(_Frozen):
 
     linear (K, 3) m/s of the keypoints and angular (K, 3) rad/s of the segments that start there,
     both in G; linear_sd, angular_sd (K,) are roots of the mean variance of their axes. angle_rate,
-    angle_rate_sd (J,) rad/s.
+    angle_rate_sd (J,) rad/s; angle_sd (J,) rad, of the angles themselves.
     """
 
     linear: Array
@@ -262,6 +262,7 @@ class Motion(_Frozen):
     angular_sd: Array
     angle_rate: Array
     angle_rate_sd: Array
+    angle_sd: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -272,7 +273,8 @@ class Estimate(_Frozen):
     order of ``HandModel.keypoint_names`` then the glove's extra ones; NaN where lost.
     angles (J,) rad in the order of ``HandModel.joint_names``; NaN where lost. keypoint_sd (K,) m is
     the root of the mean variance of a keypoint. segment_R (S, 3, 3), segment_p (S, 3): R_GB, p_GB.
-    ``motion`` is what an engine estimates at a packet; None in predictions and recordings.
+    ``motion`` is what an engine estimates at a packet; None in predictions and recordings. ``seq``
+    numbers the estimates of a hand that are offered to an output; -1 elsewhere.
     """
 
     t: float
@@ -286,6 +288,7 @@ class Estimate(_Frozen):
     segment_R: Array
     segment_p: Array
     motion: Motion | None = None
+    seq: int = -1
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -192,7 +192,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
             path = self.file(name)
             path.parent.mkdir(parents=True, exist_ok=True)
             settings = settings.changed(**{key_of(name, "file"): str(free_path(path))})
-        hands = [Names.of(hand.hand, hand.glove, settings.joints) for hand in setup.hands]
+        hands = [
+            Names.of(hand.hand, hand.glove, settings.joints, hand.anchor) for hand in setup.hands
+        ]
         return open_stream(kind, settings.options(kind), hands)
 
     def _attach(self, setup: EngineSetup | None, output: HandsOutput) -> bool:

@@ -34,7 +34,7 @@ from extensions.foxglove.protocol import (
 from extensions.foxglove.scene import FoxgloveScene, estimate_schema, scene_schema
 from tracker.messages import Estimate
 from tracker.streaming.client_queue import ClientQueue
-from tracker.streaming.payload import to_json
+from tracker.streaming.payload import LATEST, to_json
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
@@ -137,7 +137,7 @@ class _HandChannels:
         self.names, self._estimate, self._scene = names, ESTIMATE + first, SCENE + first
         scene, gestures = FoxgloveScene(names), names.recogniser()
         self.encoders: dict[int, Callable[[Estimate, int], str]] = {
-            self._estimate: lambda e, _: to_json(e, names, gestures),
+            self._estimate: lambda e, _: to_json(e, names, gestures, LATEST),
             self._scene: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),
         }
 

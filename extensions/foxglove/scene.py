@@ -112,7 +112,9 @@ def estimate_schema(names: Names) -> Json:
     """
     numbers = _array(NUMBER)
     point = _object(state=STRING, position=numbers, orientation_xyzw=numbers, sd=NUMBER)
-    angle, of_each = _object(state=STRING, value=NUMBER), _object(**dict.fromkeys(GESTURES, NUMBER))
+    angle = _object(state=STRING, value=NUMBER, sd=NUMBER, rate=NUMBER, rate_sd=NUMBER)
+    of_each = _object(**dict.fromkeys(GESTURES, NUMBER))
+    velocity = _object(linear=numbers, angular=numbers, sd=NUMBER, angular_sd=NUMBER)
     joint = _object(state=STRING, position=numbers, orientation_xyzw=numbers, radius=NUMBER)
     if names.openxr:
         points = {"joints": _object(**dict.fromkeys(JOINTS, joint))}
@@ -122,9 +124,12 @@ def estimate_schema(names: Names) -> Json:
         "glovetrack.Estimate",
         schema=INTEGER,
         side=STRING,
+        seq=INTEGER,
+        t_unix_ns=INTEGER,
         t=NUMBER,
         tracking=STRING,
         **points,
+        velocity=_object(**dict.fromkeys(JOINTS if names.openxr else names.keypoints, velocity)),
         angles=_object(**dict.fromkeys(names.angles, angle)),
         gestures=_object(shown=_array(STRING), values=of_each, confidence=of_each),
     )

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from tracker.streaming.connection import LOOPBACK, option
+from tracker.streaming.payload import LATEST
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 from tracker.streaming.remote.doors import Door, is_loopback
@@ -19,6 +20,7 @@ EXTRA = "glovetrack[streams]"
 @dataclass(frozen=True)
 class LslOptions:
     network: bool = option(False, "whether other computers can discover the outlet")
+    schema: int = option(LATEST, "2: with numbers and velocities in further channels; 1: without")
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ def _outlets(options: LslOptions, hands: Sequence[Names]) -> Iterator[Publisher]
         from extensions.lsl.outlet import LslPublisher
 
     for names in hands:
-        yield LslPublisher(names, options.network)
+        yield LslPublisher(names, options.network, options.schema)
 
 
 def _markers(options: MarkerOptions, answer: Answer) -> Door:

@@ -1,4 +1,4 @@
-"""OSC 1.0 messages and bundles as bytes: strings, int32 and float32, which is all that VMC uses."""
+"""OSC 1.0 messages and bundles as bytes: strings, float32, and int32 or, beyond, int64."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ def message(address: str, *values: str | int | float) -> bytes:
     for value in values:
         if isinstance(value, str):
             tags, data = tags + "s", data + _string(value)
-        elif isinstance(value, int):
+        elif isinstance(value, int) and -(2**31) <= value < 2**31:
             tags, data = tags + "i", data + struct.pack(">i", value)
+        elif isinstance(value, int):
+            tags, data = tags + "h", data + struct.pack(">q", value)
         else:
             tags, data = tags + "f", data + struct.pack(">f", value)
     return _string(address) + _string(tags) + data

@@ -17,6 +17,7 @@ from tracker.streaming.remote.registry import DoorKind
 class VmcOptions:
     host: str = option(LOOPBACK, "destination")
     port: int = option(39540, "destination port; that of a VMC Marionette")
+    velocity: bool = option(True, "whether velocities follow each pose in a bundle of their own")
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ def _vmc(options: VmcOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     from extensions.osc.vmc import VmcPublisher
 
     for names in hands:
-        yield VmcPublisher(names.model, options.host, options.port, names)
+        yield VmcPublisher(names.model, options.host, options.port, names, options.velocity)
 
 
 def _requests(options: OscOptions, answer: Answer) -> Door:

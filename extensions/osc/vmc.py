@@ -10,6 +10,9 @@ state goes with every bundle as ``/Glovetrack/Bone/State name state``, which rec
 pass over, as they do ``/Glovetrack/Gesture name value shown``. Where OpenXR's joints are asked for,
 a second bundle has them as
 ``/Glovetrack/OpenXR/Joint name x y z qx qy qz qw radius state``, without a pose where lost.
+Velocities follow in a bundle of ``/Glovetrack/Frame side seq t_unix_ns`` and, for each keypoint or
+joint that is not lost, ``/Glovetrack/Velocity name vx vy vz wx wy wz sd angular_sd`` in m/s and
+rad/s: in Unity's world, or of OpenXR's joints in theirs.
 """
 
 from __future__ import annotations
@@ -17,19 +20,20 @@ from __future__ import annotations
 import numpy as np
 
 from extensions.osc.encode import bundle, message
-from extensions.osc.vmc_pose import AvatarHand, unity_pose
+from extensions.osc.vmc_pose import AvatarHand, unity_pose, unity_velocity
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.datagram import DatagramSocket
-from tracker.streaming.payload import openxr_of
+from tracker.streaming.payload import moving_points, openxr_of
 from tracker.streaming.publisher import STATE_WORDS, Names
 
 CALIBRATED, NORMAL_MODE = 3, 0
 STATE = "/Glovetrack/Bone/State"
 GESTURE = "/Glovetrack/Gesture"
+FRAME, VELOCITY = "/Glovetrack/Frame", "/Glovetrack/Velocity"
 OPENXR_JOINT = "/Glovetrack/OpenXR/Joint"
 PARTS = ("proximal", "intermediate", "distal")
 UNITY_BONES = {
@@ -49,10 +53,11 @@ class VmcPublisher:
         host: str,
         port: int,
         names: Names | None = None,
+        velocity: bool = False,
     ) -> None:
-        """``names``: of the estimates' rows, where OpenXR's joints are to go along."""
+        """``names``: of the estimates' rows, where OpenXR's joints or the velocities are sent."""
         self.name = f"VMC to {host}:{port}"
-        self._hand, self._names = hand, names
+        self._hand, self._names, self._velocity = hand, names, velocity
         self._gestures = GestureRecogniser(hand, names.keypoints) if names is not None else None
         self._avatar = AvatarHand(hand)
         self._bones = [
@@ -66,6 +71,8 @@ class VmcPublisher:
         self._socket.send(self._bundle(estimate))
         if self._names is not None and self._names.openxr:
             self._socket.send(openxr_bundle(estimate, self._names))
+        if self._names is not None and self._velocity:
+            self._socket.send(velocity_bundle(estimate, self._names))
 
     def close(self) -> None:
         self._socket.close()
@@ -125,6 +132,22 @@ def openxr_bundle(e: Estimate, names: Names) -> bytes:
                 OPENXR_JOINT, joint, *([] if state == Validity.LOST else pose), STATE_WORDS[state]
             )
         )
+    return bundle(out)
+
+
+def velocity_bundle(e: Estimate, names: Names) -> bytes:
+    """Number, instant and velocities as one OSC bundle; what is lost is left out."""
+    out = [message(FRAME, names.side, e.seq, names.wall_ns(e.t) or 0)]
+    moving = moving_points(e, names)
+    if moving is None:
+        return bundle(out)
+    linear, angular = moving.linear, moving.angular
+    if not names.openxr:
+        linear, angular = unity_velocity(linear, angular)
+    rows = np.column_stack([linear, angular, moving.linear_sd, moving.angular_sd])
+    for name, row in zip(JOINTS if names.openxr else names.keypoints, rows, strict=True):
+        if np.isfinite(row).all():
+            out.append(message(VELOCITY, name, *row.tolist()))
     return bundle(out)
 
 

@@ -57,3 +57,9 @@ def unity_pose(p_G: Array, q_GB: Array) -> tuple[Array, Array]:
     """
     R = M_WORLD @ so3.matrix_from_quat(q_GB) @ M_WORLD.T
     return M_WORLD @ p_G, so3.quat_from_matrix(R)
+
+
+def unity_velocity(linear: Array, angular: Array) -> tuple[Array, Array]:
+    """Velocity and angular velocity (..., 3) in Unity's world of those in G. Unity turns about an
+    axis by the left hand, so its angular velocity has the other sign."""
+    return linear @ M_WORLD.T, -angular @ M_WORLD.T

@@ -84,6 +84,9 @@ def test_velocities_are_those_of_the_hand_and_as_sure_as_they_say(
         error = rms(column("angle_rate", j) - rate[:, j])
         assert error < (0.3 if name.startswith("ring") else 0.2 * rms(rate[:, j]) + 0.05)
         assert error < 3 * rms(column("angle_rate_sd", j))
+        true = np.array([t.angles[j] for t in sim.truths(np.array([e.t for e in estimates]))])
+        error = rms(np.array([e.angles[j] for e in estimates]) - true)
+        assert error < 4 * rms(column("angle_sd", j))
 
 
 def test_what_no_imu_senses_is_less_sure(sim: Simulation) -> None:

@@ -134,3 +134,26 @@ def test_closing_lets_clients_go_and_frees_the_port(names: Names, make_estimate,
     with pytest.raises(StreamError, match="closed"):
         server.send(make_estimate())
     WebSocketPublisher(names, port=server.port).close()
+
+
+def test_a_client_chooses_its_schema_by_the_address(server, make_estimate, wait_for) -> None:
+    with connect(url(server)) as new, connect(url(server) + "?schema=1") as old:
+        wait_for(lambda: server.clients == 2)
+        server.send(make_estimate())
+        server.send(make_estimate())
+        assert json.loads(new.recv(timeout=2))["schema"] == 2
+        assert json.loads(old.recv(timeout=2))["schema"] == 1
+
+
+def test_a_client_that_asks_for_an_unknown_schema_is_turned_away(server) -> None:
+    with connect(url(server) + "?schema=9") as client, pytest.raises(ConnectionClosed) as closed:
+        client.recv(timeout=2)
+    assert closed.value.rcvd is not None and "schema is one of" in closed.value.rcvd.reason
+
+
+def test_a_server_of_the_first_schema(names: Names, make_estimate, wait_for) -> None:
+    server = WebSocketPublisher(names, schema=1)
+    with contextlib.closing(server), connect(url(server)) as client:
+        wait_for(lambda: server.clients == 1)
+        server.send(make_estimate())
+        assert json.loads(client.recv(timeout=2))["schema"] == 1

@@ -48,6 +48,7 @@ from tracker.online.imu_health import ImuHealth, ImuHealthKept
 from tracker.vision.rig import StereoRig
 
 GYRO_SD = 0.15  # rad/s an axis of a finger's rate: bias and mounting are not estimated
+ANGLE_SD = 0.15  # rad, of a finger's joint by its IMUs alone
 FINGER_SD = 0.01  # m of a finger's markers, by the finger's two IMUs alone
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
 
@@ -142,7 +143,7 @@ class HybridEngine(Engine):
                 w[i], w_sd[i] = R[i].T @ R[a] @ w[a], np.hypot(w_sd[a], JOINT_RATE_SD)
         segments = ActiveSegments(R, p, np.ones((len(R), 3)))
         v, v_sd = dorsum.motion.linear[at].copy(), float(dorsum.motion.linear_sd[at])
-        rates = linked_rates(lay.parent, segments, v, w, v_sd, w_sd)
+        rates = linked_rates(lay.parent, segments, v, w, v_sd, w_sd, np.full(len(R), ANGLE_SD))
         return moving(self._output, estimate, segments, rates)
 
     def _of_root(self, sample: ImuSample) -> ImuSample:

@@ -16,6 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from tracker.geometry import so3
 from tracker.geometry.kernels import quats
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS, KEYPOINTS
@@ -49,6 +50,7 @@ KEYPOINT_OF = {
     **{f"{f}_tip": f"{f}_tip" for f in FINGERS},
 }
 
+MOMENT = 1e-5  # s over which joints are differentiated
 METACARPAL_BASE = 0.25  # of the way from wrist to knuckle: where the carpus ends
 PALM = 0.625  # the middle metacarpal's centre on the same line
 
@@ -91,6 +93,45 @@ def to_openxr(estimate: Estimate, keypoint_names: Sequence[str], radii: Array) -
     e = estimate
     many = openxr_joints(e.keypoints, e.keypoint_q, e.keypoint_state, keypoint_names, radii)
     return replace(many, t=e.t)
+
+
+@dataclass(frozen=True, eq=False)
+class PointMotion:
+    """How n points of a hand move; NaN where unknown. linear (n, 3) m/s and angular (n, 3) rad/s in
+    the axes of their positions; linear_sd, angular_sd (n,) as in a `Motion`."""
+
+    linear: Array
+    angular: Array
+    linear_sd: Array
+    angular_sd: Array
+
+
+def openxr_motion(
+    estimate: Estimate, keypoint_names: Sequence[str], joints: OpenXrHand
+) -> PointMotion:
+    """How the ``joints`` of an estimate, in the order of `JOINTS`, move in OpenXR's world: their
+    change over a moment. A joint on the dorsum is as unsure as the wrist and its knuckle."""
+    e, m, n = estimate, estimate.motion, len(JOINTS)
+    if m is None:
+        nothing = np.full((n, 3), np.nan)
+        return PointMotion(nothing, nothing, nothing[:, 0], nothing[:, 0])
+    turned = so3.exp(m.angular * MOMENT) @ so3.matrix_from_quat(e.keypoint_q)
+    q, p = so3.quat_from_matrix(turned), e.keypoints + m.linear * MOMENT
+    later = openxr_joints(p, q, e.keypoint_state, keypoint_names, joints.radius)
+    R, R_later = (so3.matrix_from_quat(x.orientation) for x in (joints, later))
+    angular = so3.log(R_later @ R.swapaxes(1, 2)) / MOMENT
+    linear = (later.position - joints.position) / MOMENT
+    sds = [_joint_sds(sd, keypoint_names) for sd in (m.linear_sd, m.angular_sd)]
+    return PointMotion(linear, angular, *sds)
+
+
+def _joint_sds(sd: Array, keypoint_names: Sequence[str]) -> Array:
+    """(26,) of keypoints' sd (K,)."""
+    out = np.array([sd[row] if row >= 0 else np.nan for row in keypoint_rows(keypoint_names)])
+    for joint, finger in (("palm", "middle"), *((f"{f}_metacarpal", f) for f in FINGERS)):
+        knuckle = JOINTS.index(f"{finger}_proximal")
+        out[JOINTS.index(joint)] = np.hypot(out[WRIST], out[knuckle])
+    return out
 
 
 def joint_radii(hand: HandModel) -> Array:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from tracker.streaming.connection import LOOPBACK, option
+from tracker.streaming.payload import LATEST
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 from tracker.streaming.remote.client import UDP_PORT
@@ -14,6 +15,7 @@ from tracker.streaming.remote.reception import Answer
 from tracker.streaming.remote.registry import DoorKind
 from tracker.streaming.udp import DEFAULT_PORT, UdpPublisher
 
+SCHEMA_HELP = "version of the JSON messages: 2, or 1 for programs that read only that"
 EXTRA = "glovetrack[streams]"
 
 
@@ -21,12 +23,14 @@ EXTRA = "glovetrack[streams]"
 class UdpOptions:
     host: str = option(LOOPBACK, "destination")
     port: int = option(DEFAULT_PORT, "destination port")
+    schema: int = option(LATEST, SCHEMA_HELP)
 
 
 @dataclass(frozen=True)
 class WebSocketOptions:
     host: str = option(LOOPBACK, "listening address")
     port: int = option(9751, "listening port")
+    schema: int = option(LATEST, SCHEMA_HELP)
 
 
 @dataclass(frozen=True)
@@ -43,14 +47,14 @@ class WebSocketDoorOptions:
 
 def _udp(options: UdpOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     for names in hands:
-        yield UdpPublisher(names, options.host, options.port)
+        yield UdpPublisher(names, options.host, options.port, options.schema)
 
 
 def _websocket(options: WebSocketOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
     from tracker.streaming.websocket import WebSocketPublisher
 
     first, *others = hands
-    server = WebSocketPublisher(first, options.host, options.port)
+    server = WebSocketPublisher(first, options.host, options.port, options.schema)
     yield server
     yield from map(server.beside, others)
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, fields
 from typing import Any, Generic, TypeVar
+from urllib.parse import parse_qsl
 
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError, GlovetrackError
@@ -124,16 +125,44 @@ def key_of(name: str, option: str) -> str:
 def with_words(settings: S, registry: Registry[K], words: str, host: str = "") -> S:
     """``settings`` with the connections of a comma-separated list on, and another host.
 
-    ``udp:9000`` sets the port, ``isaac:take.mcap`` the file. Raises ConfigError for an unknown name
-    or an invalid port.
+    ``udp:9000`` sets the port, ``isaac:take.mcap`` the file, ``udp?schema=1&port=9000`` any
+    options. Raises ConfigError for an unknown name or option, or an invalid value.
     """
     for word in filter(None, (w.strip() for w in words.split(","))):
-        name, colon, value = word.partition(":")
+        address, mark, query = word.partition("?")
+        name, colon, value = address.partition(":")
         kind = registry.get(name.lower())
         settings = settings.changed(**{kind.name: True})
         if colon:
             settings = settings.changed(**_after_colon(kind, registry.noun, value))
+        if mark:
+            settings = settings.changed(**_queried(kind, registry.noun, query))
     return settings.changed(host=host) if host else settings
+
+
+def _queried(kind: ConnectionKind[Any], noun: str, query: str) -> dict[str, object]:
+    """Options as in the query of a URL, by their keys in the table."""
+    out: dict[str, object] = {}
+    usual = kind.options()
+    for name, text in parse_qsl(query, keep_blank_values=True):
+        if name == HOST or not kind.has(name):
+            known = ", ".join(n for n in kind.fields if n != HOST) or "none"
+            raise ConfigError(f"The {kind.name} {noun} has no option {name!r}; options: {known}.")
+        value = _read(text, getattr(usual, name))
+        if value is None:
+            raise ConfigError(f"{text!r} is not a value for {name} of the {kind.name} {noun}.")
+        out[key_of(kind.name, name)] = value
+    return out
+
+
+def _read(text: str, usual: object) -> object:
+    """``text`` in the type of ``usual``; None where that is impossible."""
+    if isinstance(usual, bool):
+        return {"true": True, "1": True, "false": False, "0": False}.get(text.lower())
+    try:
+        return type(usual)(text)  # type: ignore[call-arg]
+    except ValueError:
+        return None
 
 
 def _after_colon(kind: ConnectionKind[Any], noun: str, value: str) -> dict[str, object]:

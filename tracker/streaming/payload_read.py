@@ -9,7 +9,7 @@ import numpy as np
 
 from tracker.base.errors import GlovetrackError
 from tracker.messages import Array, Estimate, Tracking, Validity
-from tracker.streaming.payload import SCHEMA
+from tracker.streaming.payload import SCHEMAS
 from tracker.streaming.publisher import Names
 
 
@@ -18,7 +18,7 @@ def from_json(text: str | bytes, names: Names, segments: int) -> Estimate:
     poses are not sent (NaN). Raises GlovetrackError for anything else."""
     try:
         data = json.loads(text)
-        if data["schema"] != SCHEMA or data["side"] != names.side:
+        if data["schema"] not in SCHEMAS or data["side"] != names.side:
             raise GlovetrackError("The stream is another hand's, or of another version.")
         points = [data["keypoints"].get(n, {}) for n in names.keypoints]
         angles = [data["angles"].get(n, {}) for n in names.angles]

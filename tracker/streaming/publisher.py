@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
+from tracker.base.clock import ClockAnchor
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -65,6 +66,11 @@ class Names:
     angles: tuple[str, ...]
     radii: tuple[float, ...] = ()  # of OpenXR's joints, m, where messages are to carry these
     hand: HandModel | None = field(default=None, compare=False, repr=False)
+    anchor: ClockAnchor | None = field(default=None, compare=False, repr=False)
+
+    def wall_ns(self, t: float) -> int | None:
+        """ns since 1970 at ``t`` (s) by the session's anchor; None for names without one."""
+        return None if self.anchor is None else self.anchor.wall(t)
 
     @property
     def openxr(self) -> bool:
@@ -76,14 +82,17 @@ class Names:
         return GestureRecogniser(self.hand, self.keypoints) if self.hand is not None else None
 
     @staticmethod
-    def of(hand: HandModel, glove: GloveModel, joints: str = OWN) -> Names:
+    def of(
+        hand: HandModel, glove: GloveModel, joints: str = OWN, anchor: ClockAnchor | None = None
+    ) -> Names:
         """The rows of estimates made for this hand and glove; ``joints``: ``own`` or ``openxr``.
+        ``anchor`` gives their instants on the wall clock.
 
         Raises StreamError for other joints.
         """
         if joints not in JOINT_SETS:
             raise StreamError(f"Joints can be {' or '.join(JOINT_SETS)}, not {joints!r}.")
-        names = Names(hand.side, glove.keypoint_names(hand), hand.joint_names, (), hand)
+        names = Names(hand.side, glove.keypoint_names(hand), hand.joint_names, (), hand, anchor)
         return names.with_openxr() if joints == OPENXR else names
 
     def with_openxr(self) -> Names:

@@ -11,7 +11,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from tracker.base.channels import Backlog, Closed
 from tracker.messages import Estimate
@@ -60,7 +60,7 @@ def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
 
 
 class Streams:
-    """Hands estimates to all outputs, each in a thread of its own.
+    """Hands estimates, which it numbers, to all outputs, each in a thread of its own.
 
     ``say`` gets a sentence when an output begins to fail and when it works again. Publishers are
     closed by `close`.
@@ -70,11 +70,13 @@ class Streams:
         self, publishers: Sequence[Publisher], say: Callable[[str], None] = lambda _: None
     ) -> None:
         self._outputs = [_Output(p, say) for p in publishers]
+        self._offered = 0
 
     def offer(self, estimate: Estimate) -> None:
-        """Leave an estimate for every output; never waits."""
+        """Leave an estimate for every output; never waits. From one thread at a time."""
         for output in self._outputs:
-            output.queue.put(estimate)
+            output.queue.put((self._offered, estimate))
+        self._offered += 1
 
     def counts(self) -> tuple[StreamCounts, ...]:
         return tuple(output.counts() for output in self._outputs)
@@ -92,7 +94,7 @@ class _Output:
 
     def __init__(self, publisher: Publisher, say: Callable[[str], None]) -> None:
         self._publisher, self._say = publisher, say
-        self.queue: Backlog[Estimate] = Backlog(BACKLOG)
+        self.queue: Backlog[tuple[int, Estimate]] = Backlog(BACKLOG)
         self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
         self._began = time.monotonic()
         self._timing = threading.Lock()
@@ -125,9 +127,9 @@ class _Output:
     def _run(self) -> None:
         try:
             while True:
-                estimate = self.queue.get(None)
-                if estimate is not None:
-                    self._send(estimate)
+                numbered = self.queue.get(None)
+                if numbered is not None:
+                    self._send(replace(numbered[1], seq=numbered[0]))
         except Closed:
             self._publisher.close()
 

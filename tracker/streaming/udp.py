@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tracker.messages import Estimate
 from tracker.streaming.datagram import DatagramSocket
-from tracker.streaming.payload import to_json
+from tracker.streaming.payload import LATEST, check_schema, to_json
 from tracker.streaming.publisher import LOOPBACK, Names
 
 DEFAULT_PORT = 9750
@@ -13,13 +13,20 @@ DEFAULT_PORT = 9750
 class UdpPublisher:
     """Sends to one address and never waits."""
 
-    def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
-        self._names, self._gestures = names, names.recogniser()
+    def __init__(
+        self,
+        names: Names,
+        host: str = LOOPBACK,
+        port: int = DEFAULT_PORT,
+        schema: int = LATEST,
+    ) -> None:
+        check_schema(schema)
+        self._names, self._gestures, self._schema = names, names.recogniser(), schema
         self.name = f"UDP to {host}:{port}"
         self._socket = DatagramSocket("UDP", host, port)
 
     def send(self, estimate: Estimate) -> None:
-        self._socket.send(to_json(estimate, self._names, self._gestures).encode())
+        self._socket.send(to_json(estimate, self._names, self._gestures, self._schema).encode())
 
     def close(self) -> None:
         self._socket.close()

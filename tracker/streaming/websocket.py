@@ -1,5 +1,7 @@
 """A WebSocket server that sends every client all estimates as JSON; see `payload`.
 
+A client chooses the schema of its messages by its address: ``ws://127.0.0.1:9751/?schema=1``.
+
 A client that reads slowly misses the oldest of `client_queue.BACKLOG` waiting messages, which are
 counted. Pages of other sites that
 a browser on this machine shows are turned away: a WebSocket is not held back by the same-origin
@@ -10,13 +12,16 @@ from __future__ import annotations
 
 import asyncio
 from functools import partial
+from typing import NamedTuple
+from urllib.parse import parse_qs, urlsplit
 
 from websockets.asyncio.server import ServerConnection
+from websockets.frames import CloseCode
 
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
 from tracker.streaming.client_queue import ClientQueue
-from tracker.streaming.payload import to_json
+from tracker.streaming.payload import LATEST, SCHEMAS, check_schema, encoded, payload
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
@@ -26,9 +31,13 @@ MAX_SAID = 1024  # bytes of a client's message; clients have nothing to say
 class WebSocketPublisher:
     """Serves ws://host:port/. Port 0 takes any free one; ``port`` says which."""
 
-    def __init__(self, names: Names, host: str = LOOPBACK, port: int = 0) -> None:
-        self._names, self._gestures = names, names.recogniser()
-        self._clients: tuple[ClientQueue, ...] = ()  # replaced by the server's thread, not changed
+    def __init__(
+        self, names: Names, host: str = LOOPBACK, port: int = 0, schema: int = LATEST
+    ) -> None:
+        """``schema``: what a client gets that does not ask for another one."""
+        check_schema(schema)
+        self._names, self._gestures, self._schema = names, names.recogniser(), schema
+        self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, not changed
         self._missed = 0  # by clients that have left
         self._closing = False
         self._server = ServerThread(
@@ -44,7 +53,7 @@ class WebSocketPublisher:
 
     def missed(self) -> dict[str, int]:
         """Messages that slow clients missed, by their address; under "" those of former clients."""
-        return {"": self._missed} | {c.name: c.dropped for c in self._clients}
+        return {"": self._missed} | {c.queue.name: c.queue.dropped for c in self._clients}
 
     def send(self, estimate: Estimate) -> None:
         self._send(self._names, self._gestures, estimate)
@@ -56,8 +65,13 @@ class WebSocketPublisher:
     def _send(self, names: Names, gestures: GestureRecogniser | None, estimate: Estimate) -> None:
         if self._closing:
             raise StreamError("the WebSocket server is closed")
-        if self.clients:
-            self._server.call(self._hand_out, to_json(estimate, names, gestures))
+        if not self.clients:
+            return
+        if gestures is not None:
+            gestures.feed(estimate)
+        wanted = {self._schema, *(client.schema for client in self._clients)}
+        texts = {s: encoded(payload(estimate, names, gestures, s)) for s in sorted(wanted)}
+        self._server.call(self._hand_out, texts)
 
     def close(self) -> None:
         self._closing = True
@@ -65,19 +79,39 @@ class WebSocketPublisher:
 
     # ---- in the server's own thread
 
-    def _hand_out(self, text: str) -> None:
+    def _hand_out(self, texts: dict[int, str]) -> None:
+        """``texts`` by schema; a client that has just come waits for the next ones."""
         for client in self._clients:
-            client.put(text)
+            if client.schema in texts:
+                client.queue.put(texts[client.schema])
 
     async def _feed(self, connection: ServerConnection) -> None:
         """One client, until it leaves; what it sends is ignored."""
-        client = ClientQueue(connection)
+        asked = _asked_schema(connection, self._schema)
+        if asked not in SCHEMAS:
+            await connection.close(CloseCode.POLICY_VIOLATION, f"schema is one of {SCHEMAS}")
+            return
+        client = _Client(ClientQueue(connection), asked)
         self._clients += (client,)
-        sending = asyncio.create_task(client.send())
+        sending = asyncio.create_task(client.queue.send())
         try:
             async for _ in connection:
                 continue
         finally:
             self._clients = tuple(c for c in self._clients if c is not client)
-            self._missed += client.dropped
+            self._missed += client.queue.dropped
             sending.cancel()
+
+
+class _Client(NamedTuple):
+    """What one client has yet to receive, and the schema of its messages."""
+
+    queue: ClientQueue
+    schema: int
+
+
+def _asked_schema(connection: ServerConnection, usual: int) -> int:
+    """That of the address, ``ws://host:port/?schema=1``; -1 for one that is not a number."""
+    query = parse_qs(urlsplit(connection.request.path if connection.request else "").query)
+    word = query.get("schema", [str(usual)])[-1]
+    return int(word) if word.isdecimal() else -1

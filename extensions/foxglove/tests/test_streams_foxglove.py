@@ -26,7 +26,7 @@ from extensions.foxglove.scene import estimate_schema
 from tracker.hand.names import bones
 from tracker.messages import Validity
 from tracker.streaming.client_queue import BACKLOG
-from tracker.streaming.payload import to_json
+from tracker.streaming.payload import LATEST, to_json
 from tracker.streaming.publisher import Names, StreamError
 
 PROTOCOL, OLD_PROTOCOL, MESSAGE_DATA = "foxglove.sdk.v1", "foxglove.websocket.v1", 1
@@ -315,7 +315,7 @@ def test_a_taken_port_is_said_in_words_and_closing_frees_it(names, make_estimate
 def test_the_schema_for_foxglove_lists_every_joint(make_estimate, names: Names) -> None:
     openxr = names.with_openxr()
     fields = estimate_schema(openxr)["properties"]
-    said = json.loads(to_json(make_estimate(), openxr, openxr.recogniser()))
+    said = json.loads(to_json(make_estimate(), openxr, openxr.recogniser(), LATEST))
     assert fields.keys() == said.keys()
     for part in ("joints", "angles"):
         assert fields[part]["properties"].keys() == said[part].keys()

@@ -16,9 +16,13 @@ except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside i
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
 from extensions.lsl.outlet import LslPublisher, channels, sample
+from tests.streaming.moving_hand import turning
+from tracker.base.clock import ClockAnchor
 from tracker.gestures.values import GESTURES
 from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.streaming.publisher import Names
+
+ANCHOR = ClockAnchor(1_732_538_096_123_456_789, 0)
 
 
 def test_channels_name_every_value_of_a_sample(make_estimate, names: Names) -> None:
@@ -35,7 +39,9 @@ def test_channels_name_every_value_of_a_sample(make_estimate, names: Names) -> N
 def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None:
     e = make_estimate()
     nothing = replace(e, keypoint_state=0 * e.keypoint_state, angle_state=0 * e.angle_state)
-    read = dict(zip([label for label, _ in channels(names)], sample(nothing, names), strict=True))
+    read = dict(
+        zip([n for n, _ in channels(names, 1)], sample(nothing, names, None, 1), strict=True)
+    )
     values = {k: v for k, v in read.items() if not k.endswith("_state") and k != "tracking"}
     shown = [values.pop(f"gesture_{n}_shown") for n in GESTURES]
     assert not any(shown)
@@ -45,6 +51,7 @@ def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None
 
 
 def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names, wait_for) -> None:
+    names = replace(names, anchor=ANCHOR)
     out = LslPublisher(names)
     try:
         found = pylsl.resolve_byprop("source_id", "glovetrack-right", timeout=8)
@@ -53,16 +60,37 @@ def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names
         inlet = pylsl.StreamInlet(found[0])
         inlet.open_stream(timeout=5)
         t = time.monotonic()
-        e = make_estimate(t)
+        e = turning(make_estimate(t), names)
         out.send(e)
         values, stamp = inlet.pull_sample(timeout=5)
         assert_allclose(values, np.float32(sample(e, names)))
         assert abs(stamp - pylsl.local_clock() - (t - time.monotonic())) < 0.01
         assert inlet.info(5).get_channel_labels() == [label for label, _ in channels(names)]
+        clock = inlet.info(5).desc().child("clock")
+        unix_ns = int(clock.child_value("unix_ns")) + 1e9 * (
+            stamp - float(clock.child_value("lsl"))
+        )
+        assert unix_ns == pytest.approx(ANCHOR.wall(t), abs=1e5)
         inlet.close_stream()
     finally:
         out.close()
     out.send(make_estimate())  # after closing: nothing happens
+
+
+def test_the_second_schema_appends_numbers_and_velocities(make_estimate, names: Names) -> None:
+    e = turning(make_estimate(lost=("thumb_tip",)), names)
+    first, second = channels(names, 1), channels(names, 2)
+    assert second[: len(first)] == first
+    assert_allclose(sample(e, names, None, 2)[: len(first)], sample(e, names, None, 1))
+    read = dict(zip([label for label, _ in second], sample(e, names), strict=True))
+    i, j = names.keypoints.index("ring_tip"), names.angles.index("ring_pip_flexion")
+    assert read["seq"] == 7 and e.motion is not None
+    assert_allclose([read[f"ring_tip_v{a}"] for a in "xyz"], e.motion.linear[i])
+    assert_allclose([read[f"ring_tip_w{a}"] for a in "xyz"], [0, 0, 2])
+    assert (read["ring_tip_v_sd"], read["ring_tip_w_sd"]) == (0.02, 0.03)
+    assert read["ring_pip_flexion_rate"] == e.motion.angle_rate[j]
+    assert (read["ring_pip_flexion_rate_sd"], read["ring_pip_flexion_sd"]) == (0.05, 0.01)
+    assert math.isnan(read["thumb_tip_vx"]) and math.isnan(read["thumb_tip_w_sd"])
 
 
 def test_lsl_labels_pose_radius_and_state(make_estimate, names: Names, hand) -> None:

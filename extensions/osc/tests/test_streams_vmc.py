@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,8 @@ from extensions.osc.encode import message
 from extensions.osc.vmc import OPENXR_JOINT, VmcPublisher
 from extensions.osc.vmc_pose import AvatarHand, unity_pose
 from tests.fixtures import RESOURCES
+from tests.streaming.moving_hand import turning
+from tracker.base.clock import ClockAnchor
 from tracker.gestures.values import GESTURES
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
@@ -23,6 +26,7 @@ from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.messages import Estimate, Tracking
 from tracker.streaming.publisher import Names
 
+POSE = "/VMC/Ext/Tra/Pos"
 # Where an avatar's axes lie for somebody who looks along its gaze, right-handed (east, north, up):
 # it looks north, its right hand points east and its left hand west, palms down.
 ENU_OF_UNITY = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])
@@ -173,3 +177,27 @@ def test_a_gesture_has_its_value_and_whether_it_is_shown(names: Names, hand, mak
     gestures = bones(messages, "/Glovetrack/Gesture")
     assert set(gestures) == set(GESTURES)
     assert all(0.0 <= value <= 1.0 and shown in (0, 1) for value, shown in gestures.values())
+
+
+def test_velocities_follow_in_unitys_world(names: Names, hand, make_estimate) -> None:
+    """The hand turns about the vertical, counter-clockwise from above, and rises: Unity's y is up,
+    and it counts turns by the left hand, so that the same turn is negative."""
+    e = turning(make_estimate(lost=("thumb_tip",)), names)
+    dated = replace(names, anchor=ClockAnchor(1_732_538_096_123_456_789, 0))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.bind(("127.0.0.1", 0))
+        client.settimeout(2)
+        out = VmcPublisher(hand, "127.0.0.1", client.getsockname()[1], dated, velocity=True)
+        out.send(e)
+        poses = bones([[m.address, *m.params] for m in OscBundle(client.recv(65536))], POSE)
+        frame, *rest = [[m.address, *m.params] for m in OscBundle(client.recv(65536))]
+        out.close()
+    assert frame == ["/Glovetrack/Frame", "right", 7, 1_732_538_097_373_456_789]
+    moving = bones(rest, "/Glovetrack/Velocity")
+    assert set(moving) == set(names.keypoints) - {"thumb_tip"}
+    p = np.array(poses["glovetrack-right"][:3])
+    v, w = moving["wrist"][:3], moving["wrist"][3:6]
+    assert_allclose(w, [0, -2, 0], atol=1e-6)
+    # the velocity of a point that turns about y by the left-hand rule: v = -(w x p) of a right one
+    assert_allclose(v, np.cross(p, [0, 2, 0]) * [1, 0, 1] + [0, 0.5, 0], atol=1e-5)
+    assert moving["wrist"][6:] == pytest.approx([0.02, 0.03])

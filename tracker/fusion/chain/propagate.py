@@ -171,11 +171,12 @@ def rates_now(
     gyro: Matrix,
     valid: BoolVector,
     gyro_sd: float,
-) -> tuple[Matrix, Vector]:
+) -> tuple[Matrix, Vector, Vector]:
     """(A, 3) rad/s of each active segment in its own B by readings gyro (n, 3), and (A,) rad/s how
-    sure they are on each axis: by ``gyro_sd`` (rad/s) and, in P (N, N), bias and mounting."""
+    sure they are on each axis: by ``gyro_sd`` (rad/s) and, in P (N, N), bias and mounting; (A,) rad
+    how sure each rotation against the parent is, of the root the whole one."""
     w = body_rates(drive, R_GB, imus, gyro, valid)
-    sd = np.empty(len(w))
+    sd, turn_sd = np.empty(len(w)), np.empty(len(w))
     for i in range(len(w)):
         j, a = drive.imu_of[i], drive.parent[i]
         if j >= 0 and valid[j]:
@@ -184,7 +185,24 @@ def rates_now(
             sd[i] = np.sqrt(gyro_sd**2 + bg + turn2 * phi)
         else:
             sd[i] = np.sqrt((sd[a] ** 2 if a >= 0 else 0.0) + JOINT_RATE_SD**2)
-    return w, sd
+        turn_sd[i] = np.sqrt(max(_turn_variance(P, at.theta, R_GB, i, a), 0.0))
+    return w, sd, turn_sd
+
+
+@kernel
+def _turn_variance(P: Matrix, theta: int, R_GB: Stack, i: int, a: int) -> float:
+    """rad², mean of three axes, of the rotation of segment ``i`` against ``a``, -1 for none."""
+    c = theta + 3 * i
+    own = _mean_variance(P, c)
+    if a < 0:
+        return own
+    p = theta + 3 * a
+    R_ca = tmul3(R_GB[i], R_GB[a])
+    shared = 0.0  # trace of the covariance of both errors, the parent's in the child's axes
+    for k in range(3):
+        for m in range(3):
+            shared += P[c + k, p + m] * R_ca[k, m]
+    return own + _mean_variance(P, p) - 2.0 / 3.0 * shared
 
 
 @kernel

@@ -274,11 +274,11 @@ class ShownHand:
         lay, active = self._layout, self._active(state)
         readings = packet.gyro.copy(), np.array(packet.valid, np.bool_)
         v_sd, gyro_sd = self._velocity_sd(past, estimate.t), self._noise.gyro / RATE_LASTS**0.5
-        w, w_sd = rates_now(
+        w, w_sd, turn_sd = rates_now(
             lay.drive, lay.blocks, state.R_GB, state.imus, past.P, *readings, gyro_sd
         )
         v = state.v + state.R_GB[0] @ cross3(w[0], state.R_GB[0].T @ (active.p[0] - state.p))
-        rates = linked_rates(lay.parent, active, v, w, v_sd, w_sd)
+        rates = linked_rates(lay.parent, active, v, w, v_sd, w_sd, turn_sd)
         return moving(self._output, estimate, active, rates)
 
     def _velocity_sd(self, past: ChainState, t: float) -> float:

@@ -22,12 +22,14 @@ its parent gives: the 22° of `INFERRED_DEG` within a movement of half a second.
 
 class Rates(NamedTuple):
     """How A active segments move: v (A, 3) m/s of p_GB in G, w (A, 3) rad/s in B, and their
-    standard deviations on each axis, v_sd (A,) m/s and w_sd (A,) rad/s."""
+    standard deviations on each axis, v_sd (A,) m/s and w_sd (A,) rad/s; turn_sd (A,) rad, of each
+    one's rotation against its parent."""
 
     v: Matrix
     w: Matrix
     v_sd: Vector
     w_sd: Vector
+    turn_sd: Vector
 
 
 class WholeHand(NamedTuple):
@@ -54,10 +56,16 @@ def moving(
 
 @kernel(nogil=False)
 def linked_rates(
-    parent: IntVector, active: ActiveSegments, v: Vector, w: Matrix, v_sd: float, w_sd: Vector
+    parent: IntVector,
+    active: ActiveSegments,
+    v: Vector,
+    w: Matrix,
+    v_sd: float,
+    w_sd: Vector,
+    turn_sd: Vector,
 ) -> Rates:
-    """`Rates` of segments that hang together: the root's origin moves with v (3,) m/s, as surely as
-    ``v_sd``; the segments turn with w (A, 3) rad/s in B, as surely as w_sd (A,); parent (A,)."""
+    """`Rates` of segments that hang together, parent (A,): the root's origin moves with v (3,) m/s,
+    as surely as ``v_sd``; the other arguments are fields of the result."""
     n = len(parent)
     v_all, sd = np.empty((n, 3)), np.empty(n)
     v_all[0], sd[0] = v, v_sd
@@ -66,7 +74,7 @@ def linked_rates(
         lever = active.p[i] - active.p[a]
         v_all[i] = v_all[a] + cross3(rotate(active.R[a], w[a]), lever)
         sd[i] = np.sqrt(sd[a] ** 2 + _lever_variance(lever, w_sd[a] ** 2))
-    return Rates(v_all, w, sd, w_sd)
+    return Rates(v_all, w, sd, w_sd, turn_sd)
 
 
 @kernel(nogil=False)
@@ -77,7 +85,7 @@ def hand_motion(
     active: ActiveSegments,
     rates: Rates,
     now: WholeHand,
-) -> tuple[Matrix, Matrix, Vector, Vector, Vector, Vector]:
+) -> tuple[Matrix, Matrix, Vector, Vector, Vector, Vector, Vector]:
     """The fields of a `Motion`, in their order: the derivative of the completed hand."""
     # 1. the same hand a moment later
     R_next = rotate_all(active.R, rates.w * STEP)
@@ -88,16 +96,22 @@ def hand_motion(
     # 2. variances on each axis
     v_var, w_var = _variances(hand, rates, now.p)
     angular, linear_sd = np.empty_like(linear), np.empty(len(linear))
-    angular_sd, rate_sd = np.empty(len(linear)), np.empty(len(angles))
+    angular_sd, rate_sd, angle_sd = (
+        np.empty(len(linear)),
+        np.empty(len(angles)),
+        np.empty(len(angles)),
+    )
     for k in range(len(linear)):
         s = keypoints.segment[k]
         angular[k] = log3(mul3(R[s], now.R[s].T)) / STEP
         linear_sd[k] = np.sqrt(v_var[s] + _lever_variance(now.points[k] - now.p[s], w_var[s]))
         angular_sd[k] = np.sqrt(w_var[s])
     for j in range(len(angles_of.column)):
-        both = w_var[angles_of.child[j]] + w_var[angles_of.parent[j]]
-        rate_sd[angles_of.column[j]] = np.sqrt(both)
-    return linear, angular, linear_sd, angular_sd, angle_rate, rate_sd
+        child, parent, column = angles_of.child[j], angles_of.parent[j], angles_of.column[j]
+        rate_sd[column] = np.sqrt(w_var[child] + w_var[parent])
+        row = hand.row[child]
+        angle_sd[column] = rates.turn_sd[row] if row >= 0 else angles_of.inferred_sd[j]
+    return linear, angular, linear_sd, angular_sd, angle_rate, rate_sd, angle_sd
 
 
 @kernel

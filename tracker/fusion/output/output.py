@@ -52,11 +52,13 @@ class Keypoints(NamedTuple):
 
 
 class Angles(NamedTuple):
-    """(k,) joint axes: child and parent segment of the joint, column among the hand's angles."""
+    """(k,) joint axes: child and parent segment of the joint, column among the hand's angles, and
+    the standard deviation (rad) of the angle where nothing senses the child."""
 
     child: IntVector
     parent: IntVector
     column: IntVector
+    inferred_sd: Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +95,10 @@ class HandOutput:
         columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
         child, axis = np.nonzero(columns >= 0)
         column = np.ascontiguousarray(columns[child, axis], np.int64)
-        self.angles = Angles(np.ascontiguousarray(child), np.maximum(parent[child], 0), column)
+        inferred = np.deg2rad([_inferred_deg(hand.segments[i].name) for i in child])
+        self.angles = Angles(
+            np.ascontiguousarray(child), np.maximum(parent[child], 0), column, inferred
+        )
 
     def estimate(
         self, t: float, R: Array, p: Array, scale3: Array, sensed: Sensed, active_sd: Array
@@ -267,7 +272,7 @@ def segment_states(row: IntVector, sensed: IntVector) -> IntVector:
 def angle_states(segment_state: IntVector, angles: Angles, known: BoolVector) -> IntVector:
     """(J,) measured where an angle is known and both its segments are."""
     out = np.full(len(known), INFERRED)
-    child, parent, column = angles
+    child, parent, column, _ = angles
     for k in range(len(column)):
         both = segment_state[child[k]] == MEASURED and segment_state[parent[k]] == MEASURED
         if both and known[column[k]]:

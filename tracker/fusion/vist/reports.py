@@ -73,7 +73,20 @@ def rates_of(layout: VistLayout, state: VistState, past: VistState, packet: ImuS
     lever = np.einsum("nij,nj->ni", R_GB, state.scale * layout.imu_position)
     v = state.v_GI - np.cross(np.einsum("nij,nj->ni", R_GB, w), lever)
     v_sd = np.sqrt(v_var + 2 / 3 * (lever * lever).sum(axis=1) * w_var)
-    return Rates(v, w, v_sd, np.sqrt(w_var))
+    return Rates(v, w, v_sd, np.sqrt(w_var), np.sqrt(_turn_variance(layout, past)))
+
+
+def _turn_variance(layout: VistLayout, state: VistState) -> Array:
+    """(n,) rad², mean of three axes, of each segment's rotation against its parent."""
+    n, parent, R = layout.n, layout.chain.parent, state.R_GI
+    P = state.P.reshape(n, ERRORS, n, ERRORS)[:, TH : TH + 3, :, TH : TH + 3]
+    own = np.einsum("iaia->i", P) / 3
+    out = own.copy()
+    for i in range(1, n):
+        a = parent[i]
+        shared = np.sum(P[i, :, a] * (R[i].T @ R[a]))
+        out[i] = own[i] + own[a] - 2 / 3 * shared
+    return np.maximum(out, 0.0)
 
 
 def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:
