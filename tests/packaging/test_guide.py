@@ -12,8 +12,9 @@ import time
 import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 
 from tests.firmware.bootloader import Bootloader
@@ -23,9 +24,11 @@ from tracker.session.reader import SessionReader
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "docs" / "guide"
-PAGES = sorted(GUIDE.glob("*.md"))
+TUTORIALS = ROOT / "docs" / "tutorials"
+PAGES = sorted([*GUIDE.glob("*.md"), *TUTORIALS.glob("*.md")])
 BLOCK = re.compile(r"^```(?:sh)?\n(.*?)^```\n|((?:^    .*\n)+)", re.MULTILINE | re.DOTALL)
 INLINE = re.compile(r"`(glovetrack [a-z][^`]*)`")
+PYTHON = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\((?!https?:)([^)#]+)")
 PORT = "/dev/ttyUSB0"
 ELSEWHERE = {
@@ -155,7 +158,11 @@ def test_commands_that_are_not_run_here_are_run_elsewhere() -> None:
     for name, words in ELSEWHERE.values():
         assert words in (ROOT / name).read_text("utf-8")
     others = {line for line in told - set(ELSEWHERE) if not line.startswith("glovetrack")}
-    assert others == {'pip install ".[streams]"'}
+    assert others == {
+        'pip install ".[streams]"',
+        'pip install "glovetrack[robot]"',
+        "pip install -e glovetrack-pinch-command",
+    }
 
 
 def test_extras_that_pages_name_are_the_projects() -> None:
@@ -166,9 +173,10 @@ def test_extras_that_pages_name_are_the_projects() -> None:
 
 
 def test_every_option_that_the_text_names_exists(capsys: pytest.CaptureFixture[str]) -> None:
-    said = {words for page in PAGES for words in INLINE.findall(page.read_text("utf-8"))}
-    assert len(said) > 5
-    for line in sorted(said):
+    installed = [page for page in PAGES if page.stem != "plug-in"]  # whose command is not
+    lines = {line for page in installed for line in INLINE.findall(page.read_text("utf-8"))}
+    assert len(lines) > 5
+    for line in sorted(lines):
         words = line.split()[1:]
         assert run(f"glovetrack {words[0]} --help") == 0, line
         help_text = capsys.readouterr().out
@@ -241,9 +249,31 @@ def test_links_and_images_are_there(page: Path) -> None:
     assert [t for t in targets if not (page.parent / t).exists()] == []
 
 
-def test_every_page_is_listed() -> None:
-    listed = LINK.findall((GUIDE / "README.md").read_text("utf-8"))
-    assert {GUIDE / name for name in listed} == set(PAGES) - {GUIDE / "README.md"}
+@pytest.mark.parametrize("folder", [GUIDE, TUTORIALS], ids=lambda p: p.name)
+def test_every_page_is_listed(folder: Path) -> None:
+    listed = LINK.findall((folder / "README.md").read_text("utf-8"))
+    pages = {(folder / name).resolve() for name in listed if not name.startswith("../")}
+    assert pages == set(folder.glob("*.md")) - {folder / "README.md"}
+
+
+def test_the_python_of_the_first_tutorial_runs(
+    sessions: Sessions, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(sessions.tracked, "tracked.mcap")
+    (code,) = PYTHON.findall((TUTORIALS / "first-session.md").read_text("utf-8"))
+    names: dict[str, Any] = {}
+    exec(compile(code, "first-session.md", "exec"), names)
+    assert names["aperture_mm"].shape == names["rec"].t.shape
+    assert 5 < np.nanmedian(names["aperture_mm"]) < 200  # a hand's size
+
+
+def test_the_plug_in_of_the_tutorial_is_the_example() -> None:
+    """The example is installed and run by test_examples.py."""
+    text = (TUTORIALS / "plug-in.md").read_text("utf-8")
+    example = ROOT / "docs" / "examples" / "glovetrack-pinch-command"
+    for name in ("pyproject.toml", "glovetrack_pinch_command.py"):
+        assert f"\n{(example / name).read_text('utf-8')}```" in text
 
 
 def test_shortcuts_are_the_windows() -> None:
