@@ -1,1 +1,1 @@
-"""The papers' protocols: motions, errors, metrics, tables and figures."""
+"""Evaluation protocols of the papers: motions, errors, metrics, tables and figures."""

@@ -1,4 +1,4 @@
-"""What evaluation adds to the program; `group.py` describes the command above these."""
+"""Descriptors of the sub-commands of ``evaluate``; `group.py` has the command itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The command ``evaluate``, apart from its sub-commands so that ``glovetrack --help`` is fast."""
+"""The command ``evaluate``, separate from its sub-commands so that ``glovetrack --help`` is
+fast."""
 
 from __future__ import annotations
 

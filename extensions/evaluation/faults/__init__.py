@@ -1,1 +1,1 @@
-"""A drill of device faults."""
+"""Fault injection into simulated devices."""

@@ -1,4 +1,4 @@
-"""The command ``evaluate faults``: devices that fail a thousand times."""
+"""The command ``evaluate faults``: a thousand random device faults."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def add_faults(parser: argparse.ArgumentParser) -> None:
 
 
 def evaluate_faults(args: argparse.Namespace) -> int:
-    """Exit status 1 if an error was not reported."""
+    """Run the drill; returns exit status 1 if an error was not reported."""
     from extensions.evaluation.faults.drill import drill
     from tracker.base.terminal import check_json, finish, progress_line
 

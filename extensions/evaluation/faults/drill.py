@@ -1,7 +1,8 @@
-"""A thousand faults of the glove and of the camera in one run: nothing crashes, nothing lies.
+"""Injects random faults of the glove, the camera and the computer, and checks the tracking.
 
-The ordinary link, camera code, detector and pipeline run on simulated devices and a clock of their
-own. One random fault at a time begins, lasts, and ends; then the hand has to be tracked again.
+The actual link, camera code, detector and pipeline run on simulated devices and a simulated clock.
+One random fault at a time starts and ends; then the hand must be tracked again. Nothing may crash,
+and no wrong position may be shown as measured without a report.
 """
 
 from __future__ import annotations
@@ -37,14 +38,14 @@ from tracker.vision.colours import parse_profile
 from tracker.vision.detector import Detector, detect_frame
 
 HOST_FAULTS = ("starved glove", "starved camera", "starved")
-"""Of the computer: threads that are let run up to `LONGEST_WAIT` apart. Packets come late and in
-bunches then, images late, and only the newest of those that came meanwhile."""
+"""Faults of the computer: threads wait up to `LONGEST_WAIT` for the processor. Packets then arrive
+late and in bursts, and only the newest of several late images is used."""
 FAULTS = (*virtual_glove.FAULTS, *virtual_camera.FAULTS, *HOST_FAULTS)
 SHORTEST_WAIT, LONGEST_WAIT = 0.02, 0.3  # s
 FPS = 30.0
-MOTION_S = 120.0  # of one wearer; then another begins
+MOTION_S = 120.0  # per wearer
 WARM_UP = 3.0  # s before the first fault
-MATCHED = 4  # markers in an image that counts
+MATCHED = 4  # matched markers for which an image counts as tracked
 FRESH = 0.1  # s
 LOOK_EVERY = 0.05  # s
 
@@ -54,23 +55,23 @@ class DrillParams:
     """Times in s, lengths in m."""
 
     fps: float = FPS
-    shortest: float = 0.1  # fault
+    shortest: float = 0.1  # of a fault
     longest: float = 1.2
-    rest_shortest: float = 0.2  # between two faults, tracking all the while
+    rest_shortest: float = 0.2  # between two faults, while tracking
     rest_longest: float = 0.6
     back: float = 0.030  # mean error of the four keypoints at which the hand is tracked again
-    wrong: float = 0.050  # error of a keypoint that is shown as measured, while tracking,
-    doubt: float = 3.0  # and at least so many of the standard deviations that are shown with it
-    silent_for: float = 0.25  # that long it may be shown before something is reported
-    noticed: float = 0.6  # a shorter fault that showed nothing wrong need not be reported
+    wrong: float = 0.050  # error of a keypoint shown as measured that counts as wrong,
+    doubt: float = 3.0  # if it also exceeds this many of its standard deviations
+    silent_for: float = 0.25  # longest time for which a wrong keypoint may be unreported
+    noticed: float = 0.6  # shorter faults without a wrong keypoint need not be reported
     patience: float = 5.0  # longest wait for tracking
 
 
 @dataclass(eq=False)
 class DrillReport:
-    """What came of it. ``recovery`` (s) and counts are per kind of fault.
+    """Result of the drill. ``recovery`` (s) and counts are per kind of fault.
 
-    ``unsaid`` counts lasting faults without a notice or a counter; ``silent_wrong`` those in which
+    ``unsaid`` counts longer faults without a notice or a counter; ``silent_wrong`` those in which
     wrong positions were shown and nothing was reported.
     """
 
@@ -103,7 +104,7 @@ class DrillReport:
 
 
 class Bench:
-    """One wearer on virtual devices, tracked; `run` lets time pass."""
+    """Tracks one wearer on simulated devices; `run` advances the simulated time."""
 
     def __init__(self, seed: int, fps: float = FPS) -> None:
         hand, glove = library.load(library.DEFAULT_GLOVE, "")
@@ -126,15 +127,15 @@ class Bench:
         self._silence = SilenceWatch()
         self._load = LoadWatch()
         self._rng = np.random.default_rng(seed)
-        self._wake: dict[str, float] = {}  # s when a starved thread runs next, by its device
-        self._held: StereoFrame | None = None  # the newest image that a starved thread has missed
+        self._wake: dict[str, float] = {}  # s at which a starved thread runs next, by device
+        self._held: StereoFrame | None = None  # the newest image missed by a starved thread
         self._missed = 0
         self.estimate: Estimate | None = None
 
     # ---- the computer
 
     def fail(self, kind: str) -> None:
-        """Begin one of `FAULTS`."""
+        """Start one of `FAULTS`."""
         if kind in HOST_FAULTS:
             both = ("glove", "camera")
             self._wake = {d: self.now for d in both if kind in ("starved", f"starved {d}")}
@@ -142,13 +143,13 @@ class Bench:
             (self.glove if kind in virtual_glove.FAULTS else self.camera).fail(kind)
 
     def heal(self) -> None:
-        """End whatever has begun."""
+        """End the current fault."""
         self._wake = {}
         self.glove.heal()
         self.camera.heal()
 
     def _runs(self, device: str) -> bool:
-        """Whether the thread of a device is let run now."""
+        """Whether the thread of a device may run now."""
         if self.now < self._wake.get(device, -np.inf):
             return False
         if device in self._wake:
@@ -158,7 +159,8 @@ class Bench:
     # ---- time
 
     def run(self, until: Callable[[], bool], longest: float) -> float:
-        """Let time pass until a condition holds, at most ``longest`` s; how long it took."""
+        """Advance the time until ``until()`` is true, at most ``longest`` s; returns the
+        duration."""
         start = self.now
         while self.now - start < longest:
             self._step()
@@ -224,14 +226,14 @@ class Bench:
         return notices
 
     def losses(self) -> int:
-        """All counters of things that did not come or were not used."""
+        """Sum of all counters of lost and discarded data."""
         c, p = self.link.decoder.counters, self.pipeline.rig_state
         counted = (c.cobs_errors, c.crc_errors, c.length_errors, c.unknown, c.oversize)
         images = self.images.repeated + self.images.missed + p.refused
         return sum(counted) + self.link.figures.lost + images
 
     def errors(self) -> Array:
-        """Distance (4,) m of the keypoints from the truth, NaN where lost or nothing is shown."""
+        """Errors (4,) m of the keypoints; NaN where lost or not shown."""
         if self.estimate is None:
             return np.full(len(self._rows), np.nan)
         true = self._sim.truth(self.estimate.t).keypoints[self._rows]
@@ -239,7 +241,7 @@ class Bench:
         return error
 
     def is_wrong(self, p: DrillParams) -> bool:
-        """Whether a keypoint that is shown as measured is far from where it is."""
+        """Whether a keypoint shown as measured has a large error."""
         e = self.estimate
         if e is None:
             return False
@@ -249,7 +251,7 @@ class Bench:
         return bool(np.any(measured & (error > p.wrong) & (error > p.doubt * sd)))
 
     def tracked(self, back: float) -> bool:
-        """Whether the hand is tracked, by a glove and a camera that are both there."""
+        """Whether the hand is tracked and both the glove and the camera are connected."""
         e = self.estimate
         if e is None or e.tracking != Tracking.TRACKING:
             return False
@@ -265,7 +267,7 @@ def drill(
     kinds: tuple[str, ...] = FAULTS,
     progress: Callable[[float], None] = lambda share: None,
 ) -> DrillReport:
-    """``count`` random faults, one after another. Raises whatever a part raises."""
+    """Inject ``count`` random faults in sequence. Exceptions of all parts propagate."""
     params, report = params or DrillParams(), DrillReport()
     rng = np.random.default_rng(seed)
     bench = _new_bench(seed, params, report)
@@ -274,7 +276,7 @@ def drill(
             report.simulated_s += bench.now
             bench = _new_bench(seed + k + 1, params, report)
         if k % len(kinds) == 0:
-            order = rng.permutation(len(kinds))  # every kind as often as any other
+            order = rng.permutation(len(kinds))  # all kinds equally often
         _one_fault(bench, kinds[order[k % len(kinds)]], rng, params, report)
         progress((k + 1) / count)
     report.simulated_s += bench.now
@@ -311,7 +313,7 @@ def _one_fault(
 
 
 class _LieDetector:
-    """Watches one fault: a wrong position shown as measured, and nothing reported."""
+    """Detects, during one fault, wrong positions shown as measured without a report."""
 
     def __init__(self, bench: Bench, params: DrillParams) -> None:
         self._bench, self._params = bench, params
@@ -320,10 +322,10 @@ class _LieDetector:
         self.lied = False
 
     def look(self) -> bool:
-        """Always False, so that it can be used as a condition that never ends a run."""
+        """Check now; returns False, so that it can be a condition that does not end a run."""
         bench, p = self._bench, self._params
         self.notices += bench.drain_notices()
-        if bench.now < self._next_look:  # the truth is dear
+        if bench.now < self._next_look:  # computing the truth is slow
             return False
         self._next_look = bench.now + LOOK_EVERY
         e = bench.estimate

@@ -1,1 +1,1 @@
-"""Gestures of simulated people, against what they were asked to hold."""
+"""Evaluation of gesture recognition on simulated and recorded hands."""

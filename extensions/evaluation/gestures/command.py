@@ -41,7 +41,7 @@ def add_gestures(parser: argparse.ArgumentParser) -> None:
 
 
 def evaluate_gestures(args: argparse.Namespace) -> int:
-    """Score and print."""
+    """Score gesture recognition and print the result."""
     from extensions.evaluation.gestures.score import score
 
     check_json(args, args.motion)

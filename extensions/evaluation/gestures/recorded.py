@@ -1,8 +1,8 @@
-"""Gestures of hands that were recorded from people, through simulated sensors and tracking.
+"""Scores gestures of recorded human motion through simulated sensors and tracking.
 
-Nobody labelled these recordings, so each gesture that the recorded hand itself shows, by the same
-rules, is the label: what is scored is how much of that survives the glove and the camera, how late
-it is told, and what is told that the hand did not show.
+The recordings have no labels, so the gestures recognised in the recorded hand itself serve as
+labels. The score states how many of them are recognised after tracking, with which delay, and how
+many additional gestures are recognised.
 """
 
 from __future__ import annotations
@@ -19,20 +19,20 @@ from extensions.evaluation.gestures.score import TrueValues, phases_of, tracked,
 from tracker.gestures.recogniser import Phase
 from tracker.offline.simulate import SimulateOptions, build
 
-EARLY, LATE = 0.15, 0.6  # s about a true beginning within which one is told
-LASTS = 0.15  # s: what the hand shows for a shorter time is in passing, and no label
-SETTLING = 1.0  # s from the first image, while the hand is being found
+EARLY, LATE = 0.15, 0.6  # s before and after a true beginning in which a detection counts
+LASTS = 0.15  # s: shorter gestures are transitions, not labels
+SETTLING = 1.0  # s from the first image, while tracking starts
 
 
 @dataclass
 class RecordedScore:
-    """Of one recording, or several: gestures that the hand shows, of which are told, with their
-    delays (s), and those that are told falsely, in ``seconds`` of motion."""
+    """Score of one or several recordings: gestures of the hand, detected ones with their delays
+    (s), and false detections, in ``seconds`` of motion."""
 
     name: str
     seconds: float = 0.0
     shown: Counter[str] = field(default_factory=Counter)
-    told: Counter[str] = field(default_factory=Counter)
+    detected: Counter[str] = field(default_factory=Counter)
     false: Counter[str] = field(default_factory=Counter)
     delays: list[float] = field(default_factory=list)
 
@@ -42,7 +42,7 @@ class RecordedScore:
             "name": self.name,
             "seconds": self.seconds,
             "shown": dict(self.shown),
-            "told": dict(self.told),
+            "told": dict(self.detected),
             "false": dict(self.false),
             "false_per_minute": 60 * self.false.total() / max(self.seconds, 1e-9),
             "delay_ms_median": float(np.median(delays)) if len(delays) else None,
@@ -50,20 +50,20 @@ class RecordedScore:
         }
 
     def line(self) -> str:
-        """For people."""
+        """One line of text."""
         data = self.to_json()
         delay = data["delay_ms_median"]
         late = "" if delay is None else f", {delay:.0f} ms late (90 %: {data['delay_ms_90']:.0f})"
         false = ", ".join(f"{n} {k}" for n, k in self.false.items()) or "none"
-        shown = ", ".join(f"{n} {self.told[n]}/{k}" for n, k in self.shown.items()) or "none"
+        shown = ", ".join(f"{n} {self.detected[n]}/{k}" for n, k in self.shown.items()) or "none"
         return (
-            f"{self.name}: {self.seconds:.0f} s, told {shown}{late}; false {false} "
+            f"{self.name}: {self.seconds:.0f} s, detected {shown}{late}; false {false} "
             f"({data['false_per_minute']:.2f} a minute)"
         )
 
 
 def score_recorded(path: Path, seed: int, most: float, glove: str = "") -> RecordedScore:
-    """A recording's first ``most`` s on a simulated wearer of seed ``seed``. Raises FileError."""
+    """Score the first ``most`` s of a recording with a simulated wearer. Raises FileError."""
     options = SimulateOptions(glove=glove, motion=str(path), seed=seed, images=False)
     simulation, _ = build(options)
     end = min(most, simulation.duration - 0.05)
@@ -80,7 +80,7 @@ def score_recorded(path: Path, seed: int, most: float, glove: str = "") -> Recor
         out.shown[phase.gesture] += 1
         delay = _delay(phase, found)
         if delay is not None:
-            out.told[phase.gesture] += 1
+            out.detected[phase.gesture] += 1
             out.delays.append(delay)
     for phase in found:
         if phase.begins and phase.t >= SETTLING and not truth.shows(phase.gesture, phase.t):
@@ -89,19 +89,19 @@ def score_recorded(path: Path, seed: int, most: float, glove: str = "") -> Recor
 
 
 def together(scores: Sequence[RecordedScore]) -> RecordedScore:
-    """All of them as one."""
+    """The combined score."""
     out = RecordedScore("all")
     for one in scores:
         out.seconds += one.seconds
         out.shown += one.shown
-        out.told += one.told
+        out.detected += one.detected
         out.false += one.false
         out.delays += one.delays
     return out
 
 
 def _lasting(phases: Sequence[Phase], end: float) -> list[Phase]:
-    """Beginnings of what is shown for a while."""
+    """Beginnings of gestures that last at least `LASTS`."""
     out = []
     for i, phase in enumerate(phases):
         if phase.begins:
@@ -112,8 +112,8 @@ def _lasting(phases: Sequence[Phase], end: float) -> list[Phase]:
 
 
 def _delay(phase: Phase, found: Sequence[Phase]) -> float | None:
-    """s from the true hand's beginning to the one that is told; 0 where it is shown all along,
-    None where it is not told."""
+    """Delay in s from the true beginning to the detection; 0 if the gesture is already detected,
+    None if it is not detected."""
     same = [p for p in found if p.gesture == phase.gesture]
     near = [p.t - phase.t for p in same if p.begins and -EARLY <= p.t - phase.t <= LATE]
     if near:

@@ -1,7 +1,7 @@
-"""How well gestures are told: simulated people hold each on request, then move freely.
+"""Scores gesture recognition: simulated people hold each gesture on request, then move freely.
 
-The labels are what was asked for and held, not what a recogniser made of the truth. A gesture that
-begins in free motion is false unless the true hand shows it too.
+Labels are the requested gestures, not those recognised in the true hand. A gesture that is detected
+in free motion is false unless the true hand shows it as well.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ from tracker.simulation.scenario import Simulation, Truth
 from tracker.simulation.wearer import Wearer
 
 SHOWN_BY = {"flat": "open_palm", "spread": "open_palm"}
-"""The gesture that a guided pose shows, where it is not called the same."""
+"""The gesture of a guided pose with a different name."""
 JUDGED_FROM = 0.2  # s after the pose is reached
 STEP = 0.01  # s
 
 
 class Held(NamedTuple):
-    """A gesture that was held: the share of the time in which it, and no other, was told; delay s
-    from the first instant at which the true hand's value is above that at which gestures begin (it
-    has to last `WAIT` then), NaN where it was never told."""
+    """A held gesture: the share of time in which only it was detected; the delay in s from the
+    first instant at which the true hand's value exceeds the threshold (it must last `WAIT`); NaN if
+    it was not detected."""
 
     gesture: str
     right: float
@@ -45,7 +45,7 @@ class Held(NamedTuple):
 
 @dataclass
 class GestureScore:
-    """Of one wearer."""
+    """Score of one wearer."""
 
     held: list[Held] = field(default_factory=list)
     false_starts: Counter[str] = field(default_factory=Counter)
@@ -59,9 +59,9 @@ class GestureScore:
 def score(
     seed: int, free: float = 60.0, on_truth: bool = False, glove_name: str = ""
 ) -> GestureScore:
-    """Gestures of one simulated wearer, ``free`` s of them in free motion.
+    """Score one simulated wearer, including ``free`` s of free motion.
 
-    ``on_truth``: told from the true hand, which shows what the rules themselves leave.
+    ``on_truth``: use the true hand, which shows the errors of the rules alone.
     """
     hand, glove = library.load(glove_name or library.DEFAULT_GLOVE)
     wearer = Wearer.random(hand, glove, seed)
@@ -102,7 +102,7 @@ def _judged(
 
 
 class TrueValues:
-    """What the true hand shows, from the start in steps of `STEP`."""
+    """Gestures of the true hand in steps of `STEP` s."""
 
     def __init__(self, hand: Sequence[Estimate], model: HandModel, names: tuple[str, ...]) -> None:
         reader, params = ShapeReader(model, names), GestureParams()
@@ -114,18 +114,18 @@ class TrueValues:
         return values[np.clip(np.round(t / STEP).astype(int), 0, len(values) - 1)]
 
     def shows(self, gesture: str, t: float) -> bool:
-        """Whether it is there, or was in the last tenth of a second."""
+        """Whether the gesture is shown or was shown in the last tenth of a second."""
         return bool((self._rows(gesture, t - np.array([0.0, 0.05, 0.1])) >= ENDS_AT).any())
 
     def first(self, gesture: str, start: float, stop: float) -> float:
-        """When the true hand's value first is one that gestures begin at; NaN where it never is."""
+        """First time at which the true hand's value exceeds the threshold; NaN if it never does."""
         instants = np.arange(start, stop, STEP)
         begun = instants[self._rows(gesture, instants) > BEGINS_AT]
         return float(begun[0]) if len(begun) else float("nan")
 
 
 def tracked(simulation: Simulation, end: float = np.inf) -> list[Estimate]:
-    """What tracking makes of a simulated hand, up to ``end`` s; it hears what a wearer is asked."""
+    """Estimates of a simulated hand up to ``end`` s; the tracker receives the guided poses."""
     pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
     messages: Iterable[Message] = simulation.feed()
     if isinstance(simulation.motion, GuidedPoses):
@@ -144,7 +144,7 @@ def tracked(simulation: Simulation, end: float = np.inf) -> list[Estimate]:
 
 
 def true_hand(simulation: Simulation) -> list[Estimate]:
-    """The hand as it is, 100 times a second."""
+    """The true hand at 100 Hz."""
     t = np.arange(0.0, simulation.duration - 0.02, STEP)
     truths = simulation.truths(t)
     return [
@@ -156,13 +156,13 @@ def true_hand(simulation: Simulation) -> list[Estimate]:
 def phases_of(
     estimates: Sequence[Estimate], hand: HandModel, names: tuple[str, ...]
 ) -> list[Phase]:
-    """What begins and ends in them."""
+    """Beginnings and ends of gestures in estimates."""
     recogniser = GestureRecogniser(hand, names)
     return [phase for estimate in estimates for phase in recogniser.feed(estimate)]
 
 
 def as_estimate(t: float, true: Truth, hand: HandModel, glove: GloveModel) -> Estimate:
-    """The truth as if it had been measured without error."""
+    """The truth as an estimate without error."""
     keypoints, joints = len(true.keypoints), len(true.angles)
     segments = list(hand.keypoint_segment)
     segments += [hand.root] * (keypoints - len(segments))

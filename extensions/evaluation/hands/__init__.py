@@ -1,1 +1,1 @@
-"""Two hands before one camera: together against each alone."""
+"""Evaluation of two hands before one camera, compared with each hand alone."""

@@ -1,4 +1,4 @@
-"""The command ``evaluate hands``: pairs of simulated hands that meet, together and each alone."""
+"""The command ``evaluate hands``: pairs of simulated hands, tracked together and each alone."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from extensions.evaluation.hands.trial import HandFigures
 
 LONGEST_RATIO, LONGEST_OFF = 1.2, 0.2
-"""Goals: error together over error alone, and s for which a hand may be off at most."""
+"""Goals: error together relative to error alone, and longest time in s with a wrong position."""
 
 
 def add_hands(parser: argparse.ArgumentParser) -> None:
@@ -48,7 +48,7 @@ def evaluate_hands(args: argparse.Namespace) -> int:
     from tracker.engine.kinds import ENGINES
 
     check_json(args)
-    ENGINES.get(args.engine)  # raises ConfigError for an unknown name
+    ENGINES.get(args.engine)  # raises ConfigError if the name is unknown
     if args.pairs < 1 or args.seconds < 4 or not 5 <= args.fps <= 240:
         raise ConfigError("--pairs must be at least 1, --seconds at least 4, and --fps 5 to 240.")
     seeds = range(args.seed, args.seed + args.pairs)
@@ -65,7 +65,7 @@ def evaluate_hands(args: argparse.Namespace) -> int:
 
 
 def summary(rows: Sequence[HandFigures]) -> dict[str, Any]:
-    """For programs: each hand, means over all, and whether the goals are met."""
+    """JSON values: each hand, means over all, and whether the goals are met."""
     together = sum(r.together_mm for r in rows) / len(rows)
     alone = sum(r.alone_mm for r in rows) / len(rows)
     covered = sum(r.covered_mm for r in rows) / len(rows)
@@ -83,7 +83,7 @@ def summary(rows: Sequence[HandFigures]) -> dict[str, Any]:
 
 
 def table(rows: Sequence[HandFigures], found: dict[str, Any]) -> list[str]:
-    """For people."""
+    """The table as lines of text."""
     head = f"{'pair':>5} {'hand':<6}{'together mm':>12}{'alone mm':>10}{'ratio':>7}"
     head += f"{'covered mm':>12}{'ratio':>7}"
     lines = [head + f"{'known':>8}{'tracked':>9}{'off, longest s':>16}"]

@@ -1,4 +1,4 @@
-"""One simulated pair of hands tracked together, and each of them alone and covered."""
+"""Tracks one simulated pair of hands together, and each hand alone and covered."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s until which a wearer's hand is learned first
-EVERY = 5  # packets between two instants that are compared
-EXCHANGED_MM = 35.0  # a hand farther off than this is at the other's markers, or pulled there
+EVERY = 5  # packets between compared instants
+EXCHANGED_MM = 35.0  # m·1e-3: a larger error means that the hand follows the other hand's markers
 
 
 @dataclass(frozen=True)
 class HandFigures:
-    """Of one hand over one trial: mean errors (mm) together, alone, and covered (where the other
-    hand hides it as it does, and brings no markers) over instants at which its position is known in
-    each; ``known`` and ``tracked`` shares of the instants; and the longest time (s) for which it is
-    off by more than `EXCHANGED_MM`."""
+    """Figures of one hand in one trial: mean errors (mm) together, alone, and covered (occluded by
+    the other hand, which has no markers) over instants at which its position is known in all three;
+    ``known`` and ``tracked``: shares of the instants; and the longest time (s) with an error above
+    `EXCHANGED_MM`."""
 
     seed: int
     side: str
@@ -46,13 +46,13 @@ class HandFigures:
 
     @property
     def confusion(self) -> float:
-        """What the other hand's markers cost, beside what it hides."""
+        """Error caused by the other hand's markers, in addition to that of its occlusion."""
         return self.together_mm / self.covered_mm
 
 
 @dataclass(frozen=True)
 class _TrialErrors:
-    """Of one hand at instants t (n,) s: errors (n,) mm, NaN where lost, and whether tracked."""
+    """One hand at instants t (n,) s: errors (n,) mm, NaN where lost, and whether it is tracked."""
 
     t: Array
     off_mm: Array
@@ -66,7 +66,7 @@ def run_trial(
     fps: float = 60.0,
     progress: Callable[[float], None] = lambda share: None,
 ) -> list[HandFigures]:
-    """Both hands of one seed; a task of `tracker.base.workers`."""
+    """Run both hands of one seed; a task of `tracker.base.workers`."""
     dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
     sim = TwoHandsSimulation(dressed, seed, seconds, fps)
     together = _together(sim, engine)
@@ -75,8 +75,8 @@ def run_trial(
             seed,
             side,
             _shown(sim.hands[side], together[side]),
-            _by_itself(sim.alone[side], engine),
-            _by_itself(sim.hands[side], engine),
+            _tracked_alone(sim.alone[side], engine),
+            _tracked_alone(sim.hands[side], engine),
         )
         for side in SIDES
     ]
@@ -100,7 +100,7 @@ def _figures(
 
 
 def longest(t: Array, wrong: NDArray[np.bool_]) -> float:
-    """s of the longest run of True over the instants t (n,)."""
+    """Duration in s of the longest run of True over the instants t (n,)."""
     best, since = 0.0, np.nan
     for instant, is_wrong in zip(t, wrong, strict=True):
         if not is_wrong:
@@ -128,8 +128,8 @@ def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]
     return out
 
 
-def _by_itself(hand: Simulation, engine: str) -> _TrialErrors:
-    """Of a simulated hand whose blobs alone are seen."""
+def _tracked_alone(hand: Simulation, engine: str) -> _TrialErrors:
+    """Errors of a simulated hand without the other hand's blobs."""
     pipeline, out = _make(hand, engine), []
     for message in hand.feed():
         if isinstance(message, BlobFrame):

@@ -1,1 +1,1 @@
-"""The protocol of Lemak et al. 2020."""
+"""Evaluation protocol of Lemak et al. 2020."""

@@ -2,7 +2,7 @@
 
 Laidig, Caruso, Cereatti, Seel, "BROAD: A Benchmark for Robust Inertial Orientation Estimation",
 Data 6(7):72, 2021, doi 10.3390/data6070072, section 4. Filters without a magnetometer choose their
-own heading, so a constant heading offset, that of the first scored sample, is taken out first.
+own heading, so the heading offset of the first scored sample is removed from all samples.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class BroadRow:
 
 
 def read_trial(path: Path) -> BroadTrial:
-    """A trial's MATLAB file. Raises FileError where it is none."""
+    """Read a trial's MATLAB file. Raises FileError if it is invalid."""
     try:
         data = scipy.io.loadmat(path)
         q_wxyz = np.asarray(data["opt_quat"], float)
@@ -73,7 +73,7 @@ def read_trial(path: Path) -> BroadTrial:
 
 
 def filters() -> dict[str, OrientationFilter]:
-    """Ours, plain Madgwick and the peers that are installed, each with its defaults."""
+    """Our filter, plain Madgwick and the installed peers, each with its defaults."""
     out: dict[str, OrientationFilter] = {
         "segments": _segments,
         "madgwick_plain": lambda g, a, dt: plain_madgwick(g, a, dt, MADGWICK_BETA),
@@ -91,15 +91,15 @@ def _segments(gyro: Array, accel: Array, dt: float) -> Array:
 
 
 def trial_paths(folder: Path) -> list[Path]:
-    """The recordings in a folder by name. Raises FileError where there are none."""
+    """The recordings in a folder, sorted by name. Raises FileError if there are none."""
     found = sorted(folder.glob("*.mat"))
     if not found:
-        raise FileError(f"{folder} holds no BROAD recordings (*.mat).")
+        raise FileError(f"{folder} contains no BROAD recordings (*.mat).")
     return found
 
 
 def evaluate(paths: Iterable[Path], chosen: dict[str, OrientationFilter]) -> list[BroadRow]:
-    """Every filter on every trial."""
+    """Apply every filter to every trial."""
     rows = []
     for path in paths:
         trial = read_trial(path)
@@ -125,7 +125,7 @@ def earth_error(q_GB: Array, truth: Array) -> Array:
 
 
 def without_heading(q_error: Array, reference: Array) -> Array:
-    """Errors with the heading part of one of them taken out of all."""
+    """Errors without the heading error of ``reference``."""
     turn = np.array([0.0, 0.0, -reference[2], reference[3]])
     turn /= np.linalg.norm(turn)
     return _product(turn[None], q_error)

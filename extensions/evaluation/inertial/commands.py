@@ -23,7 +23,7 @@ def add_inertial(p: argparse.ArgumentParser) -> None:
 
 
 def evaluate_inertial_command(args: argparse.Namespace) -> int:
-    """Imported here, so that other commands start without numba and matplotlib."""
+    """Run the evaluation; imports numba and matplotlib only now."""
     from extensions.evaluation.inertial.report import evaluate_inertial
 
     return evaluate_inertial(args)

@@ -1,7 +1,7 @@
-"""What one update costs, measured in interleaved rounds of one run.
+"""Measures the cost of one update in interleaved rounds.
 
-Streaming is what a live glove pays: one call from Python per sample. Batch is the arithmetic alone:
-time of `run` by samples. Of both the median of the rounds is taken.
+Streaming is the cost in a live glove: one call from Python per sample. Batch is the arithmetic
+alone: the time of `run` divided by the number of samples. Both are medians over the rounds.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Job = Callable[[], object]
 
 
 def streaming_us() -> dict[str, float]:
-    """µs per update: a finger's two sensors for the planar estimators, seven IMUs for the rest."""
+    """µs per update: two sensors of a finger for the planar estimators, otherwise seven IMUs."""
     finger = Finger()
     readings = _readings(finger, 1.0)
     jobs = {name: _update(make(finger, DT), readings) for name, make in ESTIMATORS.items()}
@@ -41,7 +41,7 @@ def streaming_us() -> dict[str, float]:
 
 
 def batch_us() -> dict[str, float]:
-    """µs per sample of a finger's two sensors without the calls from Python."""
+    """µs per sample of two sensors of a finger, without the calls from Python."""
     finger = Finger()
     readings = _readings(finger, 100.0)
     jobs = {name: _batch(make(finger, DT), readings) for name, make in ESTIMATORS.items()}
@@ -89,7 +89,7 @@ def _segments(gyro: Array, accel: Array) -> Job:
 
 
 def _vqf(gyro: Array, accel: Array) -> Job:
-    """Seven filters; the rows are taken out beforehand, in the peer's favour."""
+    """Seven VQF filters; rows are extracted beforehand, in the peer's favour."""
     from vqf import VQF
 
     filters = [VQF(DT) for _ in range(GLOVE)]

@@ -33,13 +33,13 @@ SERIES = ("white", "offset", "both")
 
 @dataclass(frozen=True, eq=False)
 class Errors:
-    """What is added to two sensors' readings: gyro, accel (n, 2, 3) in each phalanx's B."""
+    """Errors of two sensors' readings: gyro, accel (n, 2, 3) in each phalanx's B."""
 
     gyro: Array
     accel: Array
 
     def planar(self, ideal: PlanarReadings) -> PlanarReadings:
-        """The readings with the part of the errors that lies in the plane."""
+        """The readings with the in-plane components of the errors."""
         accel = self.accel[..., 0] - 1j * self.accel[..., 2]
         return PlanarReadings(ideal.gyro + self.gyro[..., 1], ideal.accel + accel, ideal.root)
 
@@ -47,7 +47,7 @@ class Errors:
 def draw(
     n: int, series: str, rate_hz: float, seed: tuple[int, ...], errors: SensorErrors = MPU9250
 ) -> Errors:
-    """Errors of one run; offsets stand at their tolerance with a random sign per axis."""
+    """Draw the errors of one run; offsets equal their tolerance with a random sign per axis."""
     rng = np.random.default_rng(seed)
     signs = rng.choice([-1.0, 1.0], (2, 2, 3))
     gyro, accel = np.zeros((2, n, 2, 3))

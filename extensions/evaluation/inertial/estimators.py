@@ -1,4 +1,4 @@
-"""The estimators of the experiment by the names they have in tables, figures and JSON."""
+"""The estimators of the experiment, by their names in tables, figures and JSON."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tracker.inertial.planar import PlanarEstimator
 from tracker.inertial.switching import Switching, SwitchingParams
 
 Maker = Callable[[Finger, float], PlanarEstimator]
-"""Finger and sampling time (s) to an estimator that stands at the known start."""
+"""Makes an estimator at the known initial pose from a finger and the sampling time in s."""
 
 BETAS = (0.033, 0.1, 0.33)  # rad/s, the trade-off of section 3
 

@@ -23,12 +23,13 @@ from tracker.inertial.finger import Finger
 from tracker.messages import Array
 
 Progress = Callable[[float, str], None]
-"""Share done in 0..1 and what is being done."""
+"""Receives the completed share, 0..1, and the current step."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What is run. Peers and the study of β are many long runs at 1 kHz and get fewer seeds."""
+    """Cases to run. Peers and the study of β have fewer seeds, since their runs at 1 kHz are
+    long."""
 
     rates_hz: tuple[float, ...] = (100.0, 1000.0)
     seeds: int = 5
@@ -39,14 +40,14 @@ class Plan:
 
     @staticmethod
     def quick(seeds: int = 2) -> Plan:
-        """A minute's worth: every third duration up to 100 s, 100 Hz."""
+        """A plan of about a minute: every third duration up to 100 s, 100 Hz."""
         short = tuple(t for t in DURATIONS[::3] if t < 100)
         return Plan((100.0,), seeds, 1, short)
 
 
 @dataclass(frozen=True)
 class ErrorRow:
-    """RMS error (°) of both measured angles over whole motions, and its range over seeds."""
+    """RMS error (°) of both measured angles over complete motions, and its range over seeds."""
 
     condition: str
     series: str
@@ -74,7 +75,7 @@ class FingerCase:
 def run(
     plan: Plan, finger: Finger, progress: Progress = lambda share, what: None
 ) -> list[ErrorRow]:
-    """Every case of the plan."""
+    """Run every case of the plan."""
     cases = list(_cases(plan))
     work = np.cumsum([c.t_m * c.rate_hz + 1 for c in cases])
     rows: list[ErrorRow] = []
@@ -97,7 +98,7 @@ def _cases(plan: Plan) -> Iterator[FingerCase]:
 
 
 def run_case(case: FingerCase, plan: Plan, finger: Finger) -> list[ErrorRow]:
-    """One row per estimator; each sees the same readings of the same seeds."""
+    """One row per estimator; all receive the same readings of the same seeds."""
     motion = grasp(finger, case.t_m, case.rate_hz, case.condition)
     errors: dict[str, list[float]] = {}
     for seed in range(plan.seeds):
@@ -109,7 +110,7 @@ def run_case(case: FingerCase, plan: Plan, finger: Finger) -> list[ErrorRow]:
 
 
 def _angles(name: str, finger: Finger, motion: FingerMotion, errors: Errors, dt: float) -> Array:
-    """θ (n, 2) rad by one estimator or peer."""
+    """Angles θ (n, 2) rad of one estimator or peer."""
     maker = ESTIMATORS.get(name) or VARIANTS.get(name)
     if maker is None:
         return peers.peer_angles(name, motion, errors, dt)
@@ -117,12 +118,12 @@ def _angles(name: str, finger: Finger, motion: FingerMotion, errors: Errors, dt:
 
 
 def rms_deg(motion: FingerMotion, theta: Array) -> float:
-    """Root of the mean square error of θ (n, 2) over samples and sensors."""
+    """Root mean square error of θ (n, 2) over samples and sensors."""
     return float(np.rad2deg(np.sqrt(np.mean((theta - motion.theta[:, :2]) ** 2))))
 
 
 def _seed(case: FingerCase, seed: int) -> tuple[int, ...]:
-    """A generator of its own for every case and seed."""
+    """Seed of an independent generator per case and seed."""
     return seed, SERIES.index(case.series), round(case.rate_hz), round(1e3 * case.t_m)
 
 
@@ -133,7 +134,7 @@ def _row(case: FingerCase, name: str, values: list[float]) -> ErrorRow:
 
 
 def crossover(rows: list[ErrorRow], series: str, rate_hz: float) -> float | None:
-    """t_m (s) from which gravity alone beats integration; None if there is none in the rows."""
+    """t_m (s) above which gravity alone is better than integration; None if not in the rows."""
     t_m, gravity = curve(rows, series, rate_hz, "gravity")
     gain = np.log(gravity / curve(rows, series, rate_hz, "integration")[1])
     worse = np.flatnonzero(gain > 0)

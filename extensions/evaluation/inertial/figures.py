@@ -1,4 +1,4 @@
-"""Figures like 9 and 10 of Lemak et al. 2020, as PNG files."""
+"""Draws figures like 9 and 10 of Lemak et al. 2020 as PNG files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TITLES = {"white": "white noise", "offset": "zero offset", "both": "both errors
 
 
 def save_figures(rows: list[ErrorRow], finger: Finger, folder: Path, rate_hz: float) -> list[Path]:
-    """Every figure that the rows allow; returns the files."""
+    """Save all figures for which there are rows; returns the files."""
     folder.mkdir(parents=True, exist_ok=True)
     made = {f"trajectory_{rate_hz:g}Hz": trajectory(finger, rate_hz)}
     for rate in sorted({r.rate_hz for r in rows}):
@@ -37,7 +37,7 @@ def _save(figure: Figure, path: Path) -> Path:
 
 
 def trajectory(finger: Finger, rate_hz: float, t_m: float = FIGURE_9_T_M) -> Figure:
-    """Figure 9: angles and rates of the motion above, errors of the estimators below."""
+    """Figure 9: angles and rates of the motion at the top, errors of the estimators below."""
     motion = grasp(finger, t_m, rate_hz)
     readings = draw(len(motion.t), "both", rate_hz, (0,)).planar(motion.ideal)
     figure = Figure(_SIZE, layout="constrained")
@@ -64,7 +64,7 @@ def trajectory(finger: Finger, rate_hz: float, t_m: float = FIGURE_9_T_M) -> Fig
 
 
 def rms(rows: list[ErrorRow], rate_hz: float) -> Figure:
-    """Figure 10: RMS error over the duration of the motion, one panel per series."""
+    """Figure 10: RMS error as a function of the motion's duration, one panel per series."""
     series = [s for s in _TITLES if any(r.series == s for r in rows)]
     figure = Figure((2.0 + 4.5 * len(series), 5.0), layout="constrained")
     axes = np.atleast_1d(figure.subplots(1, len(series), sharey=True))

@@ -1,4 +1,4 @@
-"""What the experiment has to show, each goal with its measured figure."""
+"""The goals of the experiment with their measured figures."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ GLOVE_QUARTER = 0.25
 
 @dataclass(frozen=True)
 class Goal:
-    """A sentence, the figure measured and whether it is reached."""
+    """A goal, its measured figure and whether it is reached."""
 
     what: str
     wanted: str
@@ -26,7 +26,7 @@ class Goal:
 
 
 def goals(rows: list[ErrorRow], broad: list[BroadRow], cost_us: dict[str, float]) -> list[Goal]:
-    """All goals that the rows can answer."""
+    """All goals that the rows can verify."""
     out = [*_crossing(rows), *_envelope(rows), *_ours(rows), *_beta(rows), *_compensation(rows)]
     return [*out, *_broad(broad), *_cost(cost_us)]
 

@@ -75,14 +75,14 @@ def grasp(
 
 
 def _root(sway: Array, condition: Condition) -> ComplexArray:
-    """Specific force of joint 0 in P: swaying along the hand, gravity against the palm (-i)."""
+    """Specific force of joint 0 in P: sway along the hand, gravity against the palm (-i)."""
     return np.asarray(sway - 1j * GRAVITY * condition.in_plane, complex)
 
 
 def _sine(t: Array, amplitude: float, frequency: float) -> tuple[Array, Array, Array]:
-    """A sway that starts from rest with the motion, with both derivatives.
+    """A sinusoidal sway that starts from rest with the motion, and its two derivatives.
 
-    The first period fades in as sin³, so that the static start stays static.
+    The first period fades in as sin³, so that the static interval remains static.
     """
     w = 2 * np.pi * frequency
     s = np.maximum(t - STATIC, 0.0)
@@ -94,7 +94,7 @@ def _sine(t: Array, amplitude: float, frequency: float) -> tuple[Array, Array, A
 
 
 def _joints(t: Array, t_m: float) -> tuple[Array, Array, Array]:
-    """φ (n, 3) and two derivatives, ``t`` counted from the end of the static interval."""
+    """φ (n, 3) and two derivatives; ``t`` starts at the end of the static interval."""
     third = t_m / 3
     first = _minimum_jerk(t / third)
     second = _minimum_jerk((t - third) / (2 * third))
@@ -106,7 +106,7 @@ def _joints(t: Array, t_m: float) -> tuple[Array, Array, Array]:
 
 
 def _minimum_jerk(s: Array) -> tuple[Array, Array, Array]:
-    """10 s³ - 15 s⁴ + 6 s⁵ on 0..1, held outside, and its two derivatives by s."""
+    """10 s³ - 15 s⁴ + 6 s⁵ on 0..1, constant outside, and its two derivatives by s."""
     s = np.clip(s, 0.0, 1.0)
     value = s**3 * (10 + s * (6 * s - 15))
     rate = 30 * s**2 * (1 - s) ** 2

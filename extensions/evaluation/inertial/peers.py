@@ -1,10 +1,10 @@
 """Public orientation filters in the paper's experiment: `vqf` and `imufusion`, optional extras.
 
-Each sensor is filtered on its own and its angle read off the direction of gravity. Settings are
-fair: VQF's bias clip and initial sigma cover the simulated ±5 °/s (its defaults, 2 and 0.5 °/s, do
-not), and imufusion's gain is high enough to hold against it. The ``_zeroed`` rows have the
-gyroscopes' mean over the static start subtracted, which is what our filter learns there; then
-VQF's own defaults and imufusion's default gain are best. imufusion also starts at the known pose.
+Each sensor is filtered separately and its angle is computed from the direction of gravity. The
+settings are fair: VQF's bias clip and initial sigma cover the simulated ±5 °/s (its defaults, 2 and
+0.5 °/s, do not), and imufusion's gain is high enough to compensate it. For the ``_zeroed`` rows,
+the gyroscopes' mean over the static start is subtracted, which our filter also learns there; with
+this, VQF's defaults and imufusion's default gain are best. imufusion also starts at the known pose.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ OrientationFilter = Callable[[Array, Array, float], Array]
 _CLIP_DEG = 10.0  # °/s, twice the simulated offset
 _SIGMA_DEG = 5.0  # °/s
 _GAIN, _STRONG_GAIN = 0.5, 2.0  # imufusion's default; against ±5 °/s
-_REJECTION_DEG = 20.0  # imufusion's; 10 locks the unzeroed filter out
-_WIDE_REJECTION_DEG = 90.0  # and best on BROAD, next to its default gain
+_REJECTION_DEG = 20.0  # of imufusion; with 10 the filter without zeroing rejects everything
+_WIDE_REJECTION_DEG = 90.0  # best on BROAD, with the default gain
 
 
 def available() -> tuple[str, ...]:
-    """Names of the peers that are installed here."""
+    """Names of the installed peers."""
     installed = [n for n in ("vqf", "imufusion") if importlib.util.find_spec(n) is not None]
     return tuple(name for n in installed for name in (n, f"{n}_zeroed"))
 
 
 def peer_angles(name: str, motion: FingerMotion, errors: Errors, dt: float) -> Array:
-    """θ (n, 2) rad of both sensors by one of `available`; the plane must hold gravity."""
+    """Angles θ (n, 2) rad of both sensors by one of `available`; gravity must be in the plane."""
     gyro, accel = readings_3d(motion, errors)
     if name.endswith("_zeroed"):
         gyro = gyro - np.mean(gyro[: round(STATIC / dt)], axis=0)
@@ -58,7 +58,7 @@ def readings_3d(motion: FingerMotion, errors: Errors) -> tuple[Array, Array]:
 
 
 def _angle(up_B: Array) -> Array:
-    """θ (n,) that turns the upward vector in B onto the plane's, within half a turn of MIDDLE."""
+    """Angle θ (n,) that rotates the upward vector in B onto the plane's, within π of MIDDLE."""
     angle = np.angle(-1j * np.conj(in_plane(up_B)))
     return np.asarray(np.where(angle < MIDDLE - np.pi, angle + 2 * np.pi, angle))
 
@@ -79,9 +79,9 @@ def imufusion_orientation(
     rejection_deg: float = _WIDE_REJECTION_DEG,
     upright: bool = False,
 ) -> Array:
-    """q_GB (n, 4) xyzw by imufusion, which wants degrees per second and g.
+    """q_GB (n, 4) xyzw by imufusion, which takes degrees per second and g.
 
-    ``upright`` starts it at the identity instead of the first accelerations.
+    ``upright``: start at the identity instead of the first accelerations.
     """
     import imufusion
 

@@ -1,4 +1,4 @@
-"""What `glovetrack evaluate inertial` measures, prints and saves."""
+"""Runs `glovetrack evaluate inertial`, prints and saves its results."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from tracker.inertial.finger import Finger
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """Everything that one evaluation found."""
+    """Results of one evaluation."""
 
     rows: list[ErrorRow]
     crossover_s: dict[str, float | None]
@@ -32,7 +32,7 @@ class Report:
 
 
 def evaluate_inertial(args: argparse.Namespace) -> int:
-    """Run, print and save what the arguments ask for."""
+    """Run the evaluation, print and save the results selected by the arguments."""
     check_json(args)
     if args.out:
         check_folder_target(args.out, args.force)
@@ -72,7 +72,7 @@ def _show_progress(share: float, what: str) -> None:
 
 
 def to_json(report: Report) -> dict[str, Any]:
-    """``rows`` are those of the vertical plane; ``conditions`` holds the others."""
+    """JSON values: ``rows`` are those of the vertical plane, ``conditions`` the others."""
     data = asdict(report)
     data["conditions"] = [r for r in data["rows"] if r["condition"] != "vertical"]
     data["rows"] = [r for r in data["rows"] if r["condition"] == "vertical"]
@@ -100,7 +100,7 @@ def _text(report: Report, plan: Plan) -> str:
 
 
 def _table(rows: list[ErrorRow], columns: int = 8) -> list[str]:
-    """Estimators down, some of the durations across."""
+    """Table of estimators (rows) and some of the durations (columns)."""
     t_all = sorted({r.t_m for r in rows})
     step = max(1, -(-len(t_all) // columns))
     t_shown = t_all[::step]

@@ -1,1 +1,1 @@
-"""How well a robot hand follows, and whether it can take a cube and put it down."""
+"""Evaluation of teleoperation: fingertip errors, and picking and placing a cube."""

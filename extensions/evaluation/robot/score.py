@@ -1,7 +1,7 @@
-"""How near a robot's fingertips come to where a simulated wearer's would have them.
+"""Distance of a robot's fingertips from the targets given by a simulated wearer.
 
-What can be reached is told by many beginnings of the same search without a speed limit: where none
-comes within `REACHED`, the robot's fingers are too short or bend another way.
+Whether a target is reachable is determined by the same search from many initial poses without a
+speed limit: if none comes within `REACHED`, the robot's fingers are too short or bend differently.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from tracker.simulation.random_postures import RandomPostures
 
 PACKET = 0.01  # s
 REACHED = 0.002  # m
-BEGINNINGS = 25  # hands for which one target is tried
-EVERY = 10  # of the hands that are asked whether they can be reached
+BEGINNINGS = 25  # initial poses per target
+EVERY = 10  # hands between two that are checked for reachability
 
 
 class TipScore(NamedTuple):
-    """Of one wearer: errors_mm (n, 5) of tips, reachable (n, 5) targets, times_ms (n,) a step."""
+    """Score of one wearer: errors_mm (n, 5) of tips, reachable (n, 5), times_ms (n,) per step."""
 
     errors_mm: Array
     reachable: NDArray[np.bool_]
@@ -36,7 +36,7 @@ class TipScore(NamedTuple):
 
 
 def tip_score(robot: RobotHand, settings: RobotSettings, seed: int, seconds: float) -> TipScore:
-    """Of a wearer who moves at random for so long."""
+    """Score of a wearer who moves at random for ``seconds``."""
     hand = wearer_model(settings.side)
     t = np.arange(0.0, seconds, PACKET)
     poses = RandomPostures(hand, seed, duration=seconds + 1.0).poses(t)
@@ -57,7 +57,7 @@ def tip_score(robot: RobotHand, settings: RobotSettings, seed: int, seconds: flo
 def _reachable(
     robot: RobotHand, targets: Array, known: NDArray[np.bool_], near: Array
 ) -> NDArray[np.bool_]:
-    """(5,) targets that some posture within the joints' limits comes to."""
+    """(5,) whether a posture within the joint limits reaches each target."""
     free = Retargeter(robot, joint_speed=1e6)
     free.reset(near)
     best = np.full(len(targets), np.inf)

@@ -31,8 +31,8 @@ def mean_error_mm(tells: str) -> float:
         if isinstance(m, ImuSample):
             record.estimates.append(pipeline.feed_imu(m))
             record.seen.append(0)
-            told = simulation.scene.reported_pose(m.t)
-            record.poses.append(told or pipeline.camera_pose(m.t))
+            reported = simulation.scene.reported_pose(m.t)
+            record.poses.append(reported or pipeline.camera_pose(m.t))
         elif isinstance(m, CameraImuSample):
             pipeline.feed_camera_imu(m)
         else:

@@ -147,7 +147,7 @@ def test_a_file_that_is_no_recording_is_refused_in_words(tmp_path: Path) -> None
     (tmp_path / "x.mat").write_bytes(b"nothing")
     with pytest.raises(FileError, match="not a recording of the BROAD data set"):
         inertial_broad.read_trial(tmp_path / "x.mat")
-    with pytest.raises(FileError, match="holds no BROAD recordings"):
+    with pytest.raises(FileError, match="contains no BROAD recordings"):
         inertial_broad.trial_paths(tmp_path / "nowhere")
 
 

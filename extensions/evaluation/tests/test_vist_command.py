@@ -112,12 +112,12 @@ def test_what_is_not_known_is_a_dash_in_the_table():
 def test_with_one_lens_or_none_the_engine_is_one_that_can(capsys):
     one, none = (cases_of(parse("--lenses", n, "--experiments", "free")) for n in ("one", "none"))
     assert [(c.engine, c.lenses) for c in one + none] == [("chain", "one"), ("inertial", "none")]
-    for words, told in (
+    for words, expected in (
         (("--lenses", "one", "--engines", "vist"), "both lenses"),
         (("--lenses", "none", "--engines", "chain"), "inertial"),
         (("--engines", "inertial"), "--lenses none"),
     ):
-        with pytest.raises(ConfigError, match=told):
+        with pytest.raises(ConfigError, match=expected):
             cases_of(parse(*words))
 
 
@@ -179,7 +179,7 @@ def test_the_defaults_are_the_papers():
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "expected"),
     [
         (["--engines", "nonsense"], "nonsense"),
         (["--experiments", "juggling"], "juggling"),
@@ -187,8 +187,8 @@ def test_the_defaults_are_the_papers():
         (["--motion", "absent.tsv"], "absent.tsv"),
     ],
 )
-def test_what_does_not_exist_is_named(words, told):
-    with pytest.raises(ConfigError, match=told):
+def test_what_does_not_exist_is_named(words, expected):
+    with pytest.raises(ConfigError, match=expected):
         cases_of(parse(*words))
 
 
@@ -254,10 +254,10 @@ def image(t: float) -> BlobFrame:
 
 def test_outages_withhold_images_and_are_judged_at_their_end():
     feed = [m for k in range(400) for m in (imu(k / 10), image(k / 10))]
-    kept = [m.t for m in without_images(5.0)(iter(feed)) if isinstance(m, BlobFrame)]
-    assert not [t for t in kept if 10 <= t < 15 or 25 <= t < 30]
-    assert 9.9 in kept
-    assert 15.0 in kept
+    stored = [m.t for m in without_images(5.0)(iter(feed)) if isinstance(m, BlobFrame)]
+    assert not [t for t in stored if 10 <= t < 15 or 25 <= t < 30]
+    assert 9.9 in stored
+    assert 15.0 in stored
     judged = [t for t in np.arange(0, 30, 0.5) if judged_in_outage(t, 5.0)]
     assert judged == [14.0, 14.5, 29.0, 29.5]
     assert all(in_outage(t, 5.0) for t in judged)

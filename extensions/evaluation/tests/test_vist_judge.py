@@ -22,9 +22,9 @@ def simulation():
 def seen_through(simulation, t):
     """What a perfect tracker says that believes the reported pose."""
     truth = simulation.truth(t)
-    true, told = simulation.scene.pose(t), simulation.scene.reported_pose(t)
+    true, reported = simulation.scene.pose(t), simulation.scene.reported_pose(t)
     p_C = (truth.keypoints - true.p_GC) @ true.R_GC
-    keypoints = p_C @ told.R_GC.T + told.p_GC
+    keypoints = p_C @ reported.R_GC.T + reported.p_GC
     sd = np.ones(len(keypoints))
     return SimpleNamespace(t=t, keypoints=keypoints, keypoint_sd=sd, angles=truth.angles)
 

@@ -97,9 +97,9 @@ def test_nobody_is_refused():
 
 
 def test_tips_and_joints_are_told_apart():
-    told = summarise([trial([[9.0, 6.0, 3.0, 1.0]] * 5)])
-    assert told.tips_mm == pytest.approx(6.0)
-    assert told.joints_mm == pytest.approx(2.0)
+    summary = summarise([trial([[9.0, 6.0, 3.0, 1.0]] * 5)])
+    assert summary.tips_mm == pytest.approx(6.0)
+    assert summary.joints_mm == pytest.approx(2.0)
 
 
 def test_within_three_sd_counts_an_error_along_one_axis():

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.kept import PROGRAM, KeptTrials
 from extensions.evaluation.vist.metrics import Trial
 from extensions.evaluation.vist.run import run_cases
+from extensions.evaluation.vist.stored import PROGRAM, StoredTrials
 from tracker.base.errors import ConfigError, FileError
 
 CASES = [Case("free", "chain"), Case("free", "vist", ablation="loose")]
@@ -38,19 +38,19 @@ class Participants:
 
 
 def run(
-    monkeypatch: pytest.MonkeyPatch, kept: KeptTrials, cases: list[Case], end: int = 1000
+    monkeypatch: pytest.MonkeyPatch, stored: StoredTrials, cases: list[Case], end: int = 1000
 ) -> tuple[list[list[Trial]], list[tuple[Case, int]]]:
     people = Participants(end)
     monkeypatch.setattr("extensions.evaluation.vist.run.run_trial", people)
-    return run_cases(cases, 3, kept=kept), people.ran
+    return run_cases(cases, 3, stored=stored), people.ran
 
 
 def test_a_run_that_was_ended_goes_on_where_it_stood(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    first, done = run(monkeypatch, KeptTrials(tmp_path / "kept"), CASES, end=4)
+    first, done = run(monkeypatch, StoredTrials(tmp_path / "stored"), CASES, end=4)
     assert [len(trials) for trials in first] == [3, 1]
-    second, ran = run(monkeypatch, KeptTrials(tmp_path / "kept"), CASES)
+    second, ran = run(monkeypatch, StoredTrials(tmp_path / "stored"), CASES)
     assert set(done).isdisjoint(ran) and len(done) + len(ran) == 6
     people = Participants()
     for case, trials in zip(CASES, second, strict=True):
@@ -66,24 +66,24 @@ def test_trials_of_another_case_are_not_taken(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """Every field of a case counts, and so does what is in the files that it names."""
-    kept, profile = KeptTrials(tmp_path / "kept"), tmp_path / "wearer.toml"
+    stored, profile = StoredTrials(tmp_path / "stored"), tmp_path / "wearer.toml"
     profile.write_text("one")
     case = replace(CASES[0], wearer=str(profile))
-    kept.add(case, Participants()(CASES[0], 0))
-    assert kept.find(case, 0) is not None
-    assert kept.find(case, 1) is None
-    assert kept.find(replace(case, seed=1), 0) is None
+    stored.add(case, Participants()(CASES[0], 0))
+    assert stored.find(case, 0) is not None
+    assert stored.find(case, 1) is None
+    assert stored.find(replace(case, seed=1), 0) is None
     profile.write_text("another")
-    assert kept.find(case, 0) is None
+    assert stored.find(case, 0) is None
 
 
 def test_another_program_and_damage_are_told_in_words(tmp_path: Path) -> None:
-    kept = KeptTrials(tmp_path)
-    kept.add(CASES[0], Participants()(CASES[0], 0))
+    stored = StoredTrials(tmp_path)
+    stored.add(CASES[0], Participants()(CASES[0], 0))
     (file,) = tmp_path.glob("free-chain-*-00.npz")
     file.write_bytes(file.read_bytes()[:-100])
     with pytest.raises(FileError, match="damaged"):
-        kept.find(CASES[0], 0)
+        stored.find(CASES[0], 0)
     (tmp_path / PROGRAM).write_text("glovetrack 0.0.9 abc\n")
     with pytest.raises(ConfigError, match="another version of the program"):
-        KeptTrials(tmp_path)
+        StoredTrials(tmp_path)

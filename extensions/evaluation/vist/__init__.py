@@ -1,1 +1,1 @@
-"""The protocol of Lee et al. 2021."""
+"""Evaluation protocol of Lee et al. 2021."""

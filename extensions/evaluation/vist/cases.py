@@ -1,4 +1,4 @@
-"""What is evaluated: experiments, participants, and variants of an engine (ablations)."""
+"""The evaluated cases: experiments, participants, and variants of an engine (ablations)."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from tracker.simulation.scenario import Message
 PAPERS = ("free", "object", "device")
 """The experiments of Lee et al. 2021."""
 EXPERIMENTS = (*PAPERS, "head")
-"""All: "head" is free motion before a camera on the wearer's head, judged in its frame."""
+"""All experiments; "head" is free motion before a camera on the wearer's head, evaluated in its
+frame."""
 MINUTES = {"free": 3.0, "object": 2.0, "device": 2.0, "head": 3.0}
 LEVELS = ("points", "images")
 SETTLING = 5.0
-"""Seconds at a trial's beginning that are not judged, as the hand is first found and measured."""
+"""Seconds at the beginning of a trial that are not evaluated, while tracking starts."""
 
 Feed = Iterator[Message | Event]
 PAPERS_GLOVE, DISTAL_GLOVE = "vist-small", "vist-small-distal"
@@ -27,8 +28,9 @@ GUIDED = {
     "badly": "guided poses held badly",
     "known": "known from another session",
 }
-"""What comes before free motion, and what the tracker knows of it. One who is ``known`` held the
-poses in another session, with the glove put on another time; he holds none in this one."""
+"""Guided poses before free motion, and whether the tracker uses them. With ``known``, the poses
+were held in another session, in which the glove was put on separately, and none are held in this
+one."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,7 @@ class Case:
     fps: float = 60.0
     seed: int = 0
     motion_files: tuple[str, ...] = ()
-    distractors: int = 0  # still balls of the markers' hues in the room
+    distractors: int = 0  # stationary balls with the markers' hues in the room
     light: str = ""  # of images: over a desk with things on it; a plain wall if empty
     guided: str = ""  # one of `GUIDED`: poses are held first, and free motion after them judged
     glove: str = PAPERS_GLOVE
@@ -57,17 +59,17 @@ class Case:
 
     @property
     def is_led(self) -> bool:
-        """Whether poses are held before what is judged."""
+        """Whether poses are held before the evaluated part."""
         return self.guided not in ("", "known")
 
 
 @dataclass(frozen=True)
 class Ablation:
-    """A variant: other settings, other messages, another motion, other instants judged.
+    """A variant with other settings, messages, motion or evaluated instants.
 
-    ``outage`` (s): images are withheld so long, again and again, and errors are judged in the
+    ``outage`` (s): images are withheld repeatedly for this long, and errors are evaluated in the
     last second of each outage, in the dorsum's frame, since the hand's position is then unknown.
-    ``camera`` is what one on the head tells, see `tracker.simulation.head.HeadParams`.
+    ``camera``: data of a camera on the head, see `tracker.simulation.head.HeadParams`.
     """
 
     name: str
@@ -83,26 +85,26 @@ class Ablation:
 
     @property
     def least_minutes(self) -> float:
-        """A trial that holds one outage at least."""
+        """Shortest trial, in minutes, with at least one outage."""
         return (PAUSE + self.outage + 1.0) / 60 if self.outage else 0.0
 
 
-BLIND_FROM = 4.0  # s: a start needs gravity, so the IMUs fall silent once the hand is found
+BLIND_FROM = 4.0  # s: the start requires gravity, so the IMUs stop after the hand is found
 PAUSE = 10.0  # s of images between two outages
 
 
 def in_outage(t: float, outage: float) -> bool:
-    """Whether images are withheld at ``t``: outages follow pauses of `PAUSE` seconds."""
+    """Whether images are withheld at ``t``; outages are `PAUSE` seconds apart."""
     return outage > 0 and t % (PAUSE + outage) >= PAUSE
 
 
 def judged_in_outage(t: float, outage: float) -> bool:
-    """The last second of an outage."""
+    """Whether ``t`` is in the last second of an outage."""
     return t % (PAUSE + outage) >= PAUSE + outage - 1.0
 
 
 def without_images(outage: float) -> Callable[[Feed], Feed]:
-    """Drops exposures that fall into an outage."""
+    """Drop exposures during outages."""
 
     def keep(feed: Feed) -> Feed:
         for m in feed:
@@ -113,7 +115,7 @@ def without_images(outage: float) -> Callable[[Feed], Feed]:
 
 
 def without_imus(feed: Feed) -> Feed:
-    """Every IMU falls silent once the hand has been found."""
+    """Stop all IMUs after the hand has been found."""
     for m in feed:
         if isinstance(m, ImuSample) and m.t > BLIND_FROM:
             yield replace(m, valid=m.valid & False)
@@ -121,7 +123,7 @@ def without_imus(feed: Feed) -> Feed:
             yield m
 
 
-NOTHING = 1e-6  # a standard deviation that leaves a state where it is
+NOTHING = 1e-6  # a standard deviation that keeps a state constant
 
 
 def _no_autocalibration(s: Settings) -> Settings:
@@ -235,12 +237,10 @@ ABLATIONS: dict[str, Ablation] = {
 
 
 def ablation_of(case: Case) -> Ablation | None:
-    """The variant a case asks for. Raises ConfigError for an unknown name."""
+    """The variant of a case. Raises ConfigError for an unknown name."""
     if case.ablation is None:
         return None
     found = ABLATIONS.get(case.ablation)
     if found is None:
-        raise ConfigError(
-            f"There is no ablation {case.ablation!r}; there are {', '.join(ABLATIONS)}."
-        )
+        raise ConfigError(f"Unknown ablation {case.ablation!r}. Available: {', '.join(ABLATIONS)}.")
     return found

@@ -29,9 +29,9 @@ def add_vist(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Runs the cases, prints the table, writes what was asked for."""
-    from extensions.evaluation.vist.kept import KeptTrials
+    """Run the cases, print the table, and write the selected outputs."""
     from extensions.evaluation.vist.run import run_cases
+    from extensions.evaluation.vist.stored import StoredTrials
     from extensions.evaluation.vist.table import row_of
 
     check_json(args)
@@ -39,9 +39,9 @@ def run(args: argparse.Namespace) -> int:
         check_folder_target(args.out, args.force)
     cases = cases_of(options_of(VistOptions, args))
     participants = QUICK_PARTICIPANTS if args.quick else args.participants
-    kept = KeptTrials(args.keep) if args.keep else None
-    done_of = run_cases(cases, participants, args.processes, kept=kept)
-    # there are no trials of a case that Ctrl+C prevented
+    stored = StoredTrials(args.keep) if args.keep else None
+    done_of = run_cases(cases, participants, args.processes, stored=stored)
+    # cases that Ctrl+C prevented have no trials
     results = [(case, trials) for case, trials in zip(cases, done_of, strict=True) if trials]
     table = sys.stderr if args.json == "-" else sys.stdout
     _print_table(results, table)
@@ -74,7 +74,7 @@ def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
 
 
 def cases_of(args: VistOptions) -> list[Any]:
-    """The rows asked for, ablations last. Raises ConfigError for names that do not exist."""
+    """The selected rows, ablations last. Raises ConfigError for unknown names."""
     from extensions.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
     from tracker.engine.kinds import ENGINES
 
@@ -105,7 +105,7 @@ def cases_of(args: VistOptions) -> list[Any]:
 
 
 def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
-    """Raises ConfigError where an engine cannot do with so few, or looks through none."""
+    """Raises ConfigError if an engine does not support this number of lenses."""
     from tracker.engine.kinds import capabilities_of
 
     blind = [e for e in engines if not capabilities_of(e).images]
@@ -119,7 +119,7 @@ def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
 
 
 def _check_wearer(path: Path, engines: Sequence[str]) -> None:
-    """Raises ConfigError where an engine takes no profile, FileError where the file is none."""
+    """Raises ConfigError if an engine does not use a profile, FileError if the file is invalid."""
     from extensions.evaluation.vist.trial import models
     from tracker.fusion.chain.calibration.profile_file import read_wearer
     from tracker.fusion.chain.layout import ChainLayout
@@ -130,8 +130,8 @@ def _check_wearer(path: Path, engines: Sequence[str]) -> None:
 
 
 def _lit(args: VistOptions, cases: Sequence[Any]) -> list[Any]:
-    """The cases again over a desk in each light, where images are asked for; a camera on a head
-    has no desk."""
+    """The cases repeated over a desk in each light, if images are simulated; not for a camera on
+    the head."""
     from tracker.simulation.desk.lights import LIGHTS
 
     lights = () if "none" in args.lights or args.level != "images" else args.lights
@@ -145,7 +145,7 @@ def _lit(args: VistOptions, cases: Sequence[Any]) -> list[Any]:
 
 
 def _guided(case: Any) -> list[Any]:
-    """What guided poses are worth, beside markers on the fingertips."""
+    """Cases with guided poses, compared with markers on the fingertips."""
     from extensions.evaluation.vist.cases import DISTAL_GLOVE, GUIDED
 
     engine = "inertial" if case.lenses == "none" else "chain"
@@ -157,7 +157,7 @@ def _guided(case: Any) -> list[Any]:
 
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
-    """Variants of ``cases``, one per engine, each in the experiment it is about."""
+    """Variants of ``cases``, one per engine, each in its experiment."""
     from extensions.evaluation.vist.cases import ABLATIONS
 
     names = tuple(ABLATIONS) if "all" in names else names

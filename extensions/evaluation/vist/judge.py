@@ -1,9 +1,9 @@
-"""What a trial's estimates are worth: errors of the four keypoints against the truth.
+"""Errors of a trial's estimates: the four keypoints compared with the truth.
 
-They are judged in G, with two exceptions: in an outage, and where there is no camera, in the
-dorsum's frame, since an unseen hand's position is a double integral; and with a camera on the head
-in the camera's, as a wearer of glasses sees the hand: the estimate is brought to C with the pose
-that the tracker goes by, the truth with the true one.
+Errors are computed in G, with two exceptions: during an outage and without a camera, in the
+dorsum's frame, since the position of an unseen hand is a double integral; and with a camera on the
+head, in the camera's frame, as a wearer of glasses sees the hand: the estimate is transformed to C
+with the pose that the tracker uses, the truth with the true pose.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from tracker.simulation.scenario import Simulation, Truth
 
 @dataclass(eq=False)
 class TrialRecord:
-    """What is kept while a trial runs: an entry per packet, and counts."""
+    """Data recorded during a trial: an entry per packet, and counts."""
 
     estimates: list[Estimate] = field(default_factory=list)
-    poses: list[CameraPose] = field(default_factory=list)  # of the camera, as the tracker has it
+    poses: list[CameraPose] = field(default_factory=list)  # of the camera, as used by the tracker
     seen: list[int] = field(default_factory=list)
     latest_seen: int = 0
     matches: int = 0
@@ -36,10 +36,11 @@ class TrialRecord:
 
 @dataclass(frozen=True, eq=False)
 class Judge:
-    """``columns`` are the rows in an estimate of the judged keypoints and, after them, of joints.
+    """Computes the errors of a trial.
 
-    ``place`` is where they are judged: world, camera or dorsum. Judged is what comes after
-    ``begin`` (s), once the hand has been found.
+    ``columns`` are the rows of the evaluated keypoints in an estimate, followed by those of joints.
+    ``place`` is the frame: world, camera or dorsum. Evaluation starts at ``begin`` (s), after the
+    hand has been found.
     """
 
     simulation: Simulation
@@ -49,7 +50,7 @@ class Judge:
     begin: float = 0.0
 
     def trial(self, record: TrialRecord, participant: int, outage: float) -> Trial:
-        """The errors of a trial; ``outage`` s without images again and again, 0 for none."""
+        """The errors of a trial; ``outage``: duration in s of repeated outages, 0 for none."""
         t = np.array([e.t for e in record.estimates])
         rows = np.flatnonzero(self._judged(t, outage))
         estimates = [record.estimates[i] for i in rows]
@@ -78,7 +79,7 @@ class Judge:
         )
 
     def _angles(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
-        """(n, j) rad: how far the joint angles of the judged digits are off."""
+        """Errors (n, j) rad of the joint angles of the evaluated digits."""
         names = self.pipeline.hand.joint_names
         rows = [i for i, name in enumerate(names) if name.startswith(DIGITS)]
         given = np.array([e.angles[rows] for e in estimates]).reshape(-1, len(rows))
@@ -86,7 +87,7 @@ class Judge:
         return np.abs(given - true)
 
     def _judged(self, t: Array, outage: float) -> NDArray[np.bool_]:
-        """(n,) bool: which of the instants count. Some recordings are short."""
+        """(n,) whether each instant is evaluated. Some recordings are short."""
         ok = t > max(min(SETTLING, self.simulation.duration / 3), self.begin)
         if outage:
             ok &= np.array([judged_in_outage(x, outage) for x in t])
@@ -95,7 +96,7 @@ class Judge:
     def _place(
         self, estimates: list[Estimate], truths: list[Truth], poses: list[CameraPose]
     ) -> Array:
-        """(n, k) m, in G or in C."""
+        """Errors (n, k) m in G or C."""
         shape = (len(estimates), len(self.columns), 3)
         given = np.array([e.keypoints[self.columns] for e in estimates]).reshape(shape)
         true = np.array([x.keypoints[self.columns] for x in truths]).reshape(shape)
@@ -106,7 +107,7 @@ class Judge:
         return np.linalg.norm(given - true, axis=2)
 
     def _articulation(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
-        """(n, k) m in the dorsum's frame, from segment poses: keypoints themselves are given up."""
+        """Errors (n, k) m in the dorsum's frame, from segment poses, since keypoints are lost."""
         scale = self._scales()
         hand, glove = self.pipeline.hand, self.pipeline.glove
         out = np.full((len(estimates), len(self.columns)), np.nan)
@@ -120,7 +121,7 @@ class Judge:
         return out
 
     def _scales(self) -> Array:
-        """(S, 3) as the engine has learned them; segments it does not carry take the mean."""
+        """Learned scales (S, 3); segments without a scale in the engine have the mean."""
         calibration, hand = self.pipeline.calibration(), self.pipeline.hand
         scale = np.full((len(hand.segments), 3), float(np.nanmean(calibration.scale[:, 0])))
         for name, row in zip(calibration.segments, calibration.scale, strict=True):
@@ -129,5 +130,5 @@ class Judge:
 
 
 def _in_camera(p_G: Array, pose: CameraPose) -> Array:
-    """(k, 3) m in C of points in G."""
+    """Points (k, 3) m in C for points in G."""
     return (p_G - pose.p_GC) @ pose.R_GC

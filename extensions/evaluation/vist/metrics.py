@@ -15,7 +15,7 @@ from scipy import stats
 from tracker.hand.names import MARKED_KEYPOINTS
 from tracker.messages import Array, IntArray
 
-TIPS = 3  # the first of them
+TIPS = 3  # number of fingertips, which are the first keypoints
 
 JOINTS = (
     "thumb_cmc",
@@ -26,19 +26,19 @@ JOINTS = (
 """Joints of the digits that the paper's glove measures."""
 
 DIGITS = ("thumb", "index", "middle")
-"""Whose joint angles are judged."""
+"""Digits whose joint angles are evaluated."""
 
 PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """One participant tracked once; n instants judged, columns in the order of `MARKED_KEYPOINTS`.
+    """One participant tracked once, n evaluated instants; columns as in `MARKED_KEYPOINTS`.
 
-    error (n, 4) m, NaN where the engine says that it is lost; joints (n, 9) m the same of
-    `JOINTS`; angles (n, j) rad the same of joint angles of `DIGITS`; sd (n, 4) m the engine's own
-    standard deviation of a coordinate; seen (n,) markers matched in both images of the latest
-    exposure; matches and wrong_matches count blobs; core_s is processor time of the tracker alone.
+    error (n, 4) m, NaN where lost; joints (n, 9) m, errors of `JOINTS`; angles (n, j) rad, errors
+    of the joint angles of `DIGITS`; sd (n, 4) m, the engine's standard deviation per coordinate;
+    seen (n,), markers matched in both images of the latest exposure; matches and wrong_matches
+    count blobs; core_s is the processor time of the tracker.
     """
 
     participant: int
@@ -57,7 +57,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class Summary:
-    """Figures of several participants; lengths in mm, shares in percent unless said."""
+    """Figures of several participants; lengths in mm, shares in percent unless stated."""
 
     participants: int
     mean_mm: float
@@ -76,7 +76,7 @@ class Summary:
     nees_per_dof: float
     within_3sd: float  # share of keypoints, 0..1, see `within_3sd`
     angles_deg: float
-    worst_angles_deg: float  # of the participant whose angles are worst
+    worst_angles_deg: float  # of the participant with the largest errors
     core_s_per_s: float
     lost: float  # share of instants without an estimate, 0..1
 
@@ -119,7 +119,7 @@ def summarise(trials: Sequence[Trial]) -> Summary:
 
 
 def _present(trial: Trial) -> Array:
-    """(k, 4) m errors of the instants at which every keypoint is given."""
+    """Errors (k, 4) m of the instants at which no keypoint is lost."""
     return trial.error[np.all(np.isfinite(trial.error), axis=1)]
 
 
@@ -140,7 +140,7 @@ def confidence_interval(means: Array, level: float = 0.95) -> tuple[float, float
 
 
 def pck(trials: Sequence[Trial], bound_mm: float) -> float:
-    """3D-PCK, percent: instants whose worst keypoint is within the bound; lost ones are not."""
+    """3D-PCK in percent: instants with all keypoints within the bound; lost ones are outside."""
     worst = np.concatenate([t.error.max(axis=1) for t in trials]) * 1000
     return float(np.mean(worst <= bound_mm) * 100) if len(worst) else float("nan")
 
@@ -151,9 +151,9 @@ def pck_curve(trials: Sequence[Trial]) -> Array:
 
 
 def nees_per_dof(trials: Sequence[Trial]) -> float:
-    """Squared error over the engine's own variance, per coordinate: 1 where it knows itself.
+    """Normalised estimation error squared (NEES) per coordinate; 1 if the variance is correct.
 
-    ``sd`` is of a coordinate, so a keypoint's squared distance is divided by three variances.
+    ``sd`` is per coordinate, so a keypoint's squared distance is divided by three variances.
     """
     ratio = np.concatenate(
         [(t.error**2 / (3 * np.maximum(t.sd, 1e-9) ** 2)).ravel() for t in trials]
@@ -163,10 +163,10 @@ def nees_per_dof(trials: Sequence[Trial]) -> float:
 
 
 def within_3sd(trials: Sequence[Trial]) -> float:
-    """Share of keypoints no farther off than three of the engine's own standard deviations.
+    """Share of keypoints with errors of at most three of the engine's standard deviations.
 
-    ``sd`` is the root mean variance over three axes; an error along one of them alone, as of one
-    camera along its ray, has the root of three times that.
+    ``sd`` is the root of the mean variance over three axes; the standard deviation of the distance
+    is √3 times larger, also for an error along a single axis, as with one camera along its ray.
     """
     off = np.concatenate(
         [(t.error / (np.sqrt(3) * np.maximum(t.sd, 1e-9))).ravel() for t in trials]
@@ -176,7 +176,7 @@ def within_3sd(trials: Sequence[Trial]) -> float:
 
 @dataclass(frozen=True, eq=False)
 class BySeen:
-    """Share of instants and mean error (mm) over the number of markers matched."""
+    """Share of instants and mean error (mm) by the number of matched markers."""
 
     seen: IntArray
     share: Array

@@ -1,4 +1,4 @@
-"""What `glovetrack evaluate vist` can be asked to evaluate; quick to import."""
+"""Options of `glovetrack evaluate vist`; fast to import."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from typing import Any
 from tracker.base.arguments import argument
 
 ENGINES_OF = {"both": ("chain", "vist"), "one": ("chain",), "none": ("inertial",)}
-"""Engines that are evaluated with these lenses if none is named."""
+"""Default engines for these lenses."""
 
 
-def _words(text: str) -> tuple[str, ...]:
+def _names(text: str) -> tuple[str, ...]:
     return tuple(word for word in text.split(",") if word)
 
 
@@ -36,8 +36,8 @@ _positive = _number(float, 0.1)
 
 
 def _list(help: str, default: tuple[str, ...], metavar: str = "A,B") -> tuple[str, ...]:
-    """A field that is an option with a comma-separated list."""
-    how = argument(help, type=_words, nargs=None, metavar=metavar)
+    """A field for an option with a comma-separated list."""
+    how = argument(help, type=_names, nargs=None, metavar=metavar)
     return field(default=default, metadata=how)
 
 

@@ -1,4 +1,4 @@
-"""What Lee et al. 2021 publish (doi:10.1126/scirobotics.abe1315, figs. 3 and 4), on people."""
+"""Results on people from Lee et al. 2021 (doi:10.1126/scirobotics.abe1315, figs. 3 and 4)."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ PAPER: dict[str, dict[str, object]] = {
 }
 
 HEAD_NOTE = (
-    "The paper has no such experiment with figures. The estimate is brought to the camera's frame "
-    "with the pose that the camera reports, which is wrong by 3 mm and 0.5° along and about each "
-    "axis, the truth with the true pose."
+    "The paper contains no figures for this experiment. The estimate is transformed to the "
+    "camera's frame with the pose that the camera reports, which has errors of 3 mm and 0.5° per "
+    "axis, and the truth with the true pose."
 )
-"""Of the experiment with a camera on the head."""
+"""Note on the experiment with a camera on the head."""
 
 CAVEAT = (
     "These figures are simulated; the paper's are of fifteen people under motion capture. The "

@@ -1,4 +1,4 @@
-"""The report of `evaluate vist`: PNG figures and one HTML page that holds them all."""
+"""The report of `evaluate vist`: PNG figures and one HTML page that contains them."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def write_report(
     results: Results,
     rows: Sequence[dict[str, Any]],
 ) -> Path:
-    """Figures and ``report.html`` in ``folder``; returns the page. Raises FileError.
+    """Write figures and ``report.html`` to ``folder``; returns the page. Raises FileError.
 
     ``rows`` are those of `vist_table.row_of` for ``results``.
     """
@@ -91,9 +91,8 @@ def _head(cases: Sequence[Case], trials: Sequence[Sequence[Trial]]) -> str:
         f"participant{'s' * (people != 1)}, "
         f"{' and '.join(f'{m:g}' for m in minutes)} minutes a trial. Errors are of four keypoints "
         f"({', '.join(k.replace('_', ' ') for k in MARKED_KEYPOINTS)}); "
-        "3D-PCK is the share of instants "
-        "at which the worst of the four is within the bound; an instant that the tracker calls "
-        f'lost counts as outside.</p><p class="caveat">{html.escape(CAVEAT)}</p>'
+        "3D-PCK is the share of instants at which all four are within the bound; an instant with a "
+        f'lost keypoint counts as outside.</p><p class="caveat">{html.escape(CAVEAT)}</p>'
     )
 
 
@@ -104,7 +103,7 @@ def _experiment(
     trials: Sequence[Sequence[Trial]],
     rows: Sequence[dict[str, Any]],
 ) -> str:
-    """Table and figures of one experiment, ablations aside."""
+    """Table and figures of one experiment without ablations."""
     chosen = [i for i, c in enumerate(cases) if c.experiment == experiment and not c.ablation]
     if not chosen:
         return ""
@@ -122,7 +121,7 @@ def _figure(folder: Path, experiment: str, name: str, group: Group) -> str:
 
 
 def _image(path: Path, text: str) -> str:
-    """The image itself, within the page."""
+    """The image embedded in the page."""
     data = base64.b64encode(path.read_bytes()).decode("ascii")
     return f'<figure><img alt="{text}" src="data:image/png;base64,{data}"></figure>'
 
@@ -136,7 +135,7 @@ def _table(rows: Sequence[dict[str, Any]], experiment: str) -> str:
 
 
 def _ablations(folder: Path, results: Results, rows: Sequence[dict[str, Any]]) -> str:
-    """A table and a figure of variants for each experiment that has some."""
+    """A table and a figure of variants for each experiment that has variants."""
     head = "".join(f"<th>{title}" for _, title, _ in COLUMNS)
     parts = []
     for experiment in dict.fromkeys(r["experiment"] for r in rows if r["ablation"]):
@@ -155,7 +154,7 @@ def _ablations(folder: Path, results: Results, rows: Sequence[dict[str, Any]]) -
 
 
 def _name(row: dict[str, Any]) -> str:
-    """Of a row that is no variant."""
+    """Name of a row that is not a variant."""
     parts = [row["engine"], GUIDED.get(row["guided"], "")]
     return ", ".join([p for p in parts if p] + [row["glove"]] * (row["glove"] != PAPERS_GLOVE))
 

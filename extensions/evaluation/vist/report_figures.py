@@ -1,4 +1,4 @@
-"""Figures of `evaluate vist`, after Lee et al. 2021, figs. 3 and 4. Drawn off screen."""
+"""Draws the figures of `evaluate vist`, after Lee et al. 2021, figs. 3 and 4."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tracker.messages import Array
 
 Group = Sequence[tuple[Case, Sequence[Trial]]]
 COLOURS = {"chain": "#1b6ca8", "vist": "#c8553d"}
-LINES = {"chain": "-", "vist": "--"}  # for those who do not tell the colours apart
+LINES = {"chain": "-", "vist": "--"}  # readable without colour vision
 HATCHES = {"vist": "//"}
 OTHER = "#6b7280"
 PAPER_COLOUR = "#333333"
@@ -36,7 +36,7 @@ def colour_of(case: Case) -> str:
 
 
 def line_of(case: Case) -> str:
-    """One kind of line per engine."""
+    """One line style per engine."""
     return LINES.get(case.engine, ":")
 
 
@@ -50,7 +50,7 @@ def keypoints(group: Group, path: Path) -> None:
         mean = np.array([s.keypoints[k] for k in MARKED_KEYPOINTS])
         ci = np.array([s.keypoints_ci95_mm[k] for k in MARKED_KEYPOINTS])
         half = np.nan_to_num((ci[:, 1] - ci[:, 0]) / 2)
-        whisker = [np.minimum(half, mean), half]  # no error is below zero
+        whisker = [np.minimum(half, mean), half]  # errors are not negative
         at = x + (i - (len(group) - 1) / 2) * width
         ax.bar(at, mean, width, yerr=whisker, capsize=3, color=colour_of(case),
                hatch=HATCHES.get(case.engine), edgecolor="white", label=case.engine)  # fmt: skip
@@ -109,7 +109,7 @@ def hand_length(group: Group, path: Path) -> None:
 
 
 def over_time(group: Group, path: Path) -> None:
-    """Error over time, median of participants, so that calibration can be seen at work."""
+    """Error over time, median of participants, which shows the effect of calibration."""
     figure, ax = _axes()
     for case, trials in group:
         shortest = min((len(t.t) for t in trials), default=0)
@@ -128,7 +128,7 @@ def over_time(group: Group, path: Path) -> None:
 
 
 def variants(group: Group, path: Path) -> None:
-    """Mean error of every variant of an experiment, the usual way first."""
+    """Mean error of every variant of an experiment, the default first."""
     names = list(dict.fromkeys(case.ablation or "as usual" for case, _ in group))
     engines = list(dict.fromkeys(case.engine for case, _ in group))
     figure, ax = _axes(height=1.2 + 0.45 * len(names))

@@ -1,4 +1,4 @@
-"""All trials of all cases, in one process or several, with progress."""
+"""Runs all trials of all cases in one or several processes, with progress."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from contextlib import contextmanager
 from typing import TextIO
 
 from extensions.evaluation.vist.cases import Case
-from extensions.evaluation.vist.kept import KeptTrials
 from extensions.evaluation.vist.metrics import Trial
+from extensions.evaluation.vist.stored import StoredTrials
 from extensions.evaluation.vist.trial import run_trial
 
 Job = tuple[int, Case, int]
@@ -23,22 +23,22 @@ def run_cases(
     participants: int,
     processes: int = 1,
     progress: ProgressBar | None = None,
-    kept: KeptTrials | None = None,
+    stored: StoredTrials | None = None,
 ) -> list[list[Trial]]:
-    """Trials of each case, by participant; the same for any number of processes.
+    """Trials of each case, by participant; independent of the number of processes.
 
-    What is ``kept`` is not done again, what is done is kept. After Ctrl+C those that were finished;
-    then some cases have fewer trials, or none.
+    Trials in ``stored`` are not run again, and new ones are added to it. After Ctrl+C, only
+    finished trials are returned, so some cases have fewer trials or none.
     """
     wanted = [(i, case, k) for i, case in enumerate(cases) for k in range(participants)]
-    out, jobs = _done_before(wanted, len(cases), kept)
+    out, jobs = _done_before(wanted, len(cases), stored)
     progress = progress or ProgressBar()
     try:
         progress.show(0, len(jobs))
         for done, (i, trial) in enumerate(_results(jobs, processes), start=1):
             out[i].append(trial)
-            if kept:
-                kept.add(cases[i], trial)
+            if stored:
+                stored.add(cases[i], trial)
             progress.show(done, len(jobs))
     except KeyboardInterrupt:
         progress.end()
@@ -48,13 +48,13 @@ def run_cases(
 
 
 def _done_before(
-    wanted: Sequence[Job], cases: int, kept: KeptTrials | None
+    wanted: Sequence[Job], cases: int, stored: StoredTrials | None
 ) -> tuple[list[list[Trial]], list[Job]]:
-    """Trials of each case that are ``kept``, and which are left to do."""
+    """Stored trials of each case, and the remaining jobs."""
     out: list[list[Trial]] = [[] for _ in range(cases)]
     left = []
     for i, case, participant in wanted:
-        trial = kept.find(case, participant) if kept else None
+        trial = stored.find(case, participant) if stored else None
         if trial is None:
             left.append((i, case, participant))
         else:
@@ -75,7 +75,7 @@ def _results(jobs: Sequence[Job], processes: int) -> Iterator[tuple[int, Trial]]
 
 @contextmanager
 def _uninterrupted() -> Iterator[None]:
-    """Processes started in here do not hear Ctrl+C: the one that started them ends them."""
+    """Processes started in this context ignore Ctrl+C; their parent stops them."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         yield
@@ -89,7 +89,7 @@ def _run(job: Job) -> tuple[int, Trial]:
 
 
 class ProgressBar:
-    """A bar on standard error where that is a terminal; silent elsewhere."""
+    """A progress bar on standard error if that is a terminal; otherwise nothing is printed."""
 
     WIDTH = 30
 
@@ -101,7 +101,7 @@ class ProgressBar:
         self._begin = clock()
 
     def show(self, done: int, total: int) -> None:
-        """``done`` of ``total`` trials are finished."""
+        """Show that ``done`` of ``total`` trials are finished."""
         if not self._visible:
             return
         filled = self.WIDTH * done // max(total, 1)
@@ -112,12 +112,12 @@ class ProgressBar:
             self.end()
 
     def end(self) -> None:
-        """What is written next stands on a line of its own."""
+        """End the line of the progress bar."""
         if self._visible:
             self._stream.write("\n")
 
     def _left(self, done: int, total: int) -> str:
-        """How long the rest will take, if trials take as long as those before."""
+        """Estimated remaining time."""
         if not 0 < done < total:
             return ""
         seconds = (self._clock() - self._begin) * (total - done) / done

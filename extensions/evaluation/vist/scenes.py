@@ -1,4 +1,4 @@
-"""The simulated scene of a case: whose hand moves how, and what is around it."""
+"""The simulated scene of a case: wearer, motion and surroundings."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ EACH_HELD = 40.0  # s: three objects in a trial of two minutes
 
 @dataclass(frozen=True)
 class InTurn:
-    """Several held things, each for `EACH_HELD` seconds."""
+    """Several held objects, each for `EACH_HELD` seconds."""
 
     things: tuple[HeldObject, ...]
 
@@ -39,11 +39,11 @@ class InTurn:
         return self.things[int(t // EACH_HELD) % len(self.things)]
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
-        """The present thing."""
+        """The solids of the current object."""
         return self._now(t).solids(t, R_GB, p_GB)
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
-        """Its blobs of a marker's hue."""
+        """The current object's blobs with a marker's hue."""
         return self._now(t).coloured(t)
 
 
@@ -53,7 +53,7 @@ def motion_of(case: Case, hand: HandModel, seed: int, variant: Ablation | None) 
     if case.motion_files:
         motion: Motion = load_motion(Path(case.motion_files[seed % len(case.motion_files)]), hand)
     else:
-        duration = 60.0 * case.minutes * speed  # so that a faster trial lasts as long
+        duration = 60.0 * case.minutes * speed  # so that a faster trial has the same duration
         motion = RandomPostures(hand, seed=seed, period=POSTURE_EVERY, duration=duration)
     return motion if speed == 1.0 else Faster(motion, speed)
 
@@ -76,8 +76,8 @@ def simulation_of(
     variant: Ablation | None,
     person: int | None = None,
 ) -> Simulation:
-    """A person drawn from ``seed`` in the scene of the experiment, or from ``person``: then only
-    how the glove sits, and all else, is drawn from ``seed``."""
+    """A person drawn from ``seed`` in the scene of the experiment. With ``person``, the person is
+    drawn from that seed, and the fit of the glove and everything else from ``seed``."""
     fps = case.fps if variant is None or variant.fps is None else variant.fps
     room = room_of("desk" if case.light else "plain", case.light, seed=seed)
     extras = (*extras_of(case, hand, seed), *room.extras)
@@ -90,7 +90,7 @@ def simulation_of(
 
 
 def extras_of(case: Case, hand: HandModel, seed: int) -> Sequence[Extra]:
-    """What the hand holds or wears, and what else has a marker's colour."""
+    """Objects that the hand holds or wears, and other objects with a marker's colour."""
     out: list[Extra] = []
     if case.experiment == "object":
         kinds = rng_for(seed, "held things").choice(OBJECTS, 3, replace=False)

@@ -1,8 +1,8 @@
-"""Finished trials kept in a folder, so that an evaluation that was ended goes on where it stood.
+"""Stores finished trials in a folder, so that an interrupted evaluation can be resumed.
 
 Each trial is a file of plain arrays (NumPy's .npz, nothing pickled), named by its case and
-participant; `PROGRAM` beside them says which program made them, for only trials of one program
-belong into one table.
+participant. The file `PROGRAM` identifies the program that computed them, because a table must only
+contain trials of one program.
 """
 
 from __future__ import annotations
@@ -25,25 +25,25 @@ from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import sha256, slug, write_kept
 
 PROGRAM = "program.txt"
-CASE = "case"  # beside the fields of a trial, in its file
+CASE = "case"  # stored in the file with the fields of a trial
 READ = ("hands", "gloves", "colours")  # resources that trials depend on
 
 
-class KeptTrials:
-    """Trials in ``folder``, made at the first one. Raises ConfigError for a folder whose trials
-    another version of the program has made."""
+class StoredTrials:
+    """Trials in ``folder``, which is created with the first one. Raises ConfigError if the folder
+    contains trials of another version of the program."""
 
     def __init__(self, folder: Path) -> None:
         self._folder, self._program = folder, program()
         written = folder / PROGRAM
         if written.is_file() and written.read_text(encoding="utf-8") != self._program:
             raise ConfigError(
-                f"{folder} holds trials of another version of the program, whose figures do not "
-                "belong into one table with this one's: choose another folder, or empty it."
+                f"{folder} contains trials of another version of the program, which cannot be "
+                "combined with new ones. Choose another folder, or empty it."
             )
 
     def find(self, case: Case, participant: int) -> Trial | None:
-        """A trial that was finished before. Raises FileError for a file that is damaged."""
+        """A stored trial, or None. Raises FileError if its file is damaged."""
         path = self._path(case, participant)
         if not path.is_file():
             return None
@@ -52,12 +52,12 @@ class KeptTrials:
                 values = {f.name: file[f.name] for f in fields(Trial)}
         except (OSError, ValueError, KeyError, zipfile.BadZipFile) as error:
             raise FileError(
-                f"The kept trial {path} is damaged: delete it, and it is made again."
+                f"The stored trial {path} is damaged. Delete it to compute it again."
             ) from error
         return Trial(**{name: v if v.ndim else v.item() for name, v in values.items()})
 
     def add(self, case: Case, trial: Trial) -> None:
-        """Keep a finished trial. Raises DiskError."""
+        """Store a finished trial. Raises DiskError."""
         data = io.BytesIO()
         values = {f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial)}
         np.savez_compressed(data, allow_pickle=False, **{CASE: np.array(_text(case)), **values})
@@ -68,19 +68,19 @@ class KeptTrials:
     def _path(self, case: Case, participant: int) -> Path:
         text = _text(case)
         what = (case.experiment, case.engine, case.ablation, case.guided, case.light)
-        words = slug(" ".join(word for word in what if word))
+        name = slug(" ".join(part for part in what if part))
         key = hashlib.sha256(text.encode()).hexdigest()[:12]
-        return self._folder / f"{words}-{key}-{participant:02d}.npz"
+        return self._folder / f"{name}-{key}-{participant:02d}.npz"
 
 
 def _text(case: Case) -> str:
-    """All that a case's trials depend on but the program."""
+    """Everything that a case's trials depend on, except for the program."""
     files = [path for path in (*case.motion_files, case.wearer) if path]
     return json.dumps(asdict(case) | {"sha256": [sha256(Path(path)) for path in files]})
 
 
 def program() -> str:
-    """This program: its version, and a digest of the code and the files that trials depend on."""
+    """Identification of this program: version, and digest of the code and files used by trials."""
     digest = hashlib.sha256()
     for name, data in _sources():
         digest.update(f"{name} {len(data)}\n".encode() + data)
@@ -88,7 +88,8 @@ def program() -> str:
 
 
 def _sources() -> Iterator[tuple[str, bytes]]:
-    """Names and contents, in an order that is the same everywhere."""
+    """Names and contents in a fixed order."""
+
     code = Path(tracker.__file__).parent
     for path in sorted(code.rglob("*.py")):
         yield path.relative_to(code).as_posix(), path.read_bytes()

@@ -1,4 +1,4 @@
-"""The table of `glovetrack evaluate vist`: rows for the machine and lines for people."""
+"""The table of `glovetrack evaluate vist`: rows for JSON and lines of text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from extensions.evaluation.vist.paper import PAPER
 
 
 def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
-    """One row as ``--json`` writes it; figures that do not exist are null."""
+    """One row for ``--json``; missing figures are null."""
     summary = summarise(trials)
     row: dict[str, Any] = {
         "experiment": case.experiment,
@@ -39,7 +39,7 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """JSON has no NaN."""
+    """The value with NaN replaced by None, since JSON has no NaN."""
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if isinstance(value, dict):
@@ -56,7 +56,7 @@ HEAD = (
 
 
 def line_of(case: Case, summary: Summary) -> str:
-    """One row for people."""
+    """One row as text."""
     return (
         f"{case.experiment:<11} {case.engine:<7} {_variant(case):<32} "
         f"{summary.mean_mm:6.2f} ± {summary.sd_mm:5.2f} mm "
@@ -69,7 +69,7 @@ def line_of(case: Case, summary: Summary) -> str:
 
 
 def _known(value: float, width: int) -> str:
-    """Two digits, or a dash where there is nothing to tell, as of a hand nobody saw."""
+    """The value with two decimals, or a dash if it is unknown."""
     return f"{value:{width}.2f}" if math.isfinite(value) else f"{'–':>{width}}"
 
 

@@ -1,4 +1,4 @@
-"""One simulated participant tracked once (`vist_judge` compares with the truth)."""
+"""Tracks one simulated participant (`judge` compares the result with the truth)."""
 
 from __future__ import annotations
 
@@ -45,10 +45,10 @@ from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector, detect_frame
 from tracker.vision.region_prediction import RegionPrediction, SearchPlan
 
-FIRST_SESSION = 0.5  # min of free motion of a session in which a wearer was met before
-ANOTHER_TIME = 500  # between the seeds of one person's sessions: more than there are participants
+FIRST_SESSION = 0.5  # min of free motion in a wearer's earlier session
+ANOTHER_TIME = 500  # between the seeds of one person's sessions; more than the participants
 CHECK_EVERY = 5  # frames between two whose matches are compared with the truth
-SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is something else
+SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is not a marker
 
 
 @lru_cache(maxsize=2)
@@ -62,7 +62,7 @@ def models(glove_name: str = PAPERS_GLOVE) -> tuple[HandModel, GloveModel]:
 
 
 def run_trial(case: Case, participant: int) -> Trial:
-    """Simulate, track and judge. A function of its arguments alone (but for ``core_s``)."""
+    """Simulate, track and evaluate. Deterministic, except for ``core_s``."""
     hand, glove = models(case.glove)
     variant = ablation_of(case)
     seed = 1000 * case.seed + participant
@@ -94,7 +94,7 @@ def run_trial(case: Case, participant: int) -> Trial:
 
 
 def measure(pipeline: Pipeline, wearer: Wearer, seed: int) -> None:
-    """Put on what a ruler says of the wearer's hand."""
+    """Set the length of the wearer's hand as measured with a ruler."""
     layout = ChainLayout(pipeline.hand, pipeline.glove)
     true = float(length_gain(layout) @ wearer.scale[list(layout.active), 0])
     read = true + rng_for(seed, "ruler").normal(0.0, RULER_SD)
@@ -102,8 +102,9 @@ def measure(pipeline: Pipeline, wearer: Wearer, seed: int) -> None:
 
 
 def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
-    """Put on the profile that an earlier session of the ``person`` (a seed) has left, in which he
-    held the guided poses with the glove put on another time."""
+    """Load the profile from an earlier session of the ``person`` (a seed) with guided poses, in
+    which the glove was put on separately."""
+
     first, seed = replace(case, guided="guided", minutes=FIRST_SESSION), person + ANOTHER_TIME
     hand, glove = models(case.glove)
     motion = guided_motion(first, hand, glove, motion_of(first, hand, seed, None), person)
