@@ -121,6 +121,7 @@ def _setup_with(
                 live=LivePart(tracker, tracker.hand(side), make_recorder, wearer),
                 truth=SimulatedTruth(glove.simulation, t_0),
                 application=shown_application(spec.motion),
+                anchor=info.anchor,
             )
             for side, glove in gloves.items()
         ]

@@ -19,6 +19,7 @@ from app.engines.protocols import (
     TrackedHand,
     WindowEngine,
 )
+from tracker.base.clock import ClockAnchor
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.listeners import Listener
@@ -98,6 +99,7 @@ class EngineSetup:
     application: tuple[str, Mapping[str, Any]] = ("", {})  # what a simulated wearer uses, and how
     missing: str = ""  # sentences that say which devices are missing, and why
     others: tuple[EngineSetup, ...] = ()
+    anchor: ClockAnchor | None = None  # of the session's clock
 
     @property
     def side(self) -> str:

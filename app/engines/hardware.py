@@ -135,6 +135,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
             live=LivePart(tracker, hand, make_recorder),
             listeners=hand.attach_listeners(link.vibrate if link else None),
             missing=" ".join(found.missing),
+            anchor=info.anchor,
         )
 
     return seen_from_main([seen_from(glove) for glove in worn])

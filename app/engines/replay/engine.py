@@ -139,6 +139,7 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
             simulated=info.simulated,
             player=engine.player,
             listeners=engine.hands.listeners[seen.side].by_name,
+            anchor=info.anchor,
         )
         for seen in info.hands
     ]
