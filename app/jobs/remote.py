@@ -11,13 +11,14 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.engines.engine_host import EngineHost
+from app.engines.protocols import GloveDevice
 from app.jobs.connections import Connections
 from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan, duration_text
 from tracker.base.clock import monotonic
-from tracker.hand.names import CHAINS
+from tracker.hand.names import CHAINS, SIDES
 from tracker.messages import Event
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.remote.contacts import ContactBook, motor_of
@@ -43,7 +44,11 @@ class RemoteAnswers(QObject):
         super().__init__(parent)
         self._host, self._plan = host, plan
         self._waiting: set[Future[Reply]] = set()
-        self._motors = {finger: Allowance(MOTOR_HZ, monotonic()) for finger in MOTORS}
+        self._motors = {
+            (side, finger): Allowance(MOTOR_HZ, monotonic())
+            for side in ("", *SIDES)
+            for finger in MOTORS
+        }
         self._felt = {"vibrate": self._vibrate, "contact": self._contact}
         self._contacts = ContactBook()
         self._look = QTimer(self)
@@ -151,11 +156,10 @@ class RemoteAnswers(QObject):
 
     def _vibrate(self, request: Request) -> Reply:
         """From any thread, as the glove's link takes it."""
-        setup = self._host.setup
-        glove = setup.connection.device if setup is not None else None
+        glove = self._glove(request.side)
         if glove is None or not self._host.running:
             return Reply(False, request.do, "No glove with motors is running.")
-        if not self._motors[request.finger].take(request.t):
+        if not self._motors[request.side, request.finger].take(request.t):
             limit = f"A motor takes at most {MOTOR_HZ:.0f} requests a second."
             return Reply(False, request.do, limit)
         motor = MOTORS.index(request.finger)
@@ -163,12 +167,19 @@ class RemoteAnswers(QObject):
             return Reply(False, request.do, "The glove's line has no room; the motor was not told.")
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
+    def _glove(self, side: str) -> GloveDevice | None:
+        """Of the hand of ``side``, or of the first; None where it has no motors."""
+        setup = self._host.setup
+        hands = setup.hands if setup is not None else ()
+        found = [hand for hand in hands if side in ("", hand.hand.side)]
+        return found[0].connection.device if found else None
+
     def _contact(self, request: Request) -> Reply:
         """From any thread: felt while it lasts, and recorded where it begins and ends."""
         setup = self._host.setup
         if setup is None or not self._host.running:
             return Reply(False, request.do, "Nothing is running that could be touched.")
-        if not self._motors[request.finger].take(request.t):
+        if not self._motors[request.side, request.finger].take(request.t):
             limit = f"A finger takes at most {MOTOR_HZ:.0f} contacts a second."
             return Reply(False, request.do, limit)
         self._record(self._contacts.tell(request))

@@ -31,5 +31,9 @@ class DatagramSocket:
         """One datagram. Raises OSError where the system has no room for it or no way to it."""
         self._socket.sendto(data, self._address)
 
+    @property
+    def is_open(self) -> bool:
+        return self._socket.fileno() >= 0
+
     def close(self) -> None:
         self._socket.close()

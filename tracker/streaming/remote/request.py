@@ -49,7 +49,8 @@ class RequestError(GlovetrackError):
 class Request:
     """``t``: when it arrived, s of the host's monotonic clock; ``id`` comes back in the answer.
 
-    ``data``: what a note keeps beside its text; nobody asks for it, a door gives it.
+    ``data``: what a note has besides its text, and ``side`` which hand vibrates ("": the first);
+    requests do not contain them, a door sets them.
     """
 
     do: str
@@ -62,6 +63,7 @@ class Request:
     object: str = ""
     id: str | int | None = None
     data: Mapping[str, Any] = field(default_factory=dict)
+    side: str = ""
 
 
 @dataclass(frozen=True)

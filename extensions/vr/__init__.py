@@ -1,0 +1,1 @@
+"""Virtual reality: hands as controllers of SteamVR and of runtimes that read OpenGloves."""

@@ -1,0 +1,68 @@
+"""Descriptors of virtual reality: streams to its runtimes, and vibration from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from tracker.streaming.connection import LOOPBACK, option
+from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.registry import StreamKind
+from tracker.streaming.remote.doors import Door
+from tracker.streaming.remote.reception import Answer
+from tracker.streaming.remote.registry import DoorKind
+
+RIGHT, LEFT = 57, 56
+"""The last two devices of VMT: the first ones are used by full-body trackers."""
+
+
+@dataclass(frozen=True)
+class VmtOptions:
+    host: str = option(LOOPBACK, "computer that runs SteamVR")
+    port: int = option(39570, "port of VMT's driver")
+    right: int = option(RIGHT, "number of the right hand's device, 0 to 57")
+    left: int = option(LEFT, "number of the left hand's device, 0 to 57")
+    controller: bool = option(
+        False, "whether the device stands where a controller would be in the hand, not at the wrist"
+    )
+    trigger: str = option("pinch_index", "gesture for the trigger")
+    grip: str = option("grasp", "gesture for the grip")
+    a: str = option("pinch_middle", "gesture for button A")
+    b: str = option("pinch_ring", "gesture for button B")
+
+
+@dataclass(frozen=True)
+class HapticOptions:
+    host: str = option(LOOPBACK, "listening address")
+    port: int = option(39571, "port to which VMT's driver sends")
+    right: int = option(RIGHT, "number of the right hand's device, 0 to 57")
+    left: int = option(LEFT, "number of the left hand's device, 0 to 57")
+    fingers: str = option("all", "motors that vibrate: a list such as thumb,index, or all")
+
+
+def _vmt(options: VmtOptions, hands: Sequence[Names]) -> Iterator[Publisher]:
+    from extensions.vr.buttons import ButtonGestures
+    from extensions.vr.vmt import VmtDevice, VmtPublisher
+
+    index = {"right": options.right, "left": options.left}
+    gestures = ButtonGestures(options.trigger, options.grip, options.a, options.b)
+    for names in hands:
+        device = VmtDevice(index[names.side], options.controller)
+        yield VmtPublisher(names, device, gestures, options.host, options.port)
+
+
+def _haptics(options: HapticOptions, answer: Answer) -> Door:
+    from extensions.vr.haptics import HapticDoor
+
+    sides = {options.right: "right", options.left: "left"}
+    return HapticDoor(answer, sides, options.fingers, options.host, options.port)
+
+
+VMT = StreamKind(name="vmt", title="SteamVR, VRChat (VMT)", options=VmtOptions, make=_vmt, order=22)
+HAPTICS = DoorKind(
+    name="vmt",
+    title="SteamVR vibration (VMT)",
+    options=HapticOptions,
+    make=_haptics,
+    order=22,
+)

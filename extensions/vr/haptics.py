@@ -1,0 +1,79 @@
+"""Vibration that SteamVR's applications ask for, by VMT's OSC: a protocol of remote control."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from concurrent.futures import Future
+from dataclasses import replace
+
+from extensions.osc import decode
+from extensions.osc.decode import OscError
+from tracker.hand.names import CHAINS
+from tracker.streaming.connection import StreamError
+from tracker.streaming.remote.doors import DatagramDoor, Door
+from tracker.streaming.remote.reception import Answer
+from tracker.streaming.remote.request import (
+    MOST_AMPLITUDE,
+    MOST_MS,
+    Reply,
+    Request,
+    RequestError,
+)
+
+HAPTIC = "/VMT/Out/Haptic"
+SHORTEST = 0.02  # s: a pulse of zero length is the shortest that is felt
+ALL = "all"
+
+
+class HapticDoor:
+    """Listens where VMT's driver sends its messages. Other messages than vibration are ignored."""
+
+    def __init__(
+        self, answer: Answer, sides: dict[int, str], fingers: str, host: str, port: int
+    ) -> None:
+        """``sides``: of each device; ``fingers``: a list with commas, or `ALL`."""
+        motors = _motors(fingers)
+
+        def parse(data: bytes, t: float) -> Request | None:
+            return haptic(data, t, sides)
+
+        def each(request: Request) -> Future[Reply]:
+            futures = [answer(replace(request, finger=f)) for f in motors]
+            return futures[0]
+
+        self._door: Door = DatagramDoor("VMT", (parse, lambda _: b""), each, host, port)
+        self.port, self.counts, self.close = self._door.port, self._door.counts, self._door.close
+
+
+def _motors(fingers: str) -> Sequence[str]:
+    """Raises StreamError for a finger that there is none of."""
+    names = tuple(CHAINS) if fingers == ALL else tuple(f.strip() for f in fingers.split(","))
+    for name in names:
+        if name not in CHAINS:
+            known = ", ".join(CHAINS)
+            raise StreamError(f"There is no finger {name!r}. Fingers are {known}, or {ALL}.")
+    return names
+
+
+def haptic(data: bytes, t: float, sides: dict[int, str]) -> Request | None:
+    """A request of ``/VMT/Out/Haptic index frequency amplitude duration``; None for other messages
+    and devices. Raises RequestError for a message that cannot be read.
+
+    Amplitude is 0 to 1, duration in s. The frequency is ignored: the motors have one.
+    """
+    try:
+        address, values = decode.message(data)
+    except OscError as error:
+        raise RequestError(f"An OSC message was expected: {error}.") from error
+    if address != HAPTIC:
+        return None
+    numbers = [v for v in values if isinstance(v, int | float)]
+    if len(numbers) != 4 or not all(map(math.isfinite, numbers)):
+        raise RequestError(f"{HAPTIC} has an index, a frequency, an amplitude and a duration.")
+    index, _, amplitude, duration = numbers
+    if int(index) not in sides or amplitude <= 0:
+        return None
+    strength = round(min(amplitude, 1.0) * MOST_AMPLITUDE)
+    ms = round(1000 * min(max(duration, SHORTEST), MOST_MS / 1000))
+    return Request("vibrate", t, amplitude=strength, duration_ms=ms, side=sides[int(index)])

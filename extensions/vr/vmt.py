@@ -1,0 +1,101 @@
+"""Hands to SteamVR by Virtual Motion Tracker: OSC over UDP (gpsnmeajp.github.io, "API").
+
+One bundle for each estimate: ``/VMT/Room/Unity`` with the device's pose, ``/VMT/Skeleton/Unity``
+with each bone and ``/VMT/Skeleton/Apply``, and ``/VMT/Input/...`` for controls. The driver has no
+field for validity: what is lost is not sent, and the device keeps its last pose.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from dataclasses import dataclass
+
+from extensions.osc.encode import bundle, message
+from extensions.vr.buttons import ButtonGestures, ControlReader, Controls
+from extensions.vr.skeleton import Pose, Skeleton
+from tracker.gestures.recogniser import GestureRecogniser
+from tracker.messages import Estimate
+from tracker.streaming.connection import StreamError
+from tracker.streaming.datagram import DatagramSocket
+from tracker.streaming.payload import openxr_of
+from tracker.streaming.publisher import Names
+
+DRIVER_PORT, ANSWER_PORT = 39570, 39571
+MOST_DEVICE = 57
+MODE = {"left": 5, "right": 6}  # a controller with the inputs of a Valve Index
+OFF = 0
+TRIGGER, GRIP, GRIP_FORCE, FIRST_FINGER = 0, 1, 2, 3
+A_BUTTON, B_BUTTON = 1, 3
+NOW = 0.0  # the time offset of every message
+
+
+@dataclass(frozen=True)
+class VmtDevice:
+    """What one hand is in SteamVR: ``index`` of VMT's devices, 0 to 57; ``controller`` as in
+    `Skeleton`."""
+
+    index: int
+    controller: bool = False
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.index <= MOST_DEVICE:
+            raise StreamError(f"Devices of VMT are 0 to {MOST_DEVICE}, not {self.index}.")
+
+
+class VmtPublisher:
+    """Sends one OSC bundle for each estimate of a hand and never waits."""
+
+    def __init__(
+        self, names: Names, device: VmtDevice, gestures: ButtonGestures, host: str, port: int
+    ) -> None:
+        self.name = f"VMT to {host}:{port}"
+        self._names = names if names.openxr else names.with_openxr()
+        self._device = device.index
+        self._skeleton = Skeleton(names.side, device.controller)
+        recogniser = GestureRecogniser(names.model, names.keypoints)
+        self._controls = ControlReader(names.model, recogniser, gestures)
+        self._socket = DatagramSocket("VMT", host, port)
+
+    def send(self, estimate: Estimate) -> None:
+        self._socket.send(self._bundle(estimate))
+
+    def close(self) -> None:
+        """Turns the device off in SteamVR."""
+        if self._socket.is_open:
+            at_rest = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+            with contextlib.suppress(OSError):
+                self._socket.send(message("/VMT/Room/Unity", self._device, OFF, NOW, *at_rest))
+        self._socket.close()
+
+    def _bundle(self, e: Estimate) -> bytes:
+        out, joints = [], openxr_of(e, self._names)
+        device = self._skeleton.device(joints)
+        if device is not None:
+            mode = MODE[self._names.side]
+            out.append(message("/VMT/Room/Unity", self._device, mode, NOW, *_numbers(device)))
+            for bone, pose in self._skeleton.bones(joints, device).items():
+                out.append(message("/VMT/Skeleton/Unity", self._device, bone, *_numbers(pose)))
+            out.append(message("/VMT/Skeleton/Apply", self._device, NOW))
+        return bundle([*out, *self._inputs(self._controls.read(e))])
+
+    def _inputs(self, c: Controls) -> list[bytes]:
+        fingers = zip(range(FIRST_FINGER, FIRST_FINGER + 4), c.curls[1:].tolist(), strict=True)
+        triggers = {TRIGGER: c.trigger, GRIP: c.grip, GRIP_FORCE: c.grip, **dict(fingers)}
+        clicks = {TRIGGER: c.trigger_click, GRIP: c.grip_click}
+        buttons = {A_BUTTON: c.a, B_BUTTON: c.b}
+        known = [(i, x) for i, x in triggers.items() if math.isfinite(x)]
+        return [
+            *(self._input("Trigger", i, float(x)) for i, x in known),
+            *(self._input("Trigger/Click", i, int(x)) for i, x in clicks.items()),
+            *(self._input("Button", i, int(x)) for i, x in buttons.items()),
+        ]
+
+    def _input(self, kind: str, index: int, value: float) -> bytes:
+        return message(f"/VMT/Input/{kind}", self._device, index, NOW, value)
+
+
+def _numbers(pose: Pose) -> list[float]:
+    """Position and quaternion in Unity's axes."""
+    p, q = pose.in_unity()
+    return [*p.tolist(), *q.tolist()]
