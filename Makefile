@@ -5,6 +5,7 @@
 #                   its compiler and a chip simulator (system packages), and are skipped without them
 # make lint         linters, spelling, type checker and import contracts, without the tests
 # make firmware     build the glove's firmware and its simulator; prints their sizes
+# make openxr-layer compile the OpenXR API layer, which gives the hand to any OpenXR application
 # make screenshots  images of the window for the documentation
 # make translations list the window's texts for translators (resources/translations)
 # make docs         the documentation as a static site, build/site/index.html
@@ -34,7 +35,7 @@ WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
 KEPT := PYTHONDONTWRITEBYTECODE=
 TYPES := $(BIN)/mypy && $(BIN)/lint-imports
 
-.PHONY: demo test lint firmware screenshots translations docs package wheel bench bench-peers kernels lock clean
+.PHONY: demo test lint firmware openxr-layer screenshots translations docs package wheel bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -45,7 +46,7 @@ else
 endif
 
 test: $(READY_FOR_TESTS)
-	packaging/system_libraries.sh firmware-tests
+	packaging/system_libraries.sh firmware-tests openxr-tests
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	packaging/prose.sh $(VENV)
@@ -63,6 +64,9 @@ lint: $(READY_FOR_TESTS)
 firmware:
 	packaging/system_libraries.sh firmware
 	$(MAKE) -C resources/firmware BUILD=$(abspath $(FIRMWARE_BUILD)) all size
+
+openxr-layer: $(READY)
+	packaging/openxr_layer.sh $(VENV)
 
 screenshots: $(READY_FOR_TESTS)
 	$(OFFSCREEN) $(BIN)/python -m app.tools.screenshots --out docs/screenshots
@@ -101,7 +105,7 @@ lock:
 clean:
 	rm -rf build dist demo bench bench.json $(VENV) *.egg-info
 	rm -rf .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
-	rm -f tracker/kernels/_compiled* tracker/kernels/_dispatch*
+	rm -f tracker/kernels/_compiled* tracker/kernels/_dispatch* extensions/openxr/layer/*glovetrack_openxr.*
 	find app extensions glovetrack tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
 
 SET_UP := pyproject.toml packaging/environment.sh packaging/system_libraries.sh \

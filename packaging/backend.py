@@ -6,9 +6,9 @@ with others in a shared environment, so a wheel has them as `glovetrack.app` and
 copied with that layout, its import statements name the packages by their full names, and
 setuptools makes the wheel of the copy. `README.md` beside this file says why they are rewritten.
 Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
-Compiled kernels that lie in the tree travel along, and make it a wheel for this kind of machine
-(`packaging/wheel.sh` sees to them); without them it is one for every machine. An editable install,
-as the Makefile makes it, leaves the tree as it is.
+Compiled kernels in the tree, and with them the compiled OpenXR layer, are included and make it a
+wheel for this kind of machine (`packaging/wheel.sh`); without kernels it is one for every machine.
+An editable install, as the Makefile makes it, leaves the tree as it is.
 """
 
 from __future__ import annotations
@@ -48,6 +48,8 @@ __all__ = [
 NAME = "glovetrack"
 PACKAGES = ("app", "extensions", "tracker", "resources")
 FOUND = 'include = ["app*", "extensions*", "glovetrack*", "resources*", "tracker*"]'
+OPENXR_LAYER = "*glovetrack_openxr.*"
+"""Its library in `extensions/openxr/layer`."""
 NOT_INSTALLED = ("tests", "docs")
 """Folders of an extension that stay in the source tree."""
 FOR_ONE_PLATFORM = """from setuptools import Distribution, setup
@@ -71,7 +73,7 @@ def build_wheel(
     target = str(Path(wheel_directory).resolve())
     with tempfile.TemporaryDirectory() as folder:
         stage(Path.cwd(), Path(folder))
-        add_kernels(Path.cwd(), Path(folder))
+        add_compiled(Path.cwd(), Path(folder))
         with working_in(folder):
             return build_meta.build_wheel(target, config_settings)
 
@@ -82,7 +84,7 @@ def stage(source: Path, target: Path) -> None:
         shutil.copy(source / name, target)
     project = (source / "pyproject.toml").read_text("utf-8")
     (target / "pyproject.toml").write_text(installed_project(project), "utf-8")
-    hidden = shutil.ignore_patterns("__pycache__", "_compiled*", "_dispatch*")
+    hidden = shutil.ignore_patterns("__pycache__", "_compiled*", "_dispatch*", OPENXR_LAYER)
     shutil.copytree(source / NAME, target / NAME, ignore=hidden)
     for package in PACKAGES:
         shutil.copytree(source / package, target / NAME / package, ignore=hidden)
@@ -96,8 +98,19 @@ def stage(source: Path, target: Path) -> None:
         path.write_text(with_full_names(path.read_text("utf-8")), "utf-8")
 
 
-def add_kernels(source: Path, target: Path) -> None:
-    """Copy the library of compiled kernels, if there is one for this interpreter.
+def add_compiled(source: Path, target: Path) -> None:
+    """Copy what was compiled for this system: kernels, if there are some for this interpreter, and
+    with them the OpenXR layer if there is one."""
+    if not add_kernels(source, target):
+        return
+    folder = Path("extensions", "openxr", "layer")
+    for path in (source / folder).glob(OPENXR_LAYER):
+        shutil.copy(path, target / NAME / folder)
+    (target / "setup.py").write_text(FOR_ONE_PLATFORM, "utf-8")
+
+
+def add_kernels(source: Path, target: Path) -> bool:
+    """Copy the library of compiled kernels; False if there is none for this interpreter.
 
     Kernels are looked up by their full names, which the tables of the copy have as installed.
     """
@@ -107,14 +120,14 @@ def add_kernels(source: Path, target: Path) -> None:
     parts = {p: p.with_name(p.stem + suffix) for p in here.glob("_compiled_*.txt")}
     parts = {table: module for table, module in parts.items() if module.exists()}
     if not (parts and dispatch.exists()):
-        return
+        return False
     for path in (dispatch, *parts.values()):
         shutil.copy(path, there)
     for table in parts:
         lines = table.read_text("utf-8").splitlines(keepends=True)
         full = lines[:1] + [with_full_name(line) for line in lines[1:]]
         (there / table.name).write_text("".join(full), "utf-8")
-    (target / "setup.py").write_text(FOR_ONE_PLATFORM, "utf-8")
+    return True
 
 
 def add_metadata(target: Path) -> None:

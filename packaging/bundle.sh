@@ -17,6 +17,7 @@ fi
 
 make --no-print-directory firmware >/dev/null # its image is part of the bundle
 packaging/kernels.sh "$1"
+packaging/openxr_layer.sh "$1"
 packaging/site.sh "$python" # the Help menu opens it
 echo "Building $out/glovetrack (takes several minutes)"
 nice "$python" -m PyInstaller --noconfirm --log-level ERROR \

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Checks for the system packages that Glovetrack needs and that pip cannot install.
 #
-#   packaging/system_libraries.sh [app] [firmware] [firmware-tests]
+#   packaging/system_libraries.sh [app] [firmware] [firmware-tests] [openxr] [openxr-tests]
 #
 # As root on Debian or Ubuntu, it installs missing packages; otherwise it prints the command to run.
 # It fails only if an essential package is still missing: without the packages marked "display", the
-# application still runs off-screen, and without those marked "tests", the firmware's tests are skipped.
+# application still runs off-screen, and without those marked "tests", some tests are skipped.
 set -euo pipefail
 PATH=$PATH:/usr/sbin:/sbin # location of ldconfig, which is not on every user's PATH
 
@@ -45,6 +45,16 @@ firmware_test_needs="${firmware_needs//essential/tests}
 command:avrdude                    avrdude              tests
 "
 
+openxr_needs='
+command:c++                        g++                  essential
+file:/usr/include/openxr/openxr.h  libopenxr-dev        essential
+'
+validation=/usr/share/openxr/1/api_layers/explicit.d/XrApiLayer_core_validation.$HOSTTYPE-linux-gnu.json
+openxr_test_needs="${openxr_needs//essential/tests}
+lib:libopenxr_loader.so.1 libopenxr-loader1 tests
+file:$validation openxr-layer-corevalidation tests
+"
+
 libraries=$(ldconfig -p 2>/dev/null || true)
 
 is_there() { # kind:name
@@ -81,7 +91,9 @@ for group in "${@:-app}"; do
     app) needs+=$app_needs ;;
     firmware) needs+=$firmware_needs ;;
     firmware-tests) needs+=$firmware_test_needs ;;
-    *) echo "unknown group $group: use app, firmware or firmware-tests" >&2 && exit 2 ;;
+    openxr) needs+=$openxr_needs ;;
+    openxr-tests) needs+=$openxr_test_needs ;;
+    *) echo "unknown group $group: see the usage in $0" >&2 && exit 2 ;;
     esac
 done
 
@@ -102,7 +114,7 @@ if [ -n "$essential" ]; then
 elif [ -n "$(missing "$needs" display)" ]; then
     echo "The window needs more system packages (not needed off-screen):" >&2
 else
-    echo "The firmware's tests need more system packages and are skipped without them:" >&2
+    echo "Some tests need more system packages and are skipped without them:" >&2
 fi
 echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends ${lacking[*]}" >&2
 [ -z "$essential" ]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds a wheel with compiled kernels for this interpreter and platform.
+# Builds a wheel with compiled kernels and the OpenXR layer for this interpreter and platform.
 #
 #   packaging/wheel.sh VENV FOLDER
 #
@@ -11,6 +11,7 @@ source packaging/epoch.sh
 venv=$1
 folder=$2
 packaging/kernels.sh "$venv"
+packaging/openxr_layer.sh "$venv"
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
 "$venv/bin/python" -m pip --disable-pip-version-check wheel --quiet --no-deps \

@@ -105,5 +105,14 @@ def test_root_gets_the_packages_of_the_firmware_tests(machine: Machine) -> None:
     assert {"gcc-avr", "avrdude", "gcc"} <= set(packages)
 
 
+def test_the_openxr_layer_needs_a_compiler_and_headers_and_its_tests_a_loader(
+    machine: Machine,
+) -> None:
+    machine.without_compilers()
+    assert machine.run(ESSENTIAL, 1000, "openxr").returncode == 1
+    done = machine.run(ESSENTIAL, 1000, "openxr-tests")
+    assert done.returncode == 0 and "libopenxr-loader1" in done.stderr
+
+
 def test_an_unknown_group_is_wrong_usage(machine: Machine) -> None:
     assert machine.run(ESSENTIAL, 1000, "kitchen").returncode == 2

@@ -79,6 +79,11 @@ def test_what_the_engine_reads_beside_its_modules_is_there(wheel: zipfile.ZipFil
     assert {f"glovetrack/{n}" for n in data} <= set(wheel.namelist())
 
 
+def test_the_openxr_layer_can_be_compiled_from_it(wheel: zipfile.ZipFile) -> None:
+    sources = {n for n in tracked("extensions/openxr/layer") if n.endswith((".cpp", ".h"))}
+    assert sources and {f"glovetrack/{n}" for n in sources} <= set(wheel.namelist())
+
+
 def test_one_name_is_claimed(wheel: zipfile.ZipFile) -> None:
     tops = {name.partition("/")[0] for name in wheel.namelist()}
     assert {t for t in tops if not t.endswith(".dist-info")} == {"glovetrack"}
@@ -176,7 +181,7 @@ def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
         pytest.skip("the library of kernels was not built here")
     build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
     build += "from pathlib import Path; target = Path(sys.argv[1]); "
-    build += "backend.stage(Path.cwd(), target); backend.add_kernels(Path.cwd(), target); "
+    build += "backend.stage(Path.cwd(), target); backend.add_compiled(Path.cwd(), target); "
     build += "backend.add_metadata(target)"
     subprocess.run([sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True)
     code = (
