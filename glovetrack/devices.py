@@ -57,7 +57,7 @@ def glove_devices(port: str = "", glove: str = library.DEFAULT_GLOVE, hand: str 
     reports = find_gloves([port] if port else None, FIND_GLOVE)
     there = next((report for report in reports if report.is_glove), None)
     if there is None:
-        reasons = " ".join(report.trouble for report in reports if report.trouble)
+        reasons = " ".join(str(report.trouble) for report in reports if report.trouble)
         where = f"at {port}" if port else "on any USB port"
         raise DeviceError(f"No glove found {where}. {reasons}".strip())
     return Devices(

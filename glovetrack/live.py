@@ -24,6 +24,7 @@ from glovetrack.recording import RecordedEvent
 from tracker.base.channels import Backlog, Closed
 from tracker.base.clock import ClockAnchor, monotonic
 from tracker.base.errors import ConfigError
+from tracker.base.notices import Notice
 from tracker.base.numeric_threads import one_blas_thread
 from tracker.engine.hands import Hands
 from tracker.engine.kinds import WITHOUT_CAMERA, settings_text
@@ -226,10 +227,14 @@ class LiveTracker:
             settings, words = streams, ""
         settings = with_streams(settings, str(words), host, joints)
         infos = self._info.hands
+
+        def report(what: Notice) -> None:
+            say(str(what))
+
         names = [Names.of(info.hand, info.glove, settings.joints, self._anchor) for info in infos]
         for publishers in open_streams(settings, names).values():
             for info, publisher in zip(infos, publishers, strict=True):
-                attachment = attach(self._tracker.hand(info.side), [publisher], say=say)
+                attachment = attach(self._tracker.hand(info.side), [publisher], report=report)
                 self._open.callback(attachment.close)
 
     @contextmanager

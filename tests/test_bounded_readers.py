@@ -12,6 +12,7 @@ import pytest
 from extensions.applications.touch.meshes import load_mesh
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.take import read_labels
+from tests.notices import raises
 from tracker.base.errors import GlovetrackError
 from tracker.firmware.image import read_image
 from tracker.fusion.chain.calibration.profile_file import read_wearer
@@ -75,7 +76,7 @@ def test_labels_that_have_no_end_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "take.labels.json"
     with path.open("wb") as file:
         file.truncate(6 * 10**9)
-    with pytest.raises(GlovetrackError, match="larger than"):
+    with raises(GlovetrackError, "file.too_large"):
         read_labels(path)
 
 

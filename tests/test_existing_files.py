@@ -20,6 +20,7 @@ import tracker.cli
 from app.window import remote_command
 from app.window.report_files import check_report, report_paths
 from tests.gui.environments import without_screen
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.offline import colours as offline_colours
 from tracker.offline.colours_fit import ColourCheck, SessionFit
@@ -305,7 +306,7 @@ def test_a_headless_report_replaces_nothing_without_force(tmp_path: Path) -> Non
         (tmp_path / name).write_bytes(OWN)
     for path in report_paths(tmp_path):
         path.write_bytes(OWN)
-        with pytest.raises(FileError, match="exists already"):
+        with raises(FileError, "file.exists_force"):
             check_report(tmp_path)
         path.unlink()
     report_paths(tmp_path)[-1].write_bytes(OWN)

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 
 from tracker import __version__
 from tracker.base.command import COMMANDS, Command, UsageError
-from tracker.base.damage import gather, sentences
+from tracker.base.damage import gather, reports
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.files import disk_error
 from tracker.base.logs import add_log_options, logging_to
@@ -55,8 +55,8 @@ def _run(command: Command, args: argparse.Namespace) -> int:
         return command.start(args)
     with stopped_by_signals(), words_on_standard_output(), gather() as left_out:
         status = command.start(args)
-        for text in sentences(left_out):
-            print(f"glovetrack: {printable(text)}", file=sys.stderr)
+        for found in reports(left_out):
+            print(f"glovetrack: {printable(str(found))}", file=sys.stderr)
         return status
 
 

@@ -20,6 +20,7 @@ from app.engines.protocols import (
     WindowEngine,
 )
 from tracker.base.clock import ClockAnchor
+from tracker.base.notices import Notice
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.listeners import Listener
@@ -68,7 +69,7 @@ class GlovePart:
 
     present: bool = True
     number: int | None = None  # by which it is recognized
-    firmware_advice: str = ""  # a sentence about its firmware; empty without one
+    firmware_advice: Notice | None = None  # about a newer firmware
     device: GloveDevice | None = None
 
 

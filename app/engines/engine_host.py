@@ -18,7 +18,7 @@ from app.engines.protocols import RecordingRequest
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
-from app.words import notice_text
+from app.words import error_text, notice_text
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice
 from tracker.fusion.engine import Engine
@@ -122,7 +122,7 @@ class EngineHost(QObject):
         try:
             self._setup.engine.start()
         except GlovetrackError as error:
-            self.error.emit(str(error))
+            self.error.emit(error_text(error))
             return
         self.running = True
         self.running_changed.emit(True)
@@ -185,7 +185,7 @@ class EngineHost(QObject):
         try:
             self.record(ask())
         except GlovetrackError as error:
-            self.error.emit(str(error))
+            self.error.emit(error_text(error))
 
     def toggle_pause(self) -> None:
         self.recording.pause(not self.recording.paused)
@@ -218,7 +218,7 @@ class EngineHost(QObject):
         try:
             self._setup.live.engine.set_engine(name)
         except GlovetrackError as error:  # half a rig does not serve every engine
-            self.error.emit(str(error))
+            self.error.emit(error_text(error))
             return
         self.engine_changed.emit(name)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from app.platform.tasks import JobProgress
 from app.storage.bound_gloves import as_bound, bound, bound_of, ports_of
 from app.storage.settings import AppSettings
-from app.words import tr
+from app.words import notice_text, tr
 from tracker.base.errors import DeviceError
 from tracker.glove import library
 from tracker.glove.model import GloveModel
@@ -84,12 +84,13 @@ def ask_ports(
     """
     # those that are not on USB are on no list, and were chosen by hand
     ports = list(dict.fromkeys((*named, *serial_ports())))
-    reports, troubles = [], []
+    reports: list[PortReport] = []
+    troubles: list[str] = []
     for i, path in enumerate(ports):
         progress(0.4 * i / len(ports), path)
         report = find_gloves([path], bauds=(baud,) if baud else BAUDS)[0]
         if not report.is_glove:
-            troubles.append(report.trouble)
+            troubles += [notice_text(report.trouble)] if report.trouble is not None else []
             continue
         reports.append(report)
         if first_only:

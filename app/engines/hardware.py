@@ -22,7 +22,7 @@ from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings
-from app.words import told, tr
+from app.words import error_text, tr
 from tracker.base.clock import ClockAnchor
 from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.calibration.stereo.files import ImportForm, load_rig
@@ -121,7 +121,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     def seen_from(glove: WornGlove) -> EngineSetup:
         hand, link = tracker.hand(glove.side), links.get(glove.side)
         hello = glove.report.hello if glove.report else None
-        firmware_advice = advice(hello.firmware) if hello else ""
+        firmware_advice = advice(hello.firmware) if hello else None
         return EngineSetup(
             name=found.name,
             engine=tracker,
@@ -180,7 +180,7 @@ def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
     try:
         return find()
     except GlovetrackError as error:
-        missing.append(told(str(error)))
+        missing.append(error_text(error))
         return None
 
 

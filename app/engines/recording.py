@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import LivePart
 from app.engines.protocols import RecordingRequest
-from app.words import tr
+from app.words import error_text, tr
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
 from tracker.engine.kinds import settings_text
@@ -77,7 +77,7 @@ class PausableRecorder:
         try:
             yield
         except Exception as error:  # of any kind: the panel must not say that it goes on
-            self.broken, self.problem = True, str(error) or type(error).__name__
+            self.broken, self.problem = True, error_text(error)
             raise
 
 
@@ -144,7 +144,7 @@ class Recording(QObject):
         try:
             self._recorder = PausableRecorder(live.make_recorder(request))
         except (GlovetrackError, OSError) as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
             return False
         self._live, self.request, self._began = live, request, self._clock()
         self.ended_by = ""

@@ -5,7 +5,7 @@ Each output is attached to the engine by itself, so that one can be switched wit
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -21,6 +21,7 @@ from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from tracker.base.files import free_path
+from tracker.base.notices import Notice
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.connection import HOST, key_of
@@ -56,10 +57,10 @@ class HandsOutput:
         self._attached: list[Attachment] = []
         self.title = publishers[0].name
 
-    def attach(self, say: Any) -> None:
-        """From now on every estimate is sent; ``say`` hears of troubles, in another thread."""
+    def attach(self, report: Callable[[Notice], None]) -> None:
+        """Send every estimate from now on; ``report`` is called in another thread."""
         self._attached = [
-            attach(hand.tracked, [publisher], say=say)
+            attach(hand.tracked, [publisher], report=report)
             for hand, publisher in zip(self._setup.hands, self._publishers, strict=True)
         ]
 
@@ -202,9 +203,12 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         now = self._host.setup
         if setup is None or now is None or now.engine is not setup.engine:
             return False
-        output.attach(self._say)
+        output.attach(self._report)
         self._say(self.tr("The stream {} runs.").format(output.title))
         return True
+
+    def _report(self, what: Notice) -> None:
+        self._host.happened.emit(Event.of(0.0, "device", what))
 
     def _say(self, text: str) -> None:
         """May be called from an output's thread."""

@@ -9,7 +9,7 @@ from pathlib import Path
 from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import HandTake, TakeReport
-from app.words import told
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.session.glance import HandShare, quality
 from tracker.session.reader import SessionReader
@@ -25,7 +25,7 @@ def check_job(path: Path) -> Job:
         try:
             report: TakeReport = aside("check", partial(_report, path), progress)
         except GlovetrackError as error:
-            return TakeReport(path, told(str(error)))
+            return TakeReport(path, error_text(error))
         return report
 
     return run

@@ -42,6 +42,7 @@ from app.viewmodels.recording import (
     size_text,
 )
 from app.widgets.measures import APART
+from app.words import error_text
 from tracker.base.errors import ConfigError
 
 LEAST_HEIGHT = 110  # px: a heading and two notes
@@ -231,7 +232,7 @@ class RecordingPanel(Panel):
         try:
             self._plan.set_template(self.name_template.text().strip())
         except ConfigError as error:
-            self.host.error.emit(str(error))
+            self.host.error.emit(error_text(error))
         self.name_template.setText(self._plan.template)
 
     def _choose_folder(self) -> None:

@@ -67,7 +67,7 @@ def _serve(pipe: Connection, work: Work) -> None:
     except Cancelled:
         return
     except GlovetrackError as error:
-        answer = ("refused", str(error))
+        answer = ("refused", error.notice)
     except Exception as error:  # noqa: BLE001  a crash must reach the window, whatever it is
         traceback.print_exc()
         answer = ("failed", f"{type(error).__name__}: {error}")

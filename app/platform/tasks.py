@@ -9,8 +9,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.words import tr
-from tracker.base.damage import gather, sentences
+from app.words import error_text, notice_text, tr
+from tracker.base.damage import gather, reports
 from tracker.base.errors import GlovetrackError
 
 _log = logging.getLogger(__name__)
@@ -80,15 +80,15 @@ class RunningJob(QObject):
         except Cancelled:
             pass  # wanted by the user: `ended` alone says it
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
         except Exception as error:  # noqa: BLE001 - a job's crash must reach the window, whatever it is
             _log.exception("%s failed", self.title)
             self.failed.emit(
                 tr("{} failed: {}: {}").format(self.title, type(error).__name__, error)
             )
         else:
-            for text in sentences(left_out):
-                self.noted.emit(text)
+            for what in reports(left_out):
+                self.noted.emit(notice_text(what))
             self.done.emit(result)
         self.ended.emit()
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.base.files import slug, write_kept
 from tracker.vision.colours import ColourProfile, load_profile, profile_to_toml
@@ -89,4 +90,4 @@ class ColourAutosave(QObject):
         try:
             self.store.save(self.camera, profile)
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))

@@ -25,7 +25,7 @@ from app.viewmodels.set_up_steps import (
     packets_arrive,
 )
 from app.viewmodels.status import images_alone
-from app.words import local, mark, notice_text, told, tr
+from app.words import local, mark, notice_text, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
@@ -87,8 +87,9 @@ def _glove(view: Snapshot | None) -> SetUpStep:
     name = tr("Glove found")
     if view is not None and packets_arrive(view):
         glove = view.setup.glove.name
-        if view.setup.connection.firmware_advice:
-            advice = told(view.setup.connection.firmware_advice)
+        available = view.setup.connection.firmware_advice
+        if available is not None:
+            advice = notice_text(available)
             glove = f"{glove}. {advice} {tr('Update it under Set-up, Glove firmware.')}"
         return SetUpStep(name, True, glove)
     if view is not None and len(view.imu) > 0:
@@ -219,8 +220,8 @@ def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
         return SetUpStep(name, True, tr("the markers are clear"))
     hand = [a for a in advice if a.kind == "hand"]
     if hand and reading.good:
-        return SetUpStep(name, False, told(hand[0].words), waits=True)
-    words = told(advice[0].words)
+        return SetUpStep(name, False, notice_text(hand[0].notice), waits=True)
+    words = notice_text(advice[0].notice)
     return SetUpStep(name, False, words, "show_colours", tr("Show"), check=reading.good)
 
 

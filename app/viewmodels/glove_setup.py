@@ -13,7 +13,8 @@ import numpy as np
 
 from app.viewmodels.names import spoken
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.words import local, tr
+from app.words import local, notice_text, tr
+from tracker.base.notices import Notice
 from tracker.calibration.still import StillParams, StillPose, still_pose
 from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, moving
 from tracker.messages import Array, ImuSample
@@ -41,7 +42,7 @@ class WiggleRun:
         self.test, self.step, self.phase = test, 0, SetUpPhase.READY
         self.share = 0.0
         self._since: float | None = None
-        self._hint = ""
+        self._hint: Notice | None = None
 
     @property
     def part(self) -> str:
@@ -52,8 +53,8 @@ class WiggleRun:
     def words(self) -> str:
         """What the wearer is asked."""
         if self.phase == SetUpPhase.DONE:
-            return self.test.result().summary
-        asked = self._hint or self.test.steps[self.step].instruction
+            return notice_text(self.test.result().summary)
+        asked = notice_text(self._hint or self.test.steps[self.step].instruction)
         if self.phase == SetUpPhase.RECORDING:
             asked = tr("go on…")
         return tr("{} of {}: {}").format(self.step + 1, len(self.test.steps), asked)
@@ -81,7 +82,7 @@ class WiggleRun:
 
     def _finish_step(self, samples: Sequence[ImuSample], now: float) -> None:
         self._hint = self.test.add(self.step, samples)
-        if not self._hint:
+        if self._hint is None:
             self.step += 1
         done = self.step == len(self.test.steps)
         self._enter(SetUpPhase.DONE if done else SetUpPhase.READY, now)
@@ -118,11 +119,10 @@ class StillRun:
     def words(self) -> str:
         if self.pose is None:
             return tr("Lay the hand flat on the table, palm down, and hold it still.")
-        if self.pose.ok:
+        if self.pose.trouble is None:
             return tr("Measured.")
-        return (
-            self.pose.trouble if self.done else tr("Waiting for rest. {}").format(self.pose.trouble)
-        )
+        trouble = notice_text(self.pose.trouble)
+        return trouble if self.done else tr("Waiting for rest. {}").format(trouble)
 
 
 def last(samples: Sequence[ImuSample], span: float) -> list[ImuSample]:
@@ -149,9 +149,9 @@ def still_rows(pose: StillPose) -> list[GloveRow]:
             f"{local(np.rad2deg(imu.gyro_bias_sd)):.3f}",
             f"{local(1000 * np.rad2deg(imu.gyro_noise)):.1f}",
             f"{local(float(np.linalg.norm(imu.accel))):.2f}",
-            imu.trouble or "good",
+            notice_text(imu.trouble) if imu.trouble is not None else tr("good"),
         )
-        rows.append(GloveRow(texts, BAD if imu.trouble else GOOD))
+        rows.append(GloveRow(texts, BAD if imu.trouble is not None else GOOD))
     return rows
 
 
@@ -168,7 +168,7 @@ WIGGLE_LOOKS = {
 def wiggle_rows(result: WiggleResult) -> list[GloveRow]:
     """IMU, state, words."""
     return [
-        GloveRow((spoken(r.name), r.state, r.words), WIGGLE_LOOKS.get(r.state, IDLE))
+        GloveRow((spoken(r.name), r.state, notice_text(r.what)), WIGGLE_LOOKS.get(r.state, IDLE))
         for r in result.rows
     ]
 

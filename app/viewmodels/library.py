@@ -14,7 +14,7 @@ from app.storage.session_tags import read_tags
 from app.viewmodels.recording import duration_text, size_text
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
 from app.viewmodels.takes import packets_lost
-from app.words import mark, told, tr
+from app.words import error_text, mark, tr
 from tracker.base.errors import GlovetrackError
 from tracker.session.glance import Quality, quality, thumbnail
 from tracker.session.reader import SessionReader
@@ -72,7 +72,7 @@ def session_row(path: Path, recording: Path | None = None) -> SessionRow:
                 whole = reader.source.contents.finished
                 look, integrity = (GOOD, tr("whole")) if whole else (WARN, tr("cut off"))
         except GlovetrackError as error:
-            problem = told(str(error))
+            problem = error_text(error)
     return SessionRow(
         path,
         path.stem,
@@ -120,7 +120,7 @@ def details(path: Path) -> Details:
             text, look = quality_text(quality(reader))
             return Details(text, look, thumbnail(reader, THUMBNAIL_WIDTH))
     except (GlovetrackError, OSError, ValueError) as error:
-        return Details(told(str(error)), BAD, None)
+        return Details(error_text(error), BAD, None)
 
 
 def quality_text(q: Quality) -> tuple[str, StateLook | None]:

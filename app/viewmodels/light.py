@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.widgets.image_shapes import Ring
-from app.words import local, mark, told, tr
+from app.words import local, mark, notice_text, tr
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.vision.colours import ColourProfile
 
@@ -97,7 +97,7 @@ class LightWatch:
         r = self.reading
         if r is None:
             return [tr("No image has been looked at yet.")]
-        words = [told(a.words) for a in r.advice] or [
+        words = [notice_text(a.notice) for a in r.advice] or [
             tr("Nothing to change: the markers are clear.")
         ]
         figures = [tr("noise {:.1f} levels").format(local(r.noise))]

@@ -9,7 +9,8 @@ import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, StateLook
 from app.widgets.image_shapes import Cross, ImageLine, Shape
-from app.words import local, mark, told, tr
+from app.words import local, mark, notice_text, tr
+from tracker.base.notices import Notice
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     known_baseline_problems,
@@ -68,15 +69,15 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
     ]
 
 
-def say(answer: Answer, trouble: str, cover: Coverage) -> str:
+def say(answer: Answer, trouble: Notice | None, cover: Coverage) -> str:
     """The sentence under the images."""
-    more = told(advice(cover))
-    if not more:
+    more = advice(cover)
+    if more is None:
         return tr("That is enough: press Calibrate.")
     if answer is Answer.ABSENT:
-        return told(trouble)
+        return notice_text(trouble) if trouble is not None else ""
     if answer is Answer.TAKEN:
-        return f"{tr(ANSWERS[answer])} {more}"
+        return f"{tr(ANSWERS[answer])} {notice_text(more)}"
     return tr(ANSWERS[answer])
 
 
@@ -131,7 +132,7 @@ def view_rows(solution: Solution) -> list[ViewRow]:
     ]
 
 
-def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list[str]:
+def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list[Notice]:
     """Why a solution is refused; none where it may go on to the check.
 
     ``baseline`` is what the user knows of the lenses' distance, m; 0 where nothing.

@@ -14,6 +14,7 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.window import theme
+from app.words import error_text
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.still import StillPose
@@ -87,7 +88,7 @@ class SetUpDialogs(QObject):
         try:
             load_rig(path)
         except GlovetrackError as error:
-            self.error.emit(str(error))
+            self.error.emit(error_text(error))
             return False
         self._store.update(calibration=str(path))
         self.changed.emit()

@@ -26,7 +26,6 @@ from app.viewmodels.takes import (
 )
 from app.widgets.question import question
 from app.window.message_bar import MessageBar
-from app.words import told
 
 ABOUT = "take"
 STARTING_MS = 2000  # after its start an engine's rates say nothing yet
@@ -110,7 +109,7 @@ class Takes(QObject):
         path, ended_by = report.path, self._host.recording.ended_by
         recover = (self.tr("Recover"), partial(self.recover.emit, path))
         self._messages.say(
-            " ".join(filter(None, (told(ended_by), report_text(report)))),
+            " ".join(filter(None, (ended_by, report_text(report)))),
             *([recover] if report.cut_off else []),
             (self.tr("Show it"), partial(self._show, path)),
             (self.tr("Export…"), partial(self._library.ask_export_of, [path])),

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.wizards.form_dialog import FormDialog, beside, filler
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.firmware.flash import BOOTLOADERS, FlashJob, flash
 from tracker.firmware.image import BAUDS, shipped_image, version_text
@@ -130,7 +131,7 @@ class FirmwareSetup(FormDialog):
         try:
             image = shipped_image(int(self.speeds.currentData())).for_glove(self.number.value())
         except GlovetrackError as error:
-            self.words.setText(str(error))
+            self.words.setText(error_text(error))
             return
         port = self.ports.currentText().strip()
         job = FlashJob(image, port, int(self.boards.currentData()))

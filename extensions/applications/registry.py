@@ -13,6 +13,7 @@ from extensions.applications.extension import ApplicationKind
 from extensions.applications.interface import Application
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 
 Maker = Callable[[Any], Application]
@@ -37,7 +38,7 @@ def kind(name: str) -> type[Application]:
     except ImportError as error:
         command = f' Run: pip install "{described.extra}"' if described.extra else ""
         raise ConfigError(
-            f"The application {name} needs a package that is not installed ({error}).{command}"
+            notice("application.needs_package", application=name, why=error, install=command)
         ) from error
 
 

@@ -12,6 +12,7 @@ import ezc3d
 import numpy as np
 
 from tracker.base.files import DiskError
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.load import load_series
 from tracker.session.export.markers import carried_markers
@@ -164,4 +165,4 @@ def _check(path: Path, written: ezc3d.c3d) -> None:
             equal_nan=True,
         ):
             return
-    raise DiskError(f"{path.name} could not be written completely. The disk may be full.")
+    raise DiskError(notice("export.incomplete", file=path.name))

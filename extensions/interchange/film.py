@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from tracker.base.errors import FileError
 from tracker.base.files import DiskError
+from tracker.base.notices import notice
 
 Image = NDArray[np.uint8]
 _ENCODERS = (
@@ -89,7 +90,7 @@ class H264Film:
             self._process.stdin.write(np.ascontiguousarray(image).data)
         except OSError:
             self.close()
-            raise DiskError(f"ffmpeg could not write {self._path.name}.") from None
+            raise DiskError(notice("film.ffmpeg_failed", file=self._path.name)) from None
 
     def close(self) -> None:
         """Finish the video. Raises DiskError if it is incomplete."""
@@ -108,7 +109,7 @@ class H264Film:
         self._log.close()
         if status:
             why = log[-1] if log else f"exit status {status}"
-            raise DiskError(f"ffmpeg could not write {self._path.name}: {why[:200]}")
+            raise DiskError(notice("film.ffmpeg_failed_why", file=self._path.name, why=why[:200]))
 
 
 class Mpeg4Film:
@@ -120,7 +121,7 @@ class Mpeg4Film:
         size = image.shape[1], image.shape[0]
         self._writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"mp4v"), rate, size)
         if not self._writer.isOpened():
-            raise FileError(f"OpenCV cannot write {path.name} on this computer.")
+            raise FileError(notice("film.opencv_cannot", file=path.name))
 
     def write(self, image: Image) -> None:
         self._writer.write(image)

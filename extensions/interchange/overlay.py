@@ -15,6 +15,7 @@ from extensions.interchange.views import FilmView, side_by_side, views_of
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
 from tracker.base.files import DiskError
+from tracker.base.notices import notice
 from tracker.messages import StereoFrame
 from tracker.session.export.load import load_series
 from tracker.session.export.options import ExportOptions
@@ -63,7 +64,7 @@ class Overlay:
             yield stamp, image
             before, given = image, given + times
         if not given:
-            raise FileError(f"{self.reader.path} contains no images of the tracked time.")
+            raise FileError(notice("film.no_images", path=self.reader.path))
 
     def frame_rate(self) -> float:
         """Rate of `images` in Hz, estimated from the first hundred."""
@@ -133,7 +134,7 @@ def _check(path: Path, count: int) -> None:
     whole, _ = film.read()
     film.release()
     if found != count or not whole:
-        raise DiskError(f"{path.name} could not be written completely. The disk may be full.")
+        raise DiskError(notice("export.incomplete", file=path.name))
 
 
 def export_png(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:

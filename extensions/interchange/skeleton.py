@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.hand.names import CHAINS
 from tracker.messages import Array
 from tracker.session.export.series import EstimateSeries
@@ -69,7 +70,7 @@ def skeleton(m: EstimateSeries) -> Skeleton:
         )
         translation[~known[:, i] | ~known[:, max(a, 0)], i] = np.nan
     if not np.isfinite(translation).all(axis=2).any(axis=0).all():
-        raise FileError("No skeleton: both ends of a bone are never known at the same time.")
+        raise FileError(notice("skeleton.bone_unseen"))
     offset = np.nanmedian(translation, axis=0)
     stretches = np.nanmax(np.abs(translation - offset), axis=(0, 2)) > STIFF
     return Skeleton(names, parent, offset, _held(translation, names), rotation, stretches, known)
@@ -78,7 +79,7 @@ def skeleton(m: EstimateSeries) -> Skeleton:
 def bone_tree(present: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[int, ...]]:
     """Keypoints of the skeleton and the row of each one's parent."""
     if ROOT not in present:
-        raise FileError("A skeleton requires the wrist. Export all joints.")
+        raise FileError(notice("skeleton.needs_wrist"))
     names, parent = [ROOT], [-1]
     for digit, parts in _DIGITS.items():
         before = 0
@@ -97,7 +98,7 @@ def _held(values: Array, names: tuple[str, ...]) -> Array:
     for k in range(values.shape[1]):
         known = np.asarray(np.isfinite(values[:, k]).all(axis=1))
         if not known.any():
-            raise FileError(f"No skeleton: {names[k]} was never tracked.")
+            raise FileError(notice("skeleton.untracked", keypoint=names[k]))
         last = np.maximum.accumulate(np.where(known, np.arange(len(known)), -1))
         out[:, k] = values[np.where(last < 0, np.argmax(known), last), k]
     return out

@@ -17,6 +17,7 @@ from scipy.spatial.transform import Rotation
 
 from extensions.interchange.extension import TRAJECTORY
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Calibration
 from tracker.session.export.axes import AXES
@@ -37,7 +38,7 @@ def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> Es
     left-handed axes.
     """
     if options.axes is not None and AXES[options.axes].left_handed:
-        raise ConfigError(f"URDF requires right-handed axes; {options.axes} is left-handed.")
+        raise ConfigError(notice("urdf.left_handed", axes=options.axes))
     hand = reader.info.hand
     scale = _calibrated_scale(reader, hand)
     try:

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import TracebackType
 
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 
 PROGRAM = "ffmpeg"
 KEYFRAMES = 2  # frames between key frames: fast random access
@@ -21,9 +22,7 @@ def check_program() -> str:
     """Path of ffmpeg. Raises ConfigError if it is not installed."""
     found = shutil.which(PROGRAM)
     if found is None:
-        raise ConfigError(
-            f"Videos require {PROGRAM}, which is not installed. Keep the images as recorded."
-        )
+        raise ConfigError(notice("lerobot.needs_program", program=PROGRAM))
     return found
 
 
@@ -85,4 +84,6 @@ class DatasetFilm:
         self._log.unlink()
         if status:
             why = log[-1] if log else f"exit status {status}"
-            raise FileError(f"{PROGRAM} could not write {self._path}: {why}.")
+            raise FileError(
+                notice("lerobot.film_failed", program=PROGRAM, path=self._path, why=why)
+            )

@@ -10,6 +10,7 @@ import numpy as np
 from extensions.lerobot.layout import DatasetCamera
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.messages import IntArray
 from tracker.session.images import image_size
 from tracker.session.mcap.ordering import ordered
@@ -66,10 +67,7 @@ class _Queue:
     def feed(self, stamp: int, message: bytes) -> None:
         data = sensors.unpack_image(message).data
         if image_size(data) != (self._camera.width, self._camera.height):
-            raise ConfigError(
-                f"The images of camera {self._camera.name} differ in size, which a data set does "
-                "not allow. Export it with --images none."
-            )
+            raise ConfigError(notice("lerobot.image_sizes", camera=self._camera.name))
         if self._before is not None:
             middle = (self._before[0] + stamp) // 2
             self._give(int(np.searchsorted(self._at, middle, side="right")))
@@ -77,7 +75,7 @@ class _Queue:
 
     def finish(self, path: str) -> None:
         if self._before is None:
-            raise FileError(f"A part of {path} has no images of camera {self._camera.name}.")
+            raise FileError(notice("lerobot.no_images", path=path, camera=self._camera.name))
         self._give(len(self._at))
 
     def _give(self, end: int) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from extensions.lerobot.layout import DatasetCamera, HandNames, Layout
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.messages import EYES
 from tracker.session.export.options import NONE, VIDEO, ExportOptions
 from tracker.session.images import image_size
@@ -66,7 +67,7 @@ def plan(
             layout = found
             episodes += _episodes(reader, layout.fps, options, episodes)
     if layout is None or not episodes:
-        raise FileError("No episodes: parts between notes require at least two frames.")
+        raise FileError(notice("lerobot.no_episode"))
     return layout, episodes, tuple(dict.fromkeys(e.task for e in episodes))
 
 
@@ -95,7 +96,7 @@ def _layout(reader: SessionReader, options: ExportOptions, fps: int | None) -> L
 
 def _whole_rate(rate: float | None) -> int | None:
     if rate is not None and rate != round(rate):
-        raise ConfigError(f"LeRobot requires an integer rate, not {rate:g} Hz.")
+        raise ConfigError(notice("lerobot.rate", rate_hz=rate))
     return None if rate is None else round(rate)
 
 
@@ -129,7 +130,7 @@ def _cameras(reader: SessionReader) -> Iterator[DatasetCamera]:
         data = sensors.unpack_image(raw.data).data
         size = image_size(data)
         if size is None:
-            raise FileError(f"The images of camera {name} in {reader.path} are not JPEG or PNG.")
+            raise FileError(notice("lerobot.image_kind", camera=name, path=reader.path))
         kind = "png" if data[:4] == b"\x89PNG" else "jpeg"
         yield DatasetCamera(name, size[1], size[0], kind)
 
@@ -201,5 +202,5 @@ def tracked_span(reader: SessionReader) -> tuple[int, int]:
         last = last_before(reader.source, topic, reader.span_ns[1] + 1)
         stamps += [m.publish_time for m in (first, last) if m is not None]
     if not stamps:
-        raise FileError(f"{reader.path} contains no estimates; track it first.")
+        raise FileError(notice("session.not_tracked", path=reader.path))
     return min(stamps), max(stamps)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 MOST_IMAGES = 100
@@ -50,7 +51,7 @@ def image_stats(images: Iterable[bytes]) -> Stats:
     for data in images:
         image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_REDUCED_COLOR_8)
         if image is None:
-            raise FileError("An image is damaged.")
+            raise FileError(notice("lerobot.image_damaged"))
         mean, std = cv2.meanStdDev(image)
         low, high = image.min(axis=(0, 1)), image.max(axis=(0, 1))
         found.append(np.array([low, high, mean[:, 0], mean[:, 0] ** 2 + std[:, 0] ** 2]))

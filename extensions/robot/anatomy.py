@@ -15,6 +15,7 @@ import numpy as np
 
 from extensions.robot.wearer_hand import FINGERS
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 NAMES = {
@@ -80,14 +81,11 @@ def find_palm(model: mujoco.MjModel) -> tuple[int, int, dict[str, int]]:
     """
     leaves = _leaves(model)
     if "thumb" not in leaves or "middle" not in leaves or "index" not in leaves:
-        raise ConfigError(
-            "The robot hand's fingers were not found. Name their bodies thumb (or th), index (ff), "
-            "middle (mf), ring (rf) and little (lf)."
-        )
+        raise ConfigError(notice("robot.no_fingers"))
     paths = [_path(model, body) for body in leaves.values()]
     common = [b for b in paths[0] if all(b in path for path in paths)]
     if len(common) < 2:
-        raise ConfigError("The robot hand's fingers do not share a palm.")
+        raise ConfigError(notice("robot.no_palm"))
     return common[-1], common[1], leaves
 
 
@@ -174,9 +172,7 @@ def _tip(model: mujoco.MjModel, data: mujoco.MjData, finger: str, body: int) -> 
     geoms = [g for g in range(start, start + int(model.body_geomnum[body])) if start >= 0]
     solid = [g for g in geoms if model.geom_contype[g] or model.geom_conaffinity[g]] or geoms
     if not solid:
-        raise ConfigError(
-            f"The robot hand's {finger} has no tip. Add a site named tip to its last body."
-        )
+        raise ConfigError(notice("robot.no_tip", finger=finger))
     far = max(solid, key=lambda g: float(np.linalg.norm(model.geom_pos[g])))
     at = np.array(model.geom_pos[far])
     reach = float(np.linalg.norm(at))

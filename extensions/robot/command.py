@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from extensions.robot.settings import RobotSettings
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 ENGAGE, RELEASE, RESET, SCALE = COMMANDS = ("engage", "release", "reset", "scale")
 
@@ -19,6 +20,6 @@ class RobotCommand(NamedTuple):
     def check(self) -> None:
         """Raises ConfigError for an unknown command."""
         if self.word not in COMMANDS:
-            raise ConfigError(f"Unknown robot command {self.word!r}. Use {', '.join(COMMANDS)}.")
+            raise ConfigError(notice("robot.command", command=self.word, known=COMMANDS))
         if self.word == SCALE:
             RobotSettings(motion_scale=self.value)

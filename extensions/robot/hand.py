@@ -13,6 +13,7 @@ from extensions.robot.library import MODELS, model_path, need_mujoco
 from extensions.robot.mirror import mirrored
 from extensions.robot.settings import RobotSettings
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 MOST_BYTES = 20_000_000  # of a hand's MJCF file, without the meshes
@@ -41,7 +42,7 @@ def load_hand(settings: RobotSettings) -> RobotHand:
     path = model_path(settings.model)
     try:
         if path.stat().st_size > MOST_BYTES:
-            raise ConfigError(f"The robot hand {path.name} is larger than {MOST_BYTES} bytes.")
+            raise ConfigError(notice("robot.too_large", file=path.name, limit_bytes=MOST_BYTES))
         text, torque_of = _prepared(path)
         model = mujoco.MjModel.from_xml_string(text)
         anatomy = read_anatomy(model)
@@ -51,7 +52,7 @@ def load_hand(settings: RobotSettings) -> RobotHand:
             anatomy = read_anatomy(model)
     except (ValueError, mujoco.FatalError, mujoco.UnexpectedError) as error:
         why = str(error).strip().splitlines()[0]
-        raise ConfigError(f"The robot hand {path.name} cannot be used: {why}") from error
+        raise ConfigError(notice("robot.not_usable", file=path.name, why=why)) from error
     names = [model.joint(j).name for j in range(model.njnt)]
     limits = np.array(model.jnt_range, float)
     limits[model.jnt_limited == 0] = -np.pi, np.pi

@@ -6,6 +6,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 EXTRA = 'pip install "glovetrack[robot]"'
 SHADOW = "shadow"
@@ -21,7 +22,7 @@ def is_there() -> bool:
 def need_mujoco() -> None:
     """Raises ConfigError if MuJoCo is not installed."""
     if not is_there():
-        raise ConfigError(f"A robot hand requires MuJoCo, which is not installed. Run: {EXTRA}")
+        raise ConfigError(notice("robot.needs_mujoco", install=EXTRA))
 
 
 def model_path(name: str) -> Path:
@@ -30,12 +31,10 @@ def model_path(name: str) -> Path:
         path = Path(name).expanduser()
         if not path.is_file():
             known = ", ".join(MODELS)
-            raise ConfigError(
-                f"Robot hand {name} not found. Use {known} or the path of an MJCF file."
-            )
+            raise ConfigError(notice("robot.unknown_hand", name=name, known=known))
         return path
     package, inside = MODELS[name]
     found = find_spec(package)
     if found is None or not found.submodule_search_locations:
-        raise ConfigError(f"The robot hand {name} is not installed. Run: {EXTRA}")
+        raise ConfigError(notice("robot.hand_extra", name=name, install=EXTRA))
     return Path(next(iter(found.submodule_search_locations)), inside)

@@ -11,6 +11,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 Signs = tuple[int, ...]
 _POINT: Signs = (-1, 1, 1)
@@ -34,7 +35,7 @@ def mirrored(mjcf: str) -> str:
     for element in root.iter():
         for name in _UNREAD:
             if name in element.attrib:
-                raise ConfigError(f"The robot hand cannot be mirrored: it has {name}.")
+                raise ConfigError(notice("robot.not_mirrorable", what=name))
         for name, signs in _CHANGES.items():
             if name in element.attrib:
                 slides = name == "axis" and element.get("type") == "slide"

@@ -1,30 +1,31 @@
 """Texts of the notices of this extension, by code."""
 
 TEXTS = {
+    "robot.too_large": "The robot hand {file} is larger than {limit_bytes} bytes.",
+    "robot.not_usable": "The robot hand {file} cannot be used: {why}",
+    "robot.not_mirrorable": "The robot hand cannot be mirrored: it has {what}.",
     "robot.no_fingers": (
-        "The robot hand's fingers are not found: name their bodies thumb (or th), index "
+        "The robot hand's fingers were not found. Name their bodies thumb (or th), index "
         "(ff), middle (mf), ring (rf) and little (lf)."
     ),
     "robot.no_palm": "The robot hand's fingers do not share a palm.",
-    "robot.no_tip": "The robot hand's {finger:word} has no tip: a site named tip, or a geom.",
-    "robot.command": 'A robot takes {known:or}, not "{command}".',
-    "robot.too_large": "The robot hand {file} is larger than {limit_bytes} bytes.",
-    "robot.not_usable": "The robot hand {file} cannot be used: {why}",
-    "robot.needs_mujoco": (
-        "A robot hand requires MuJoCo, an extra that is not installed. Run: {install}"
+    "robot.no_tip": (
+        "The robot hand's {finger:word} has no tip. Add a site named tip to its last body."
     ),
+    "robot.command": 'Unknown robot command "{command}". Use {known:or}.',
+    "robot.needs_mujoco": "A robot hand requires MuJoCo, which is not installed. Run: {install}",
+    "robot.hand_extra": "The robot hand {name} is not installed. Run: {install}",
     "robot.unknown_hand": (
-        'There is no robot hand "{name}". Available: {known:list}, or a file of MJCF.'
+        'Robot hand "{name}" not found. Use {known:or} or the path of an MJCF file.'
     ),
-    "robot.hand_extra": "The robot hand {name} requires an extra. Run: {install}",
-    "robot.not_mirrorable": "The robot hand cannot be mirrored: it has {what}.",
-    "robot.process_ended": "The robot's process has ended.",
+    "robot.needs_cube": "Add a cube to the objects: pick and place requires one.",
+    "robot.side": 'The side must be right or left, not "{side}".',
+    "robot.clutch": 'The clutch must be {known:or}, not "{clutch}".',
+    "robot.objects": 'Unknown object "{value}". Use {known:or}.',
+    "robot.scale": "The motion scale must be 0.1 to 10, the reach scale 0.5 to 2.",
+    "robot.speeds": "Robot speeds must be greater than zero.",
+    "robot.description_damaged": "The session's robot settings are damaged.",
+    "robot.recorded_other": "The recording was made with another robot: {why}.",
     "robot.recorded_model": "The recorded robot does not match its model.",
-    "robot.side": 'A hand is right or left, not "{side}".',
-    "robot.clutch": 'The clutch is {known:or}, not "{clutch}".',
-    "robot.objects": 'Objects are {known:or}, not "{value}".',
-    "robot.scale": "The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.",
-    "robot.speeds": "A robot's speeds must be greater than zero.",
-    "robot.description_damaged": "The session's robot description is damaged.",
-    "robot.recorded_other": "The recorded robot is another one: {why}.",
+    "robot.process_ended": "The robot's process has ended. Start the robot again.",
 }

@@ -21,6 +21,7 @@ from extensions.robot.teleop import Teleop
 from extensions.robot.wearer_hand import WearerHand, hand_from_keypoints
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.glove.library import text
 from tracker.hand.files import parse_hand
@@ -186,7 +187,7 @@ def pick_and_place(
     """Run one trial in the robot's scene, which is reset. Raises ConfigError without a cube."""
     things = teleop.world.scene.objects
     if "cube" not in things:
-        raise ConfigError("Add a cube to the objects: pick and place requires one.")
+        raise ConfigError(notice("robot.needs_cube"))
     rng = rng_for(seed, "pick and place")
     cube = np.array([rng.uniform(0.02, 0.08), rng.uniform(-0.13, -0.07), rng.uniform(-0.4, 0.4)])
     goal = np.array([rng.uniform(0.02, 0.08), rng.uniform(-0.32, -0.26)])

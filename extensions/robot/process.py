@@ -14,6 +14,7 @@ from extensions.robot.settings import RobotSettings
 from tracker.base.child import start_child
 from tracker.base.clock import monotonic
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, failure
 from tracker.base.urgency import run_soon
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, RobotModel, RobotState
@@ -36,9 +37,9 @@ class RobotReady:
 
 @dataclass(frozen=True)
 class RobotFailed:
-    """The robot did not start or has stopped; ``text`` gives the reason."""
+    """The robot did not start or has stopped."""
 
-    text: str
+    why: Notice
 
 
 class RobotMoved(NamedTuple):
@@ -139,7 +140,7 @@ class RobotProcess:
                 answer = self._pipe.recv()
             except (EOFError, OSError):
                 if not self._ending:
-                    self._deliver(RobotFailed("The robot's process has ended."), 0.0)
+                    self._deliver(RobotFailed(failure("robot.process_ended")), 0.0)
                 return
             self._deliver(answer, self._answered(answer))
 
@@ -161,7 +162,7 @@ def serve(
     try:
         server = _Server(settings, hand, keypoint_names)
     except GlovetrackError as error:
-        pipe.send(RobotFailed(str(error)))
+        pipe.send(RobotFailed(error.notice))
         return
     with suppress(EOFError, OSError, KeyboardInterrupt):
         pipe.send(server.ready)
@@ -197,13 +198,13 @@ class _Server:
             try:
                 self._driver.ask(item)
             except GlovetrackError as error:
-                return RobotFailed(str(error))
+                return RobotFailed(error.notice)
             return None
         if isinstance(item, RobotState):
             try:
                 self._world.show(item.joints, item.palm, item.objects)
             except ValueError:
-                return RobotFailed("The recorded states do not match the recorded robot model.")
+                return RobotFailed(failure("robot.recorded_model"))
             return RobotShown(item, poses(self._world))
         outputs = self._driver.feed(item)
         errors = self._driver.teleop.fingers.error

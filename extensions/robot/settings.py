@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from extensions.robot.library import SHADOW
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 
 OBJECTS = ("cube", "cylinder", "ball")
 CLUTCHES = ("none", "thumb_up", "point", "fist")
@@ -35,18 +36,16 @@ class RobotSettings:
 
     def __post_init__(self) -> None:
         if self.side not in ("right", "left"):
-            raise ConfigError(f"The side must be right or left, not {self.side!r}.")
+            raise ConfigError(notice("robot.side", side=self.side))
         if self.clutch not in CLUTCHES:
-            raise ConfigError(
-                f"The clutch must be one of {', '.join(CLUTCHES)}, not {self.clutch!r}."
-            )
+            raise ConfigError(notice("robot.clutch", known=CLUTCHES, clutch=self.clutch))
         strange = [name for name in self.things if name not in OBJECTS]
         if strange:
-            raise ConfigError(f"Unknown object {strange[0]!r}. Use {', '.join(OBJECTS)}.")
+            raise ConfigError(notice("robot.objects", value=strange[0], known=OBJECTS))
         if not 0.1 <= self.motion_scale <= 10 or not 0.5 <= self.reach_scale <= 2:
-            raise ConfigError("The motion scale must be 0.1 to 10, the reach scale 0.5 to 2.")
+            raise ConfigError(notice("robot.scale"))
         if min(self.joint_speed, self.palm_speed, self.turn_speed) <= 0:
-            raise ConfigError("Robot speeds must be greater than zero.")
+            raise ConfigError(notice("robot.speeds"))
 
     @property
     def things(self) -> tuple[str, ...]:
@@ -59,5 +58,5 @@ def settings_of(text: str) -> RobotSettings:
     try:
         found = json.loads(text)
     except ValueError as error:
-        raise FileError("The session's robot settings are damaged.") from error
+        raise FileError(notice("robot.description_damaged")) from error
     return from_dict(RobotSettings, found if isinstance(found, dict) else {}, lambda key, why: None)

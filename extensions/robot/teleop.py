@@ -23,6 +23,7 @@ from extensions.robot.wearer_hand import FINGERS, WearerHand
 from extensions.robot.world import RobotWorld
 from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array, RobotMemory, RobotModel, RobotState
 
 LONGEST = 0.05  # s simulated at most for one hand: after a gap in the input nothing jumps
@@ -165,7 +166,7 @@ class Teleop:
             self.fingers.remember(values[k + carrier : k + carrier + fingers])
             self.carrier.remember(values[k : k + carrier])
         except (ValueError, IndexError) as error:
-            raise ConfigError(f"The recording was made with another robot: {error}.") from error
+            raise ConfigError(notice("robot.recorded_other", why=error)) from error
         self._stamp = int(values[0])
         self._owed, self._scale = float(values[1]), float(values[2])
         self._engaged = bool(values[3])

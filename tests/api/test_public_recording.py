@@ -10,6 +10,7 @@ import pytest
 
 import glovetrack
 from tests.live_recordings import LiveRecordings
+from tests.notices import raises
 from tracker.messages import Estimate, ImuSample, StereoFrame
 from tracker.session.reader import SessionReader
 
@@ -129,7 +130,7 @@ def test_another_engine(live: glovetrack.Recording, tmp_path: Path) -> None:
     other = live.track(engine="vist", out=tmp_path / "vist.mcap")
     assert other.engine == "vist" and other.path == tmp_path / "vist.mcap"
     assert not other.compare(live)["identical"]
-    with pytest.raises(glovetrack.GlovetrackError, match="exists"):
+    with raises(glovetrack.GlovetrackError, "file.exists_force"):
         live.track(out=tmp_path / "vist.mcap")
 
 

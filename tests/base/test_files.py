@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.base.files import (
     DiskError,
@@ -50,9 +51,9 @@ def test_an_error_names_the_file_that_was_asked_for(tmp_path: Path) -> None:
 def test_nothing_is_overwritten_unless_forced(tmp_path: Path) -> None:
     out = tmp_path / "a.txt"
     out.write_text("old")
-    with pytest.raises(FileError, match="exists already"), whole_file(out):
+    with raises(FileError, "file.exists_force"), whole_file(out):
         pass
-    with pytest.raises(FileError, match="exists already"):
+    with raises(FileError, "file.exists_force"):
         write_whole(out, "new", force=False)
     assert out.read_text() == "old"
     write_whole(out, "new")
@@ -65,20 +66,20 @@ def test_what_is_read_is_never_written(tmp_path: Path) -> None:
     link.symlink_to(source)
     hard.hardlink_to(source)
     for out in (source, link, hard):
-        with pytest.raises(FileError, match="is what is read"):
+        with raises(FileError, "file.is_input"):
             write_whole(out, "new", force=True, inputs=[source])
     assert source.read_text() == "precious"
 
 
 def test_folders_and_devices_are_no_files(tmp_path: Path) -> None:
     for out in (tmp_path, Path(os.devnull)):
-        with pytest.raises(FileError, match="is a folder|is a device"):
+        with raises(FileError, "file.occupied"):
             write_whole(out, "x", force=True)
 
 
 def test_a_name_that_was_taken_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
     first, second = tmp_path / "a.json", tmp_path / "a"
-    with pytest.raises(FileError, match="exists already"), whole_files(first, second) as parts:
+    with raises(FileError, "file.exists"), whole_files(first, second) as parts:
         for part in parts:
             part.write_text("ours")
         second.write_text("theirs")
@@ -89,7 +90,7 @@ def test_a_name_that_was_taken_meanwhile_is_not_overwritten(tmp_path: Path) -> N
 def test_a_dangling_link_counts_as_taken(tmp_path: Path) -> None:
     link = tmp_path / "a"
     link.symlink_to(tmp_path / "nowhere")
-    with pytest.raises(FileError, match="exists already"):
+    with raises(FileError, "file.exists_force"):
         write_whole(link, "x", force=False)
     assert free_path(link).name == "a_2"
 
@@ -126,7 +127,7 @@ def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: 
     write_kept(path, b"other")
     assert path.read_bytes() == b"other"
     assert [p.name for p in path.parent.iterdir()] == ["a.toml"]
-    with pytest.raises(FileError, match="cannot be written"):
+    with raises(FileError, "file.not_writable"):
         write_kept(path / "inside", "")
 
 

@@ -47,15 +47,28 @@ def emitted() -> Iterator[tuple[str, str, set[str] | None]]:
         for path in sorted((ROOT / folder).rglob("*.py")):
             if "/tests/" in path.as_posix():
                 continue
-            for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            tree = ast.parse(path.read_text("utf-8"))
+            makers = makers_in(tree)
+            for node in ast.walk(tree):
                 if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
                     continue
-                if node.func.id in MAKERS and len(node.args) == 1:
+                if node.func.id in makers:
                     names = {k.arg for k in node.keywords}
                     where = f"{path.relative_to(ROOT)}:{node.lineno}"
                     known = None if None in names else {str(name) for name in names}
                     for code in codes_in(node.args[0]):
                         yield where, code, known
+
+
+def makers_in(tree: ast.Module) -> set[str]:
+    """Those of `MAKERS` that a module imports; others have functions of the same name."""
+    return {
+        alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and node.module == "tracker.base.notices"
+        for alias in node.names
+        if alias.name in MAKERS
+    }
 
 
 def codes_in(node: ast.expr) -> list[str]:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.base.registry import Registry
 
@@ -50,17 +51,20 @@ def test_what_cannot_be_loaded_costs_itself_alone(
 
 
 @pytest.mark.parametrize(
-    ("name", "why"),
+    ("name", "code", "value"),
     [
-        ("pear", "There is no fruit 'pear'; available: apple, gone, stone, zebra."),
-        ("gone", "The fruit gone cannot be loaded: No module named 'removed_folder'"),
-        ("stone", "The fruit stone cannot be loaded: orchard_of_fruit:STONE is not a str."),
+        ("pear", "part.unknown", ("known", "apple, gone, stone, zebra")),
+        ("gone", "part.not_loaded", ("why", "No module named 'removed_folder'")),
+        ("stone", "part.wrong_type", ("entry", "orchard_of_fruit:STONE")),
     ],
 )
-def test_errors_name_the_part_and_the_cause(registry: Registry[str], name: str, why: str) -> None:
-    with pytest.raises(ConfigError) as error:
+def test_errors_name_the_part_and_the_cause(
+    registry: Registry[str], name: str, code: str, value: tuple[str, str]
+) -> None:
+    with raises(ConfigError, code) as error:
         registry.get(name)
-    assert str(error.value) == why
+    assert value in error.value.notice.values.items()
+    assert ("name", name) in error.value.notice.values.items()
 
 
 def test_a_package_installed_while_the_program_runs_is_found(

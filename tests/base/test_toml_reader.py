@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
 from tracker.base.toml_reader import MOST_BYTES, parse_toml, read_text
@@ -52,7 +53,7 @@ def test_the_bounds_refuse_no_text_that_is_valid() -> None:
 
 
 def test_a_text_without_its_end_is_named_by_its_line() -> None:
-    with pytest.raises(FileError, match="line 3 has a text without its end"):
+    with raises(FileError, "config.unclosed_text"):
         parse_toml('a = 1\nb = "x"\nc = "y\n', "a.toml")
 
 
@@ -65,10 +66,10 @@ def test_line_ends_of_all_systems_are_read(tmp_path: Path) -> None:
 def test_only_regular_files_within_the_limit_are_read(tmp_path: Path) -> None:
     path = tmp_path / "a.toml"
     path.write_bytes(bytes(101))
-    with pytest.raises(FileError, match="larger than 100 bytes"):
+    with raises(FileError, "file.too_large"):
         read_bounded(path, 100, "a configuration file")
     assert read_bounded(path, 101, "a configuration file") == bytes(101)
     os.mkfifo(tmp_path / "pipe")
     for endless in (tmp_path / "pipe", Path("/dev/zero"), tmp_path):
-        with pytest.raises(FileError, match="is not a regular file"):
+        with raises(FileError, "file.not_regular"):
             read_text(endless)

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.notices import raises
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_fit import (
     FitParams,
@@ -59,13 +60,13 @@ def test_stray_samples_do_not_stretch_the_range() -> None:
 
 
 def test_samples_are_needed() -> None:
-    with pytest.raises(GlovetrackError, match="No pixels were marked"):
+    with raises(GlovetrackError, "colours.no_pixels"):
         fit_samples("red", np.zeros((0, 3)))
 
 
 def test_samples_of_every_hue_are_refused() -> None:
     hsv = np.column_stack([np.arange(180), np.full(180, 200), np.full(180, 200)])
-    with pytest.raises(GlovetrackError, match="one cloth"):
+    with raises(GlovetrackError, "colours.every_hue"):
         fit_samples("red", hsv)
 
 

@@ -94,7 +94,7 @@ def test_markers_in_colours_that_the_profile_lacks_are_shown_as_missed(led) -> N
     assert len(before.missed) <= 2
     assert len(after.missed) >= 0.4 * len(after.uv)
     assert "missed" in {a.kind for a in after.advice}
-    assert any("fit them" in a.words for a in after.advice)
+    assert any(a.notice.code == "light.markers_missed" for a in after.advice)
 
 
 def test_a_room_full_of_the_markers_colours_is_told(led) -> None:
@@ -103,7 +103,10 @@ def test_a_room_full_of_the_markers_colours_is_told(led) -> None:
         cv2.circle(image, (40 + 60 * k, 690), 9, (40, 4, 190), -1)
     room = LightMeter(PROFILE).read(image)
     assert room.room["red"] >= 15
-    assert any(a.kind == "room" and "red" in a.words for a in room.advice)
+    assert any(
+        a.notice.code == "light.room_has_hues" and "red" in a.notice.values["hues"]
+        for a in room.advice
+    )
 
 
 def test_noise_is_not_taken_for_patches(data_folder: Path) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.engine.hands import ANEW_EVERY, Hands
 from tracker.engine.pipeline import Pipeline
@@ -168,7 +169,7 @@ def test_two_hands_go_on_from_their_bytes() -> None:
 def test_a_glove_of_the_other_side_is_refused() -> None:
     sim = simulated(1, 2.0)
     make = dict.fromkeys(SIDES, sim.hands["right"])
-    with pytest.raises(ConfigError, match="made for the right hand and cannot track the left"):
+    with raises(ConfigError, "glove.wrong_hand"):
         Hands({s: lambda h=h: Pipeline(h.hand, h.glove, sim.rig) for s, h in make.items()})
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.fusion.test_chain_engine import errors, feed, simulation
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.calibration import control
@@ -160,5 +161,5 @@ def test_every_calibration_row_belongs_to_one_segment(hand, glove):
 
 
 def test_an_unknown_segment_is_said(pipeline):
-    with pytest.raises(ConfigError, match="'tail'"):
+    with raises(ConfigError, "calibration.no_segment"):
         pipeline.engine.wearer.reset(["tail"])

@@ -7,6 +7,7 @@ import tomllib
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.distal import DistalSegments
@@ -85,7 +86,7 @@ def test_an_engine_goes_on_with_it(wearer, engine, tmp_path):
 
 def test_the_profile_of_another_glove_is_refused(wearer, hand, distal_glove, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
-    with pytest.raises(FileError, match="with glove vist-small"):
+    with raises(FileError, "wearer.other_hand"):
         read_wearer(tmp_path / "anna.toml", ChainLayout(hand, distal_glove))
 
 
@@ -102,8 +103,9 @@ def test_a_damaged_profile_is_said(wearer, tmp_path, damage):
         "no covariance": text.replace("[certainty]", "[certainty_of_old]"),
     }
     path.write_text(changed[damage])
-    with pytest.raises(FileError, match=r"anna\.toml"):
+    with raises(FileError, "wearer.damaged", "wearer.invalid") as caught:
         read_wearer(path, wearer.layout)
+    assert caught.value.notice.values["file"] == "anna.toml"
 
 
 def test_a_profile_that_cannot_be_written_is_said(wearer, tmp_path):

@@ -13,6 +13,7 @@ from app.storage.bound_gloves import BoundGlove, as_bound, bound, with_bound
 from app.storage.settings import AppSettings, SettingsStore
 from app.wizards.glove.choice import ChoicePage
 from app.wizards.glove.wizard import GloveSetup
+from tracker.base.notices import plain
 from tracker.sensors.discovery import PortReport
 from tracker.sensors.protocol import Hello
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
@@ -86,7 +87,7 @@ def bluetooth(monkeypatch) -> set[str]:
     def find(paths, bauds):
         path = paths[0]
         said = hello(numbers[path]) if path in there else None
-        return [PortReport(path, said, trouble="" if said else "Silence.")]
+        return [PortReport(path, said, trouble=None if said else plain("Silence."))]
 
     monkeypatch.setattr(found_gloves, "find_gloves", find)
     monkeypatch.setattr(found_gloves, "serial_ports", list)

@@ -20,6 +20,7 @@ from app.storage.settings import AppSettings
 from app.window.about import AboutDialog
 from app.window.main_window import MainWindow
 from tracker import __version__
+from tracker.base.notices import failure
 from tracker.messages import Event, ImuSample, StereoFrame
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.session.reader import SessionReader
@@ -147,7 +148,8 @@ def test_a_failing_panel_rests_and_the_others_go_on(live, qtbot, monkeypatch):
 
 
 def test_a_worker_that_dies_is_said_and_the_window_lives(live, engine, qtbot):
-    engine.events.append(Event(1.0, "error", "The vision thread failed: ValueError: empty."))
+    failed = failure("thread.failed", thread="vision", type="ValueError", why="empty")
+    engine.events.append(Event.of(1.0, "error", failed))
     qtbot.waitUntil(lambda: "vision thread failed" in live.banner.text(), timeout=10_000)
     assert live.host.running
 

@@ -9,6 +9,7 @@ import pytest
 
 from app.viewmodels.states import GOOD, IDLE, WARN
 from tests.gui.gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
+from tracker.base.notices import warning
 from tracker.calibration.light_meter import Advice, LightMeter
 from tracker.messages import Status, Tracking
 
@@ -149,7 +150,8 @@ def test_a_hue_that_is_missing_on_a_tracked_hand_is_orange(listed, rig):
 def reading(found: int, of: int, *advice: Advice):
     meter = LightMeter(scripted_setup(ScriptedEngine()).profile)
     grey = meter.read(np.full((120, 160, 3), 120, np.uint8))
-    missed = Advice("missed", f"{of - found} of {of} markers are not found with these colours.")
+    what = warning("light.markers_missed", missed=of - found, expected=of)
+    missed = Advice("missed", what)
     return meter, replace(
         grey,
         uv=np.zeros((of, 2)),

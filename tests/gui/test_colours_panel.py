@@ -610,7 +610,7 @@ def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
     qtbot.waitUntil(lambda: missed() > 0, timeout=30_000)
     assert "markers missed" in light.watch.line()
     assert "not found with these colours" in light.advice.text()
-    assert "fit them" in light.chip.toolTip()
+    assert "Fit them" in light.chip.toolTip()
     light.show_missed.setChecked(False)
     assert missed() == 0
     light.show_missed.setChecked(True)

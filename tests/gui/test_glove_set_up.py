@@ -7,7 +7,9 @@ from dataclasses import replace
 
 from app.storage.bound_gloves import BoundGlove, bound, with_bound
 from app.viewmodels.glove_setup import SetUpPhase, StillRun, WiggleRun
+from app.words import notice_text
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation, with_glove
+from tracker.base.notices import notice
 from tracker.calibration.wiggle import WiggleTest
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.wiggles import Wiggle, wiggling_wearer
@@ -32,7 +34,7 @@ def test_a_wiggle_run_leads_through_all_steps_by_what_it_sees():
         t += 1.0
         run.look(recent)
     assert list(dict.fromkeys(asked)) == ["thumb", "index", "middle", "hand"]
-    assert run.words == "Every IMU is where the glove file says." and run.part == "rest"
+    assert run.words == notice_text(notice("wiggle.all_right")) and run.part == "rest"
 
 
 def test_a_wearer_who_does_nothing_is_asked_again():
@@ -59,7 +61,7 @@ def test_a_still_run_waits_for_rest_and_gives_up_in_words():
     moved = samples("index", 0.0, 12.0)
     restless.look(moved[:1])
     restless.look(moved)
-    assert restless.done and "lay it flat" in restless.words
+    assert restless.done and "Lay it flat" in restless.words
 
 
 def test_the_simulated_glove_is_measured_and_tested_by_clicks(window, qtbot):

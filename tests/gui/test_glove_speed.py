@@ -9,6 +9,7 @@ from app.engines.found_gloves import find_worn
 from app.storage.settings import AppSettings
 from app.wizards.glove.choice import ChoicePage
 from tracker.base.errors import DeviceError
+from tracker.base.notices import plain
 from tracker.cli import build_parser
 from tracker.sensors.discovery import PortReport
 from tracker.sensors.protocol import BAUDS, Hello
@@ -23,7 +24,9 @@ def asked(monkeypatch):
 
     def find(paths, bauds):
         calls.append((paths[0], bauds))
-        return [SLOW if SLOW.baud in bauds else PortReport(paths[0], None, trouble="Silence.")]
+        return [
+            SLOW if SLOW.baud in bauds else PortReport(paths[0], None, trouble=plain("Silence."))
+        ]
 
     monkeypatch.setattr(found_gloves, "find_gloves", find)
     monkeypatch.setattr(found_gloves, "serial_ports", lambda: ["/dev/ttyUSB3"])

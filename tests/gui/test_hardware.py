@@ -15,7 +15,9 @@ from app.viewmodels.states import IDLE
 from app.wizards.camera import CameraSetup
 from app.wizards.glove.choice import SESSION
 from app.wizards.stereo.image_choices import image_choices
+from app.words import notice_text
 from tests.gui.gui_fakes import frame_and_blobs, models, simulation
+from tracker.base.notices import failure
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
@@ -130,7 +132,7 @@ def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     assert scene.segment_state[0] == Validity.LOST and Validity.MEASURED in scene.segment_state
     assert view.estimate.tracking == Tracking.LOST
     window.sources.set_engine("chain")
-    assert "needs a camera" in window.banner.text()
+    assert "requires a camera" in window.banner.text()
 
 
 def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
@@ -243,8 +245,9 @@ def test_the_board_wizard_offers_no_camera_in_use_where_there_is_none(glove_alon
 
 def test_a_glove_of_the_other_hand_is_said_over_the_panels(live, engine, qtbot):
     """In the layout *Watch* the log, where it stood alone, is not in sight."""
-    text = "This looks like a glove of the left hand: its patches are mirrored."
-    engine.events.append(Event(0.0, "error", text))
+    other = failure("glove.other_hand", other="left", glove="mine", side="right")
+    engine.events.append(Event.of(0.0, "error", other))
+    text = notice_text(other)
     qtbot.waitUntil(lambda: live.banner.text() == text)
     assert live.messages.isVisible()
     assert live.log.model.ends_with(text)

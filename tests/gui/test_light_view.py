@@ -9,6 +9,7 @@ from app.viewmodels.checklist import steps
 from app.viewmodels.light import EVERY, KEPT, LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
+from tracker.base.notices import notice, warning
 from tracker.calibration.light_meter import Advice, LightMeter
 from tracker.glove import library
 from tracker.vision.colours import parse_profile
@@ -36,8 +37,8 @@ def a_reading(*advice: Advice):
 
 
 def test_a_moment_without_the_hand_keeps_what_was_read():
-    watch, warm = LightWatch(), Advice("warm", "The light is too warm.")
-    none = Advice("hand", "Hold the gloved hand before the camera.")
+    watch, warm = LightWatch(), Advice("warm", warning("light.warm"))
+    none = Advice("hand", notice("light.show_hand"))
     for t, said, line in (
         (0.0, warm, "too warm"), (2.0, none, "too warm"), (3.0 + KEPT, none, "–"),
     ):  # fmt: skip
@@ -50,8 +51,8 @@ def test_a_moment_without_the_hand_keeps_what_was_read():
     ("advice", "look"),
     [
         ((), GOOD),
-        ((Advice("room", "The room has red too."),), WARN),
-        ((Advice("dark", "The markers are dark."),), IDLE),
+        ((Advice("room", warning("light.room_has_hues", hues=["red"], spots=9)),), WARN),
+        ((Advice("dark", warning("light.dark")),), IDLE),
     ],
 )
 def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advice, look):
@@ -62,7 +63,7 @@ def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advi
     step = next(s for s in steps(view, light=watch) if s.name == "Light")
     assert step.look(reachable=False) is look
     assert step.passes == (look is not IDLE)
-    assert step.reason == (advice[0].words if advice else "the markers are clear")
+    assert step.reason == (str(advice[0].notice) if advice else "the markers are clear")
     assert step.command == ("show_colours" if advice else "")
     unread = next(s for s in steps(view) if s.name == "Light")
     assert not unread.done

@@ -236,7 +236,7 @@ def test_a_port_that_is_taken_is_said_in_the_panel(window, qtbot):
         window.remote.switch("udp", True)
         qtbot.waitUntil(lambda: "udp" in window.remote.problems, timeout=10_000)
     cells = window.panels["streams"].remote.cells["udp"]
-    assert "not open" in cells["state"].text() and "No remote control" in cells["state"].toolTip()
+    assert "not open" in cells["state"].text() and "cannot start" in cells["state"].toolTip()
 
 
 def test_the_command_line_opens_doors_for_one_run(window, qtbot):

@@ -10,8 +10,10 @@ import pytest
 
 from app.platform.aside import aside
 from app.platform.tasks import JobProgress, TaskOwner
+from app.words import notice_text
 from tests.damaged_sessions import cut_message, spoilt
 from tracker.base.errors import FileError, GlovetrackError
+from tracker.base.notices import warning
 from tracker.messages import ImuSample
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.session.reader import SessionReader
@@ -106,4 +108,6 @@ def test_a_job_says_which_damaged_messages_it_left_out(tmp_path, qtbot, in_subpr
     owner.run("count", job, done=counts.append)
     qtbot.waitUntil(lambda: not owner.tasks, timeout=60_000)
     assert counts == [_count_samples(None, tmp_path / "s.mcap") - 1]
-    assert noted == [f"Damaged messages in a.mcap were left out: 1 on {topic}."]
+    damaged = warning("session.damaged_topic", count=1, topic=topic)
+    reported = warning("session.messages_damaged", file="a.mcap", topics=[damaged])
+    assert noted == [notice_text(reported)]

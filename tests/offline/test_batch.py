@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError, DeviceError, FileError
 from tracker.base.workers import WorkersAsked, dask_workers
 from tracker.cli import main
@@ -55,7 +56,7 @@ def test_what_was_tracked_before_is_not_tracked_again(folder: Path, tmp_path: Pa
 
 
 def test_impossible_plans_are_refused_in_words(folder: Path, tmp_path: Path) -> None:
-    with pytest.raises(FileError, match="no session in"):
+    with raises(FileError, "session.none_in"):
         plan([tmp_path], tmp_path / "out")
     with pytest.raises(ConfigError, match="name a folder"):
         plan([folder], folder / "a.mcap")
@@ -85,8 +86,8 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious.write_text("precious")
     jobs = [Job(folder / "a.mcap", precious)]
     (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkersAsked(1))
-    assert "exists already" in outcome.error
-    assert "exists already" in table(jobs, [outcome])
+    assert "already exists" in outcome.error
+    assert "already exists" in table(jobs, [outcome])
     assert precious.read_text() == "precious"
 
 

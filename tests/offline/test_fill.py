@@ -12,6 +12,7 @@ import ezc3d
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import sha256
 from tracker.cli import main
@@ -118,11 +119,11 @@ def test_the_source_is_never_changed(cut: Path, filled: Path, tmp_path: Path) ->
     with SessionReader(filled) as reader:
         (edit,) = reader.edits
     assert edit.source_sha256 == sha256(cut)
-    with pytest.raises(FileError, match="read"):
+    with raises(FileError, "file.is_input"):
         fill(cut, cut, FillOptions(max_gap=0.5), SIGNED, force=True)
     out = tmp_path / "there.mcap"
     out.write_bytes(b"mine")
-    with pytest.raises(FileError, match="exists"):
+    with raises(FileError, "file.exists_force"):
         fill(cut, out, FillOptions(max_gap=0.5), SIGNED)
     assert out.read_bytes() == b"mine"
 
@@ -286,5 +287,5 @@ def test_what_cannot_be_filled_is_refused_in_words(cut: Path, whole: Path, tmp_p
     "text", ["", "[]", '{"schema": 2, "edits": []}', '{"schema": 1}', "[" * 9999]
 )
 def test_a_record_of_edits_that_is_none_is_refused_in_words(text: str) -> None:
-    with pytest.raises(FileError, match="edits"):
+    with raises(FileError, "edits.invalid", "edits.schema"):
         parse_edits(text, "edits.json")

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.desk import detection, folder, load, tracked
+from tests.notices import raises
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.colours_image import learn_image
 from tracker.glove import library
@@ -120,5 +121,5 @@ def test_nothing_is_learned_from_a_glove_of_the_other_hand() -> None:
     messages: list[Sensed] = [
         m for m in sim.feed(images=True) if isinstance(m, ImuSample | StereoFrame)
     ]
-    with pytest.raises(GlovetrackError, match="a glove of the left hand"):
+    with raises(GlovetrackError, "glove.other_hand"):
         fit_messages(messages, WatchedGlove(*library.load(), sim.rig), FACTORY)

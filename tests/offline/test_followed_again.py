@@ -46,7 +46,7 @@ def test_followed_colours_are_the_same_again(
         reports.append(track(source, out, TrackOptions(smooth=smooth), threads=threads))
     for report in reports:
         own = report.hands.get("right", report)
-        assert [w for w in own.words if "adapting the colours" in w], own.words
+        assert "colours.followed" in [n.code for n in own.notices]
         assert own.lost_s < 0.5
     for side in ("left", "right") if hands == "both" else ("right",):
         one, three = (keypoints(tmp_path / f"{n}.mcap", side) for n in (1, 3))

@@ -123,7 +123,7 @@ def test_a_state_of_another_version_is_reported_as_not_used(tmp_path: Path) -> N
     words = track(old, tmp_path / "a.mcap").words
     assert len(words) == 1 and "recorded by version 0.0.9 in the middle of tracking" in words[0]
     new = recorded(tmp_path / "new.mcap", to_toml(Settings()), state=True)
-    assert track(new, tmp_path / "b.mcap").words == []
+    assert track(new, tmp_path / "b.mcap").notices == []
 
 
 def test_a_real_session_of_an_older_version_is_tracked(data_folder: Path, tmp_path: Path) -> None:

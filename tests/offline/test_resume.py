@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.config import to_toml
 from tracker.base.errors import FileError
 from tracker.engine.pipeline import Pipeline
@@ -98,7 +99,7 @@ def test_a_damaged_state_is_told_in_words(recorded: Path, tmp_path: Path) -> Non
     with SessionReader(recorded) as reader:
         assert NAME not in reader.attachments
         path = with_state(reader.info, tmp_path / "bad.mcap", b"GTES and nothing more")
-    with SessionReader(path) as reader, pytest.raises(FileError, match="state of tracking"):
+    with SessionReader(path) as reader, raises(FileError, "session.state_damaged"):
         reader.engine_states()
 
 

@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import DeviceError
 from tracker.base.notices import Notice, Severity, notice, plain, warning
 from tracker.sensors.camera import StereoCamera
@@ -135,7 +136,7 @@ def test_wrong_size_is_refused_in_words() -> None:
 
 
 def test_odd_width_has_no_halves() -> None:
-    with pytest.raises(DeviceError, match="no two halves"):
+    with raises(DeviceError, "images.no_halves"):
         split(np.zeros((10, 63, 3), np.uint8))
 
 
@@ -182,7 +183,7 @@ def test_two_captures_stay_apart(tmp_path: Path) -> None:
     assert source.read() is not None
     assert source.read() is None  # the second one has ended
     source.close()
-    with pytest.raises(DeviceError, match="cannot be opened"):
+    with raises(DeviceError, "camera.not_there"):
         TwoCameraInput(a, str(tmp_path / "none.avi")).open()
 
 
@@ -245,7 +246,7 @@ def test_opencv_is_not_asked_for_a_file_that_is_not_there(tmp_path: Path, monkey
 
     monkeypatch.setattr("tracker.sensors.image_input.cv2.VideoCapture", asked)
     for source in (str(tmp_path / "none.avi"), "/dev/video97"):
-        with pytest.raises(DeviceError, match="it is not there"):
+        with raises(DeviceError, "camera.not_there"):
             open_capture(source, CaptureFormat())
     with pytest.raises(AssertionError):
         open_capture("rtsp://127.0.0.1:1/none", CaptureFormat())
@@ -260,11 +261,11 @@ def test_image_sequence(tmp_path: Path) -> None:
     assert all(p is not None for p in pairs)
     assert np.array_equal(pairs[1][1], image(3))
     assert source.read() is None
-    with pytest.raises(DeviceError, match="2 left and 1 right"):
+    with raises(DeviceError, "images.unequal_sequences"):
         SequenceInput(paths[:2], paths[:1])
     paths[0].write_text("no image")
     source.open()
-    with pytest.raises(DeviceError, match="no image that can be read"):
+    with raises(DeviceError, "images.not_readable"):
         source.read()
 
 

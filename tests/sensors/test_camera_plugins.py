@@ -14,6 +14,7 @@ import pytest
 from app.engines.camera_choice import choose
 from app.storage.settings import AppSettings
 from tests.fixtures import ROOT
+from tests.notices import raises
 from tracker.base.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.camera_plugins import all_cameras, open_plugin, plugin_cameras
@@ -76,7 +77,7 @@ def test_the_window_opens_it_by_name_or_address(folder: Path, by_name: bool) -> 
 
 
 def test_what_is_wrong_with_a_plugin_is_said(folder: Path, caplog) -> None:
-    with pytest.raises(DeviceError, match="There is no camera plug-in realsense"):
+    with raises(DeviceError, "camera.no_plugin"):
         open_plugin("realsense://1", WANT)
     (folder / "site").mkdir()
     with pytest.raises(DeviceError, match="no images in"):

@@ -10,6 +10,7 @@ import pytest
 
 from app.engines.camera_choice import choose
 from app.storage.settings import AppSettings
+from tests.notices import raises
 from tracker.base.errors import DeviceError
 from tracker.sensors.camera_controls import ControlledInput
 from tracker.sensors.camera_plugins import all_cameras
@@ -84,7 +85,7 @@ def test_none_plugged_in_is_no_error() -> None:
 def test_a_list_that_cannot_be_had_is_said_in_words(
     system: str, answers: System, words: str
 ) -> None:
-    with pytest.raises(DeviceError, match="cannot be listed by name") as said:
+    with raises(DeviceError, "camera.not_listed") as said:
         list_cameras(system, answers)
     assert words in str(said.value) and "number" in str(said.value)
 
@@ -120,7 +121,7 @@ def test_a_camera_is_opened_by_the_backend_that_listed_it(camera: str, monkeypat
     known = [CameraName(1, "ZED-M", "", cv2.CAP_DSHOW)]
     source = choose(AppSettings(camera=camera), 64, 48, 30.0, known).source
     assert isinstance(source, ControlledInput)
-    with pytest.raises(DeviceError, match="camera 1 cannot be opened"):
+    with raises(DeviceError, "camera.not_opened"):
         source.open()
     assert opened == [(1, cv2.CAP_DSHOW)]
 

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.cli import main
 from tracker.messages import Estimate, ImuSample
@@ -71,7 +72,7 @@ def test_what_was_aligned_is_kept_and_compared(
     assert said["compared"] > 400 and said["rms_deg"] < 0.5 and said["mean_mm"] < 1.0
     assert compare(*takes)["rms_deg"] > 5, "by their own clocks they do not fit"
     kept.write_text('{"offset_s": "x"}')
-    with pytest.raises(FileError, match="no alignment"):
+    with raises(FileError, "align.not_alignment"):
         read_alignment(kept)
 
 
@@ -91,14 +92,14 @@ def test_offsets_before_and_after_the_start_are_found_to_milliseconds(offset: fl
 
 
 def test_another_movement_is_not_laid_over_by_force() -> None:
-    with pytest.raises(FileError, match="do not fit"):
+    with raises(FileError, "align.no_fit"):
         best_match(swings(1, 2000), swings(2, 2000))
 
 
 def test_a_movement_that_repeats_itself_tells_no_offset() -> None:
     t = np.arange(3000) / 100
     even = course_of_angles(0, t, np.sin(2 * np.pi * t)[:, None] + 0 * t[:, None])
-    with pytest.raises(FileError, match="more than one place"):
+    with raises(FileError, "align.ambiguous"):
         best_match(even, replace(even, t=t[:2000], speed=even.speed[:2000]))
 
 

@@ -60,7 +60,7 @@ def test_a_session_with_one_damaged_image_is_tracked_without_it(
     path = spoilt(images, tmp_path / "a.mcap", [RIGHT], spoil, nth=20)
     out, said = tmp_path / "b.mcap", tmp_path / "track.json"
     assert main(["track", str(path), "-o", str(out), "--json", str(said)]) == 0
-    assert f"a.mcap were left out: 1 on {RIGHT}" in capsys.readouterr().err
+    assert f"a.mcap were ignored: 1 on {RIGHT}" in capsys.readouterr().err
     assert json.loads(said.read_text())["left_out"] == {RIGHT: 1}
     with SessionReader(out) as tracked, SessionReader(path) as reader:
         assert sum(1 for _ in tracked.messages((Estimate,))) > 280
@@ -137,7 +137,7 @@ def test_commands_go_on_and_say_what_was_left_out(
     filled = [w.replace("{out}", str(out)) for w in words]
     at = 2 if words[0] == "colours" else 1
     assert main([*filled[:at], str(path), *filled[at:]]) == 0
-    assert "Damaged messages in a.mcap were left out: 1 on /" in capsys.readouterr().err
+    assert "Damaged messages in a.mcap were ignored: 1 on /" in capsys.readouterr().err
     made = tmp_path / "out.mcap"
     if made.exists():
         assert is_ok(verify(made))

@@ -11,6 +11,7 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
 from tracker.messages import Estimate, ImuSample
@@ -120,13 +121,13 @@ def test_options_cut_pick_and_anonymise(tracked, tmp_path: Path) -> None:
     assert (beside["rows"], beside["keypoints"]) == (11, ["wrist"])
     assert "participant" not in beside["metadata"]
     assert "P 07" not in (tmp_path / "o.csv.json").read_text()
-    with pytest.raises(ConfigError, match="no keypoint or joint 'nose'"):
+    with raises(ConfigError, "session.no_joint"):
         export(path, "csv", tmp_path / "no.csv", ExportOptions(joints=("nose",)))
 
 
 def test_a_session_without_estimates_is_told(tmp_path: Path, record, maker) -> None:
     path = record(tmp_path / "in.mcap", [maker.imu(0)])
-    with pytest.raises(FileError, match="holds no estimates; track it first"):
+    with raises(FileError, "session.not_tracked"):
         export(path, "csv", tmp_path / "o.csv")
     assert not list(tmp_path.glob("*o.csv*"))
     assert not list(tmp_path.glob(".o*"))

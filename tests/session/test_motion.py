@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.messages import Validity
 from tracker.offline.options import TrackOptions
@@ -153,5 +154,5 @@ def test_a_simulated_take_measures_what_the_simulated_hand_did(
 
 
 def test_a_session_without_estimates_is_refused_in_words(sessions: tuple[Path, Path]) -> None:
-    with SessionReader(sessions[0]) as reader, pytest.raises(FileError, match="track it first"):
+    with SessionReader(sessions[0]) as reader, raises(FileError, "session.not_tracked"):
         read_take(reader)

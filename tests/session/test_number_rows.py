@@ -5,8 +5,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pytest
 
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.messages import Estimate
 from tracker.session.export.series import recorded_series, series_of
@@ -68,5 +68,5 @@ def test_a_session_without_estimates_says_so(
     tmp_path: Path, record: Callable[..., Path], maker
 ) -> None:
     path = record(tmp_path / "in.mcap", [maker.imu(0.0)])
-    with SessionReader(path) as reader, pytest.raises(FileError, match="track it first"):
+    with SessionReader(path) as reader, raises(FileError, "session.not_tracked"):
         recorded_series(reader)

@@ -10,6 +10,7 @@ import pytest
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
+from tests.notices import raises
 from tests.session.conftest import at
 from tracker.base.errors import FileError
 from tracker.messages import RobotMemory, RobotModel, RobotState
@@ -99,5 +100,5 @@ def test_what_is_said_of_a_robot_may_be_damaged_and_is_told_in_words(
 def test_a_session_without_robots_has_none(tmp_path: Path, record: Callable[..., Path]) -> None:
     with SessionReader(record(tmp_path / "s.mcap", [])) as reader:
         assert robot_names(reader) == ()
-        with pytest.raises(FileError, match="does not say"):
+        with raises(FileError, "session.robot_unknown"):
             robot_model(reader, "claw_left")

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tests.session.engine_state_samples import simulation, small_glove, tracked, untouched
 from tracker.base.errors import FileError
 from tracker.base.records import RECORDS, Record
@@ -89,5 +90,5 @@ def test_the_message_names_the_engine(state: PipelineKept, fresh: PipelineKept) 
     _, again = unpack(pack("chain", state))
     require_match(again, fresh, "chain")
     again.engine.tracker.filter.state.bg = np.zeros((9, 3))
-    with pytest.raises(FileError, match='does not match engine "chain"'):
+    with raises(FileError, "session.state_misfit"):
         require_match(again, fresh, "chain")

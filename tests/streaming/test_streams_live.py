@@ -9,6 +9,7 @@ import pytest
 
 from tests.fixtures import RESOURCES
 from tests.live.test_runner import Tape, live, run_to_the_end
+from tracker.base.notices import Notice, warning
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate
@@ -50,16 +51,16 @@ def test_a_client_reads_the_states_that_were_recorded(hand: HandModel, glove: Gl
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
         client.bind(("127.0.0.1", 0))
-        said: list[str] = []
+        reported: list[Notice] = []
         udp = UdpPublisher(names, port=client.getsockname()[1])
-        attached = attach(tracker.hand("right"), [Broken(), udp], say=said.append)
+        attached = attach(tracker.hand("right"), [Broken(), udp], report=reported.append)
         run_to_the_end(tracker, stream)
         tracker.stop()
         attached.close()
         read = datagrams(client)
     recorded = {m.t: m for m in tape.messages if isinstance(m, Estimate)}
     assert len(recorded) > 90, "the broken output did not hold up the tracker"
-    assert said == ["The stream broken fails: the client is gone."]
+    assert reported == [warning("stream.failing", stream="broken", why="the client is gone")]
     assert [r["t"] for r in read] == sorted(recorded), "all of them, in order, none twice"
     for message in read:
         truth = recorded[message["t"]]

@@ -7,6 +7,7 @@ import time
 
 import pytest
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Estimate
 from tracker.streaming.attach import attach
 from tracker.streaming.streams import BACKLOG, Streams, of_all_hands
@@ -63,20 +64,20 @@ def test_a_blocked_output_holds_up_neither_caller_nor_neighbour(make_estimate, w
 
 
 def test_a_failing_output_is_told_once_and_recovers(make_estimate, wait_for) -> None:
-    said: list[str] = []
+    reported: list[Notice] = []
     sink = Sink("UDP")
     sink.fault = OSError("network is unreachable")
-    streams = Streams([sink], said.append)
+    streams = Streams([sink], reported.append)
     for k in range(3):
         streams.offer(make_estimate())
         wait_for(lambda k=k: streams.counts()[0].failed == k + 1)
-    assert said == ["The stream UDP fails: network is unreachable."]
+    assert reported == [warning("stream.failing", stream="UDP", why="network is unreachable")]
     assert streams.counts()[0].error == "network is unreachable"
     sink.fault = None
     streams.offer(make_estimate())
     wait_for(lambda: streams.counts()[0].sent == 1)
-    wait_for(lambda: len(said) == 2)
-    assert said[1] == "The stream UDP works again."
+    wait_for(lambda: len(reported) == 2)
+    assert reported[1] == notice("stream.works_again", stream="UDP")
     streams.close()
     assert sink.closed == 1
 

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import resources
+from tests.notices import raises
 from tracker.base.errors import FileError
 from tracker.vision.colours import (
     ColourProfile,
@@ -103,7 +104,7 @@ def test_profile_without_a_hue_is_refused() -> None:
 
 
 def test_missing_file_is_named(tmp_path: Path) -> None:
-    with pytest.raises(FileError, match=r"none\.toml cannot be read"):
+    with raises(FileError, "file.not_readable"):
         load_profile(tmp_path / "none.toml")
 
 

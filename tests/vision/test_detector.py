@@ -4,6 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tests.vision.hue_classes import all_classes
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.messages import CameraPose, StereoFrame
@@ -312,7 +313,7 @@ def test_image_of_one_pixel(detector: Detector) -> None:
 
 def test_too_many_hues_are_refused() -> None:
     hues = tuple(HueRange(f"h{k}", (k, k)) for k in range(31))
-    with pytest.raises(ConfigError, match="at most 30"):
+    with raises(ConfigError, "colours.too_many_hues"):
         Detector(ColourProfile("many", hues, ShapeLimits()))
 
 

@@ -14,6 +14,7 @@ from contextvars import ContextVar
 from pathlib import Path
 
 from tracker.base.errors import FileError
+from tracker.base.notices import Notice, warning
 
 MOST_KEPT = 100_000  # messages of a file that are told apart; later ones are not counted
 MOST_NAMED = 8  # topics that a sentence names
@@ -59,16 +60,14 @@ class LeftOut:
         """How many, of each topic that has any, in alphabetical order."""
         return dict(sorted(Counter(topic for topic, _ in self._found).items()))
 
-    def sentence(self) -> str:
-        """What was left out; empty where nothing was."""
-        counts = self.by_topic()
-        if not counts:
-            return ""
-        named = [f"{n} on {topic}" for topic, n in list(counts.items())[:MOST_NAMED]]
+    def report(self) -> Notice:
+        """What was ignored, by topic."""
+        counts = list(self.by_topic().items())
+        named = [warning("session.damaged_topic", count=n, topic=t) for t, n in counts[:MOST_NAMED]]
         more = len(counts) - MOST_NAMED
         if more > 0:
-            named.append(f"others on {more} more topics")
-        return f"Damaged messages in {self.path.name} were left out: {', '.join(named)}."
+            named.append(warning("session.damaged_more", count=more))
+        return warning("session.messages_damaged", file=self.path.name, topics=named)
 
 
 _gathered: ContextVar[list[LeftOut] | None] = ContextVar("gathered", default=None)
@@ -101,6 +100,6 @@ def merged(found: Iterable[LeftOut]) -> list[LeftOut]:
     return list(by_path.values())
 
 
-def sentences(found: Iterable[LeftOut]) -> list[str]:
-    """One for each file of which something was left out."""
-    return [each.sentence() for each in merged(found)]
+def reports(found: Iterable[LeftOut]) -> list[Notice]:
+    """One for each file of which something was ignored."""
+    return [each.report() for each in merged(found)]

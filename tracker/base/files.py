@@ -19,6 +19,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 
 try:
     import fcntl
@@ -54,13 +55,13 @@ class DiskError(FileError):
 def disk_error(path: Path | str, error: OSError) -> DiskError:
     """An operating-system error in the user's words."""
     why = _WORDS.get(error.errno or 0, error.strerror or str(error))
-    return DiskError(f"{path} cannot be written: {why}.")
+    return DiskError(notice("file.not_writable", path=path, why=why))
 
 
 def check_regular(path: Path) -> None:
     """Raises FileError for a folder, and for a pipe or a device, which may not end; OSError."""
     if not stat.S_ISREG(path.stat().st_mode):
-        raise FileError(f"{path} is not a regular file.")
+        raise FileError(notice("file.not_regular", path=path))
 
 
 def read_bounded(path: Path, limit: int, what: str) -> bytes:
@@ -72,7 +73,7 @@ def read_bounded(path: Path, limit: int, what: str) -> bytes:
     with path.open("rb") as file:
         data = file.read(limit + 1)
     if len(data) > limit:
-        raise FileError(f"{path} is larger than {limit} bytes: not {what}.")
+        raise FileError(notice("file.too_large", path=path, limit_bytes=limit, what=what))
     return data
 
 
@@ -103,12 +104,12 @@ def check_target(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -
         return
     for source in inputs:
         if path.exists() and source.exists() and path.samefile(source):
-            raise FileError(f"{path} is what is read; choose another name.")
+            raise FileError(notice("file.is_input", path=path))
     if path.exists() and not path.is_file():
         what = "is a folder" if path.is_dir() else "is a device, not a file"
-        raise FileError(f"{path} exists already and {what}; choose another name.")
+        raise FileError(notice("file.occupied", path=path, what=what))
     if not force and not _is_empty(path):
-        raise FileError(f"{path} exists already; choose another name, or --force to replace it.")
+        raise FileError(notice("file.exists_force", path=path))
 
 
 def check_folder_target(folder: Path, force: bool = False) -> None:
@@ -121,10 +122,7 @@ def check_folder_target(folder: Path, force: bool = False) -> None:
     except OSError as error:
         raise disk_error(folder, error) from error
     if found is not None and not force:
-        raise FileError(
-            f"The folder {folder} is not empty; choose another one, or --force to replace files "
-            f"in it."
-        )
+        raise FileError(notice("file.folder_not_empty", folder=folder))
 
 
 @contextlib.contextmanager
@@ -153,9 +151,9 @@ def whole_files(
         _sync(main.parent)
     except OSError as error:
         raise disk_error(main, error) from error
-    except FileError as error:  # in words already, but with a name that nobody knows
-        text = str(error).replace(f"{folder}{os.sep}", f"{main.parent}{os.sep}")
-        raise type(error)(text) from error
+    except FileError as error:  # of a temporary name
+        inside, beside = f"{folder}{os.sep}", f"{main.parent}{os.sep}"
+        raise type(error)(error.notice.replaced(inside, beside)) from error
     finally:
         shutil.rmtree(folder, ignore_errors=True)
         _close(lock)
@@ -307,9 +305,9 @@ def _give_name(part: Path, path: Path, force: bool) -> None:
             os.link(part, path)
             return
         except FileExistsError as error:
-            raise FileError(f"{path} exists already; choose another name.") from error
+            raise FileError(notice("file.exists", path=path)) from error
         except OSError:
             pass  # a disk without hard links
     if os.path.lexists(path):
-        raise FileError(f"{path} exists already; choose another name.")
+        raise FileError(notice("file.exists", path=path))
     part.rename(path)

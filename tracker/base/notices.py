@@ -1,22 +1,28 @@
 """Notices: what the program reports to people, as a code and values rather than as a sentence.
 
-Code reports `Notice`s. Window and command line render them with the templates of the catalogue
-(`tracker.base.catalogue` and, for extensions, the registry ``glovetrack.notices``). Logs, tests and
-files compare codes; a sentence may be reworded, and is translated as a template.
+Code reports `Notice`s. Window and command line render them with the templates of the catalogue:
+`tracker.base.catalogue` and, for extensions, the entry points ``glovetrack.notices``. Logs, tests
+and files compare codes; a sentence may be reworded, and is translated as a template.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import logging
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
+from importlib.metadata import entry_points
 from os import PathLike, fspath
 from string import Formatter
 from typing import Any
 
 from tracker.base.catalogue import TEMPLATES
 from tracker.base.frozen_dict import FrozenDict
+
+GROUP = "glovetrack.notices"
+"""Entry points of extensions: each names a dictionary of templates by code."""
+_log = logging.getLogger(__name__)
 
 
 class Severity(StrEnum):
@@ -45,6 +51,18 @@ class Notice:
 
     def __hash__(self) -> int:
         return hash(self.code)
+
+    def replaced(self, old: str, new: str) -> Notice:
+        """The same report with ``new`` in place of ``old`` in its texts."""
+        return replace(
+            self,
+            values=FrozenDict(
+                {
+                    name: value.replace(old, new) if isinstance(value, str) else value
+                    for name, value in self.values.items()
+                }
+            ),
+        )
 
     def with_severity(self, severity: Severity) -> Notice:
         """The same report with another severity."""
@@ -90,7 +108,7 @@ def _value(value: object) -> object:
     number = getattr(value, "item", None)  # a scalar of NumPy, which need not be imported here
     if number is not None and getattr(value, "shape", None) == ():
         return number()
-    if isinstance(value, Sequence | frozenset | set):
+    if isinstance(value, Iterable):
         return tuple(_value(one) for one in value)
     carried = getattr(value, "notice", None)  # an error of ours
     return carried if isinstance(carried, Notice) else str(value)
@@ -160,11 +178,13 @@ def all_templates() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def _extensions() -> Mapping[str, str]:
-    from tracker.base.registry import Registry  # reports errors, which are notices
-
+    """The templates of extensions; not by a `Registry`, whose errors are notices."""
     found: dict[str, str] = {}
-    for templates in Registry("notices", "catalogue of notices", dict).all().values():
-        found.update(templates)
+    for entry in entry_points(group=GROUP):
+        try:
+            found.update(entry.load())
+        except Exception:  # noqa: BLE001 - another package must not prevent a report
+            _log.exception("The notices of %s cannot be loaded", entry.name)
     return found
 
 

@@ -17,6 +17,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Generic, TypeVar
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 D = TypeVar("D")
 OURS = "glovetrack"
@@ -52,15 +53,22 @@ class Registry(Generic[D]):
         entry = _entries(self.group, tuple(sys.path)).get(name)
         if entry is None:
             known = ", ".join(self.names()) or "none"
-            raise ConfigError(f"There is no {self.noun} {name!r}; available: {known}.")
+            raise ConfigError(notice("part.unknown", kind=self.noun, name=name, known=known))
         try:
             found = self._adapt(entry.load())
         except Exception as error:
-            raise ConfigError(f"The {self.noun} {name} cannot be loaded: {error}") from error
+            raise ConfigError(
+                notice("part.not_loaded", kind=self.noun, name=name, why=error)
+            ) from error
         if not isinstance(found, self._descriptor):
             raise ConfigError(
-                f"The {self.noun} {name} cannot be loaded: {entry.value} is not a "
-                f"{self._descriptor.__name__}."
+                notice(
+                    "part.wrong_type",
+                    kind=self.noun,
+                    name=name,
+                    entry=entry.value,
+                    expected=self._descriptor.__name__,
+                )
             )
         return found
 

@@ -13,6 +13,7 @@ from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 
 _FOLDER = Path("/dev/shm")  # where Linux keeps it
 
@@ -84,7 +85,4 @@ def forget_name(memory: SharedMemory) -> None:
 
 
 def _no_room(size: int) -> NoSharedMemory:
-    return NoSharedMemory(
-        f"The system has no {size / 1e6:.0f} MB of shared memory left, in which images are handed "
-        f"from one process to the other."
-    )
+    return NoSharedMemory(notice("system.shared_memory_full", needed_mb=size / 1000000.0))

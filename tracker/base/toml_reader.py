@@ -16,6 +16,7 @@ import numpy as np
 from tracker.base.arrays import Array
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
+from tracker.base.notices import notice
 
 MOST_BYTES = 1_000_000
 """Of a configuration file; the longest of ours has a hundredth of it."""
@@ -234,19 +235,19 @@ def parse_toml(text: str, name: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except ValueError as error:  # TOMLDecodeError is one; so are integers of thousands of digits
-        raise FileError(f"{name} is not valid TOML: {error}.") from error
+        raise FileError(notice("config.not_toml", file=name, why=error)) from error
     except RecursionError as error:
-        raise FileError(f"{name} is not valid TOML: it is nested too deeply.") from error
+        raise FileError(notice("config.too_deep", file=name)) from error
 
 
 def _check_bounds(text: str, name: str) -> None:
     """Raises FileError, with line and key, for what no person writes into such a file."""
     if len(text) > MOST_BYTES:
-        raise FileError(f"{name} is larger than {MOST_BYTES} bytes: not a configuration file.")
+        raise FileError(notice("config.too_large", file=name, limit_bytes=MOST_BYTES))
     line, key, depth, parts, bare = 1, "", 0, 1, ""
     for found in _TOKEN.finditer(text):
         if found["open"] or found["open_line"]:  # the tokens after it would take quadratic time
-            raise FileError(f"{name} is not valid TOML: line {line} has a text without its end.")
+            raise FileError(notice("config.unclosed_text", file=name, line=line))
         token = found[0]
         first = token[0]
         why = ""
@@ -267,7 +268,15 @@ def _check_bounds(text: str, name: str) -> None:
         elif first == "=":
             key = bare
         if why:
-            raise FileError(f"{name}, line {line}: {_short(key or bare) or 'a table'} {why}.")
+            raise FileError(
+                notice(
+                    "config.invalid_value",
+                    file=name,
+                    line=line,
+                    key=_short(key or bare) or "a table",
+                    why=why,
+                )
+            )
         if first not in ". \t\"'_" and not first.isalnum():
             parts = 1
         line += token.count("\n")
@@ -298,6 +307,6 @@ def read_text(path: Path, limit: int = MOST_BYTES) -> str:
         text = read_bounded(path, limit, "a configuration file").decode("utf-8")
         return text.replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
-        raise FileError(f"{path} is not a UTF-8 text file.") from error
+        raise FileError(notice("config.not_utf8", file=path)) from error
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror}.") from error
+        raise FileError(notice("file.not_readable", path=path, why=error.strerror)) from error

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 
 Image = NDArray[np.uint8]
@@ -36,13 +37,11 @@ def fit_samples(name: str, hsv: NDArray[Any], params: FitParams | None = None) -
     params = params or FitParams()
     pixels = np.asarray(hsv).reshape(-1, 3).astype(np.int64)
     if len(pixels) == 0:
-        raise GlovetrackError(f"No pixels were marked for the hue {name!r}.")
+        raise GlovetrackError(notice("colours.no_pixels", hue=name))
     low, high = hue_interval(pixels[:, 0], params.tail)
     width = (high - low) % HUES + 2 * params.hue_margin
     if width >= HUES:
-        raise GlovetrackError(
-            f"The pixels marked for {name!r} have every hue: mark one cloth only."
-        )
+        raise GlovetrackError(notice("colours.every_hue", hue=name))
     hue = ((low - params.hue_margin) % HUES, (high + params.hue_margin) % HUES)
     least = np.quantile(pixels[:, 1:], params.tail, axis=0)
     floor = np.minimum(least - params.level_margin, least * [1.0, params.dimmest])

@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.calibration.colours_fit import FoundHue, Image, fit_samples, parted
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import KnownMarkers, calmed, core_pixels, samples_of
@@ -48,10 +49,7 @@ def learn_image(
         if len(rows) > len(crowd):
             best, crowd = blobs, rows
     if len(crowd) < LEAST_PATCHES or len(set(best.hue[crowd].tolist())) < LEAST_HUES:
-        raise GlovetrackError(
-            "Nothing was fitted: no glove with its patches is seen for sure. Hold the hand flat "
-            "before the camera, in more or whiter light."
-        )
+        raise GlovetrackError(notice("colours.no_glove_seen"))
     names = profile.hue_names
     hue = tuple(names[k] for k in best.hue[crowd])
     known = KnownMarkers(best.uv[crowd], best.size[crowd], hue, best.uv[crowd])
@@ -86,7 +84,7 @@ def learn_picked(
     ranges = {p.hue: _around(p) for p in picks}
     missing = [name for name in profile.hue_names if name not in ranges]
     if missing:
-        raise GlovetrackError(f"Point at a marker of each hue first: {', '.join(missing)} missing.")
+        raise GlovetrackError(notice("colours.points_missing", hues=missing))
     hues = parted(tuple(ranges[name] for name in profile.hue_names))
     shape = replace(profile.shape, contrast=min(profile.shape.contrast, PICKED_CONTRAST))
     start = replace(profile, hues=hues, shape=shape, learned=None)
@@ -100,10 +98,7 @@ def learn_picked(
         known = KnownMarkers(blobs.uv[rows], blobs.size[rows], hue, blobs.uv[rows])
         samples.add(samples_of(image, known, profile.hue_names))
     if most < LEAST_PATCHES:
-        raise GlovetrackError(
-            "Nothing was learned beyond what was pointed at: no glove with its patches is seen "
-            "around it. Point at the middle of a patch of each hue, the hand flat."
-        )
+        raise GlovetrackError(notice("colours.only_points_learned"))
     fitted = learn(replace(profile, hues=hues), samples)
     _refuse_worse_picked(picks, (profile, fitted), (marker_size, fx))
     return fitted, tuple(
@@ -130,9 +125,14 @@ def _refuse_worse_picked(
     (was, other), (now, others) = (_of_picks(Detector(p, *camera), picks) for p in profiles)
     if now < was or (now == was and others > MUCH_MORE * other):
         raise GlovetrackError(
-            f"The colours stay as they are: learned ones show {now} of {len(picks)} markers and "
-            f"{others} other things, these {was} and {other}. Point at markers of a flat hand, "
-            "in more light."
+            notice(
+                "colours.learned_worse",
+                found=now,
+                picked=len(picks),
+                others=others,
+                found_before=was,
+                others_before=other,
+            )
         )
 
 
@@ -164,8 +164,13 @@ def _refuse_worse(
     (was, other), (now, others) = (_on_glove(Detector(p, *camera), image, glove) for p in profiles)
     if now < was or (now == was and others > other + 1):
         raise GlovetrackError(
-            f"The colours stay as they are: fitted ones show {now} patches of the glove and "
-            f"{others} other things, these {was} and {other}."
+            notice(
+                "colours.fitted_worse",
+                found=now,
+                others=others,
+                found_before=was,
+                others_before=other,
+            )
         )
 
 

@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 from tracker.vision.detector import Detector, smoothed
@@ -48,10 +49,10 @@ class MeterParams:
 
 
 class Advice(NamedTuple):
-    """What is wrong, by a short word (`LIGHT`, or near, room, missed), and the whole sentence."""
+    """What is wrong, by a short word (`LIGHT`, or near, room, missed), and what to do."""
 
     kind: str
-    words: str
+    notice: Notice
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,23 +242,18 @@ def _advice(
     dim = r.level < p.dark_level and r.noise > p.noise  # cloth is noise then, and has no colour
     clipped = seen.pixel.max(axis=1) >= p.clipped_level
     if not few and clipped.mean() > p.clipped_share:
-        which = _list(names[np.unique(seen.hue[clipped])])
-        out.append(Advice("clipped", f"The {which} markers are too bright: shorten the exposure, "
-                          "or move the lamp away."))  # fmt: skip
+        hues = names[np.unique(seen.hue[clipped])]
+        out.append(Advice("clipped", warning("light.too_bright", hues=hues.tolist())))
     elif r.clipped > p.clipped_image:
-        out.append(Advice("clipped", f"{100 * r.clipped:.0f} % of the image is white: keep window "
-                          "and screen out of it, or shorten the exposure."))  # fmt: skip
+        out.append(Advice("clipped", warning("light.clipped", share_percent=100 * r.clipped)))
     if not few and r.level < p.dark_level:
-        out.append(Advice("dark", "The markers are dark: more light on the hand, or a longer "
-                          "exposure."))  # fmt: skip
+        out.append(Advice("dark", warning("light.dark")))
     if r.noise > p.noise:
-        out.append(Advice("noisy", "The image is noisy: more light, and less gain."))
+        out.append(Advice("noisy", warning("light.noisy")))
     if r.warmth > p.warm and not dim:
-        out.append(Advice("warm", "The light is too warm: take a daylight lamp or set the white "
-                          "balance, then fit the colours."))  # fmt: skip
+        out.append(Advice("warm", warning("light.warm")))
     if r.warmth < p.cold and not dim:
-        out.append(Advice("cold", "The light is too cold: set the white balance, then fit the "
-                          "colours."))  # fmt: skip
+        out.append(Advice("cold", warning("light.cold")))
     return out + _colour_advice(r, seen, profile, p)
 
 
@@ -267,20 +263,18 @@ def _colour_advice(
     """Hues that look alike or that the room has too, and markers that are not found."""
     out = []
     for a, b in near_hues(seen.pixel, seen.hue, p.near_hues):
-        pair = f"{profile.hue_names[a]} and {profile.hue_names[b]}"
-        out.append(Advice("near", f"The {pair} markers look alike in this light: another lamp, or "
-                          "other cloth."))  # fmt: skip
+        pair = (profile.hue_names[a], profile.hue_names[b])
+        out.append(Advice("near", warning("light.hues_alike", hues=pair)))
     crowded = [name for name, count in r.room.items() if count > p.room_blobs]
     if crowded:
-        words = f"The room has {_list(crowded)} too, in {sum(r.room.values())} spots: lay a dark "
-        out.append(Advice("room", words + "or grey cloth under the hand, or fit the colours."))
+        spots = sum(r.room.values())
+        out.append(Advice("room", warning("light.room_has_hues", hues=crowded, spots=spots)))
     missed = len(r.missed)
     if missed:
-        of = len(r.uv)
-        out.append(Advice("missed", f"{missed} of {of} markers are not found with these colours: "
-                          "fit them to the image."))  # fmt: skip
+        few_found = warning("light.markers_missed", missed=missed, expected=len(r.uv))
+        out.append(Advice("missed", few_found))
     if len(r.uv) < p.least_patches:
-        out.append(Advice("hand", "Hold the gloved hand before the camera, its back up."))
+        out.append(Advice("hand", notice("light.show_hand")))
     return out
 
 
@@ -297,8 +291,3 @@ def near_hues(pixel: Array, hue: IntArray, least: float) -> list[tuple[int, int]
         if gap < least and min(np.sum(hue == a), np.sum(hue == b)) >= 2:
             out.append((a, b))
     return out
-
-
-def _list(names: NDArray[np.str_] | list[str]) -> str:
-    words = [str(n) for n in names]
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

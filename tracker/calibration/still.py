@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker import GRAVITY
+from tracker.base.notices import Notice, warning
 from tracker.messages import Array, ImuSample
 
 DEGREE = np.pi / 180
+MOVING = {"still.imu_moves", "still.imu_biased"}
 
 
 @dataclass(frozen=True)
@@ -30,7 +32,7 @@ class StillParams:
 class StillImu:
     """One IMU: gyro_bias (3,) rad/s with its sd, gyro_noise rad/s/√Hz, accel (3,) mean m/s² in I.
 
-    ``trouble`` is empty where the figures may be used.
+    ``trouble`` is None where the figures may be used.
     """
 
     name: str
@@ -38,7 +40,7 @@ class StillImu:
     gyro_bias_sd: float
     gyro_noise: float
     accel: Array
-    trouble: str = ""
+    trouble: Notice | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,11 +48,11 @@ class StillPose:
     """All IMUs in the glove's order; ``trouble`` says why the whole is refused."""
 
     imus: tuple[StillImu, ...]
-    trouble: str = ""
+    trouble: Notice | None = None
 
     @property
     def ok(self) -> bool:
-        return not self.trouble
+        return self.trouble is None
 
 
 def still_pose(
@@ -60,7 +62,7 @@ def still_pose(
     p = params or StillParams()
     span = samples[-1].t - samples[0].t if samples else 0.0
     if span < 0.9 * p.duration:
-        return StillPose((), f"Only {span:.1f} s of samples came; {p.duration:g} s are needed.")
+        return StillPose((), warning("still.too_short", seconds=span, needed_s=p.duration))
     gyro, accel = (np.array([getattr(s, k) for s in samples]) for k in ("gyro", "accel"))
     valid = np.array([s.valid for s in samples])
     rate_hz = (len(samples) - 1) / span
@@ -76,7 +78,7 @@ def _one(
 ) -> StillImu:
     if answered < p.answered or len(gyro) < 2:
         nan = np.full(3, np.nan)
-        return StillImu(name, nan, np.nan, np.nan, nan, "does not answer")
+        return StillImu(name, nan, np.nan, np.nan, nan, warning("still.imu_silent"))
     sd = gyro.std(axis=0, ddof=1)
     half = len(gyro) // 2
     drift = float(np.abs(gyro[:half].mean(axis=0) - gyro[half:].mean(axis=0)).max())
@@ -91,23 +93,25 @@ def _one(
     )
 
 
-def _trouble(gyro: Array, accel: Array, drift: float, p: StillParams) -> str:
+def _trouble(gyro: Array, accel: Array, drift: float, p: StillParams) -> Notice | None:
     sd, bias = float(gyro.std(axis=0).max()), float(np.abs(gyro.mean(axis=0)).max())
     if sd > p.gyro_sd or drift > p.drift or float(accel.std(axis=0).max()) > p.accel_sd:
-        return f"moves ({max(sd, drift) / DEGREE:.1f} °/s)"
+        return warning("still.imu_moves", rate_dps=max(sd, drift) / DEGREE)
     if bias > p.gyro_bias:
-        return f"turns, or its gyro is off by {bias / DEGREE:.0f} °/s"
+        return warning("still.imu_biased", bias_dps=bias / DEGREE)
     weight = float(np.linalg.norm(accel.mean(axis=0)))
     if abs(weight - GRAVITY) > p.gravity:
-        return f"measures {weight:.1f} m/s² of gravity: its accelerometer is off"
-    return ""
+        return warning("still.imu_gravity", gravity=weight)
+    return None
 
 
-def _verdict(imus: Sequence[StillImu]) -> str:
-    moving = [i.name for i in imus if i.trouble.startswith(("moves", "turns"))]
+def _verdict(imus: Sequence[StillImu]) -> Notice | None:
+    broken = [i for i in imus if i.trouble is not None]
+    moving = [i.name for i in broken if i.trouble is not None and i.trouble.code in MOVING]
     if moving:
-        return (
-            f"The hand moved ({', '.join(moving)}): lay it flat on the table, palm down, and wait."
-        )
-    broken = [f"{i.name} {i.trouble}" for i in imus if i.trouble]
-    return f"{'; '.join(broken)}." if broken else ""
+        return warning("still.moved", moving=moving)
+    if not broken:
+        return None
+    return warning(
+        "still.imus", imus=[warning("still.imu", imu=i.name, what=i.trouble) for i in broken]
+    )

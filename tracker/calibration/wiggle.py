@@ -12,16 +12,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.notices import Notice, notice, warning
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, ImuSample
 
 DEGREE = np.pi / 180
 HAND = "hand"
-WORDS = {
-    HAND: "Rest the forearm and tip the whole hand up and down, fingers stretched.",
-    "thumb": "Bend and stretch the thumb a few times; hold the rest still.",
-}
+INSTRUCTIONS = {HAND: notice("wiggle.hand"), "thumb": notice("wiggle.thumb")}
 
 
 @dataclass(frozen=True)
@@ -42,7 +40,7 @@ class WiggleStep:
     from the knuckle outwards."""
 
     part: str
-    instruction: str
+    instruction: Notice
     imus: tuple[int, ...]
 
 
@@ -54,15 +52,15 @@ class WiggleRow:
     name: str
     state: str
     segment: str
-    words: str
+    what: Notice
 
 
 @dataclass(frozen=True)
 class WiggleResult:
-    """A row per IMU in the glove's order, and what to do in a sentence."""
+    """A row per IMU in the glove's order, and what to do."""
 
     rows: tuple[WiggleRow, ...]
-    summary: str
+    summary: Notice
 
     @property
     def ok(self) -> bool:
@@ -77,10 +75,8 @@ def wiggle_steps(hand: HandModel, glove: GloveModel) -> list[WiggleStep]:
     steps = []
     for part in sorted(parts, key=lambda p: (p == HAND, parts[p])):
         rows = sorted(parts[part], key=lambda i: _depth(hand, glove.imus[i].segment))
-        words = WORDS.get(
-            part, f"Bend and stretch the {part} finger a few times, in all its joints."
-        )
-        steps.append(WiggleStep(part, words, tuple(rows)))
+        asked = INSTRUCTIONS.get(part) or notice("wiggle.finger", finger=part)
+        steps.append(WiggleStep(part, asked, tuple(rows)))
     return steps
 
 
@@ -119,14 +115,14 @@ class WiggleTest:
         self._motion = np.full((len(self.steps), n), np.nan)
         self._axis = np.full((len(self.steps), n, 3), np.nan)
 
-    def add(self, step: int, samples: Sequence[ImuSample]) -> str:
-        """Take a step's samples. Empty if they tell something, else why they do not."""
+    def add(self, step: int, samples: Sequence[ImuSample]) -> Notice | None:
+        """Take a step's samples. None if they can be used, else why they cannot."""
         motion = imu_motion(samples)
         if not moving(motion, self.params):
-            return "Nothing moved. " + self.steps[step].instruction
+            return warning("wiggle.nothing_moved", instruction=self.steps[step].instruction)
         self._motion[step] = motion
         self._axis[step] = _axes(samples)
-        return ""
+        return None
 
     def result(self) -> WiggleResult:
         """What the steps together say."""
@@ -167,22 +163,22 @@ class WiggleTest:
     def _row(self, i: int, part: str, segment: str) -> WiggleRow:
         imu = self.glove.imus[i]
         if np.all(np.isnan(self._motion[:, i])):
-            return WiggleRow(imu.name, "silent", "", "It did not answer in any step.")
+            return WiggleRow(imu.name, "silent", "", warning("wiggle.silent"))
         if not part:
             still = np.nanmax(self._motion[:, i]) < self.params.moved
             if still:
-                return WiggleRow(imu.name, "still", "", "It never moved: is it loose, or broken?")
-            return WiggleRow(imu.name, "unclear", "", "It moved in several steps: do them again.")
+                return WiggleRow(imu.name, "still", "", warning("wiggle.still"))
+            return WiggleRow(imu.name, "unclear", "", warning("wiggle.unclear"))
         own = _part(imu.segment)
         if part != own or (segment and segment != imu.segment):
             where = _spoken(segment) if segment else _spoken(part)
-            words = f"It sits on the {where}; the glove file says {_spoken(imu.segment)}."
-            return WiggleRow(imu.name, "elsewhere", segment or part, words)
+            what = warning("wiggle.elsewhere", found=where, expected=_spoken(imu.segment))
+            return WiggleRow(imu.name, "elsewhere", segment or part, what)
         angle = self._turned(i, part)
         if angle > self.params.tilted:
-            words = f"It is in its place, but turned by about {angle / DEGREE:.0f}°: remount it."
-            return WiggleRow(imu.name, "turned", imu.segment, words)
-        return WiggleRow(imu.name, "right", imu.segment, "It is where the glove file says.")
+            what = warning("wiggle.turned", angle_deg=angle / DEGREE)
+            return WiggleRow(imu.name, "turned", imu.segment, what)
+        return WiggleRow(imu.name, "right", imu.segment, notice("wiggle.right"))
 
     def _turned(self, i: int, part: str) -> float:
         """Angle (rad, up to 90°) between the axis it turned about and the flexion axis."""
@@ -218,17 +214,15 @@ def _spoken(name: str) -> str:
     return "back of the hand" if name in (HAND, "dorsum") else name.replace("_", " ")
 
 
-def _summary(rows: Sequence[WiggleRow], glove: GloveModel) -> str:
-    """What to do, in a sentence."""
+def _summary(rows: Sequence[WiggleRow], glove: GloveModel) -> Notice:
+    """What to do."""
     if all(r.state == "right" for r in rows):
-        return "Every IMU is where the glove file says."
+        return notice("wiggle.all_right")
     place = {i.segment: i.name for i in glove.imus}
     found = {r.name: place.get(r.segment, "") for r in rows if r.state == "elsewhere"}
     for name, other in found.items():
         if other != name and found.get(other) == name:
-            return (
-                f"{_spoken(name)} and {_spoken(other)} are exchanged: exchange their plugs, "
-                "or choose a glove file with that order."
-            ).capitalize()
-    wrong = [f"{_spoken(r.name)} ({r.state})" for r in rows if r.state != "right"]
-    return f"Look at {', '.join(wrong)}."
+            return warning("wiggle.exchanged", first=_spoken(name), second=_spoken(other))
+    wrong = [r for r in rows if r.state != "right"]
+    imus = [warning("wiggle.imu", imu=_spoken(r.name), state=r.state) for r in wrong]
+    return warning("wiggle.look_at", imus=imus)

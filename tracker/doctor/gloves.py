@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.base.notices import Notice
 from tracker.doctor.finding import Finding, error, ok, warning
 from tracker.doctor.machine import Machine
 from tracker.firmware.versions import advice as firmware_advice
@@ -46,8 +47,9 @@ def gloves(machine: Machine) -> Iterator[Finding]:
         )
         found += report.is_glove
         yield from _port(machine, report)
-        if text := _latency(machine, port.path):
-            yield warning(*_split(text))
+        late = _latency(machine, port.path)
+        if late is not None:
+            yield warning(*_split(late))
     numbers = [(p.vid, p.pid, p.serial_number) for p in ports if p.serial_number]
     if len(set(numbers)) < len(numbers):
         yield warning(
@@ -59,26 +61,28 @@ def gloves(machine: Machine) -> Iterator[Finding]:
         yield warning("No glove responds on any port.", "Check the cable, or write the firmware.")
 
 
-def _split(text: str) -> tuple[str, str]:
-    """The first sentence, and the rest."""
-    what, _, remedy = text.partition(". ")
+def _split(report: Notice) -> tuple[str, str]:
+    """The first sentence of a notice, and the rest."""
+    what, _, remedy = str(report).partition(". ")
     return f"{what}.", remedy
 
 
-def _latency(machine: Machine, path: str) -> str:
+def _latency(machine: Machine, path: str) -> Notice | None:
     return latency_advice(path, machine.root / LATENCY_FILES, machine.system, machine.usb_ports)
 
 
 def _port(machine: Machine, report: PortReport) -> Iterator[Finding]:
     if report.is_glove:
         yield from _glove(machine, report)
-    elif "cannot be opened" in report.trouble:
+    elif report.trouble is None:
+        return
+    elif report.trouble.code == "port.not_opened":
         what, remedy = _split(report.trouble)
         yield error(what, remedy or "Close the other program, or choose Retry after that.")
-    elif "bytes" in report.trouble:
+    elif report.trouble.code == "port.not_glove":
         yield _undecoded(machine, report.path)
     else:
-        yield warning(report.trouble, "If a glove is connected there, write its firmware.")
+        yield warning(str(report.trouble), "If a glove is connected there, write its firmware.")
 
 
 def _undecoded(machine: Machine, path: str) -> Finding:
@@ -131,8 +135,9 @@ def _glove(machine: Machine, report: PortReport) -> Iterator[Finding]:
         f"{report.baud} baud.",
         baud=report.baud,
     )
-    if text := firmware_advice(hello.firmware):
-        yield warning(text, f"glovetrack firmware write {report.path}")
+    newer = firmware_advice(hello.firmware)
+    if newer is not None:
+        yield warning(str(newer), f"glovetrack firmware write {report.path}")
     params = LinkParams(baud=report.baud)
     open_port = machine.open_port(report.path, report.baud)
     link = GloveLink(open_port, hello.imu_count, params, machine.clock)

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.records import record
 from tracker.engine.pipeline import Pipeline, PipelineKept
 from tracker.hand.names import SIDES
@@ -73,8 +74,12 @@ class Hands:
         for side, pipeline in self.pipelines.items():
             if pipeline.glove.side != side:
                 raise ConfigError(
-                    f"The glove {pipeline.glove.name} is made for the {pipeline.glove.side} hand "
-                    f"and cannot track the {side} one."
+                    notice(
+                        "glove.wrong_hand",
+                        glove=pipeline.glove.name,
+                        made_for=pipeline.glove.side,
+                        side=side,
+                    )
                 )
         self._main = next(iter(self.pipelines.values()))
         self.alone = len(self.pipelines) == 1

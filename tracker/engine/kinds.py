@@ -13,6 +13,7 @@ from typing import Any
 
 from tracker.base.config import from_dict, to_toml
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 from tracker.engine.settings import Settings
 from tracker.fusion.engine import Engine
@@ -96,13 +97,10 @@ def build_engine(
     can = kind.capabilities
     if can.images and rig is None:
         raise ConfigError(
-            f"The engine {settings.engine!r} needs a camera with a stereo calibration; without one "
-            f"the engine {WITHOUT_CAMERA!r} shows the hand by its IMUs."
+            notice("engine.needs_camera", engine=settings.engine, other=WITHOUT_CAMERA)
         )
     if not can.one_lens and (settings.lenses != "both" or (rig is not None and rig.one_camera)):
-        raise ConfigError(
-            f"The engine {settings.engine} needs both lenses; with one, use the engine chain."
-        )
+        raise ConfigError(notice("engine.needs_both_lenses", engine=settings.engine))
     return kind.make(hand, glove, rig or ideal_rig(), params_of(kind, settings))
 
 
@@ -112,7 +110,7 @@ def params_of(kind: EngineKind, settings: Settings) -> Any:
         return settings
 
     def complain(path: str, why: str) -> None:
-        raise ConfigError(f"settings: {path} {why}.")
+        raise ConfigError(notice("config.invalid_setting", key=path, why=why))
 
     table = settings.engines.get(kind.name, {})
     return from_dict(kind.params, table, complain, f"engines.{kind.name}")

@@ -53,11 +53,12 @@ def _show(args: argparse.Namespace) -> int:
         for r in found
         if r.hello is not None
     ]
-    told = [f"bundled: {version_text(ours)}"]
-    told += [f"{g['port']}: glove {g['glove_id']}, {g['version']}" for g in gloves]
-    told += [advice(r.hello.firmware) for r in found if r.hello is not None]
-    told += [] if gloves else ["no glove responded"]
-    finish(args, {"shipped": version_text(ours), "gloves": gloves}, filter(None, told))
+    lines = [f"bundled: {version_text(ours)}"]
+    lines += [f"{g['port']}: glove {g['glove_id']}, {g['version']}" for g in gloves]
+    available = (advice(r.hello.firmware) for r in found if r.hello is not None)
+    lines += [str(newer) for newer in available if newer is not None]
+    lines += [] if gloves else ["no glove responded"]
+    finish(args, {"shipped": version_text(ours), "gloves": gloves}, lines)
     return 0
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, Severity, notice
 from tracker.firmware.image import FirmwareImage
 
 BOOTLOADERS = {"Optiboot": 115_200, "old Nano": 57_600}
@@ -20,17 +21,18 @@ BOOTLOADERS = {"Optiboot": 115_200, "old Nano": 57_600}
 
 PATIENCE = 90.0  # s for all of it; 7 kB take about 4 s at 57600 baud, and as long to read back
 
-WORDS = (
-    ("programmer is not responding", "The board does not answer as a bootloader"),
-    ("not in sync", "The board does not answer as a bootloader"),
-    ("Permission denied", "You may not open the port (on Linux: join the group dialout)"),
-    ("Device or resource busy", "Another program uses the port"),
-    ("No such file or directory", "Nothing is plugged in at the port"),
-    ("verification mismatch", "What was read back is not what was written"),
-    ("content mismatch", "What was read back is not what was written"),
-    ("signature", "The chip is not an ATmega328P"),
+NO_BOOTLOADER = "firmware.no_bootloader"
+MEANINGS = (
+    ("programmer is not responding", NO_BOOTLOADER),
+    ("not in sync", NO_BOOTLOADER),
+    ("Permission denied", "firmware.port_denied"),
+    ("Device or resource busy", "firmware.port_busy"),
+    ("No such file or directory", "firmware.port_absent"),
+    ("verification mismatch", "firmware.not_verified"),
+    ("content mismatch", "firmware.not_verified"),
+    ("signature", "firmware.wrong_chip"),
 )
-"""What avrdude prints, and what it means; the first that is found."""
+"""What avrdude prints, and the code of the notice for it; the first that is found."""
 
 
 class FlashError(GlovetrackError):
@@ -59,10 +61,7 @@ def flash(job: FlashJob) -> None:
     """
     program = avrdude_path()
     if program is None:
-        raise FlashError(
-            "avrdude writes the firmware, and it is not installed. On Debian: "
-            "sudo apt-get install avrdude; on other systems see github.com/avrdudes/avrdude."
-        )
+        raise FlashError(notice("firmware.no_avrdude"))
     with tempfile.TemporaryDirectory(prefix="glovetrack-firmware-") as folder:
         path = Path(folder) / "glove.hex"
         path.write_text(job.image.to_hex(), encoding="ascii")
@@ -82,18 +81,20 @@ def flash(job: FlashJob) -> None:
                 check=False,
             )
         except subprocess.TimeoutExpired as error:
-            raise FlashError(_words(WORDS[0][0], job)) from error
+            raise FlashError(_failed(MEANINGS[0][0], job)) from error
     if done.returncode != 0:
-        raise FlashError(_words(done.stderr + done.stdout, job))
+        raise FlashError(_failed(done.stderr + done.stdout, job))
 
 
-def _words(said: str, job: FlashJob) -> str:
-    meaning = next((words for sign, words in WORDS if sign in said), "avrdude failed")
-    hint = ""
-    if "as a bootloader" in meaning:
-        others = [name for name, baud in BOOTLOADERS.items() if baud != job.bootloader_baud]
-        hint = f" Try the other kind ({', '.join(others)}), and press reset just before."
-    lines = [line.strip() for line in said.splitlines() if line.strip()]
-    said_by = next((x for x in lines if any(sign in x for sign, _ in WORDS)), "")
-    told = f" (avrdude: {said_by or (lines[-1] if lines else 'nothing')})"
-    return f"{job.port}: {meaning}.{hint}{told}"
+def _failed(output: str, job: FlashJob) -> Notice:
+    """What avrdude's output means, with the line that shows it."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    signs = dict(MEANINGS)
+    shown = next((x for x in lines if any(sign in x for sign in signs)), "")
+    line = shown or (lines[-1] if lines else "")
+    code = next((code for sign, code in MEANINGS if sign in output), "firmware.flash_failed")
+    values: dict[str, object] = {"port": job.port, "output": line}
+    if code == NO_BOOTLOADER:
+        speeds = BOOTLOADERS.items()
+        values["others"] = [name for name, baud in speeds if baud != job.bootloader_baud]
+    return Notice(code, Severity.ERROR, values)

@@ -13,6 +13,7 @@ from pathlib import Path
 import resources
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import read_bounded
+from tracker.base.notices import notice
 
 MAGIC = b"GLOVEIMG"
 BAUDS = (250_000, 115_200)
@@ -49,10 +50,7 @@ class FirmwareImage:
             ConfigError: it is no number from 1 to 4294967295.
         """
         if not 1 <= glove_id <= _LARGEST_ID:
-            raise ConfigError(
-                f"A glove's number is from 1 to {_LARGEST_ID}; {glove_id} is not. Two gloves need "
-                "different ones."
-            )
+            raise ConfigError(notice("firmware.number", most=_LARGEST_ID, number=glove_id))
         at = self._about + 4
         return FirmwareImage(self.data[:at] + glove_id.to_bytes(4, "little") + self.data[at + 4 :])
 
@@ -77,7 +75,7 @@ def shipped_image(baud: int = BAUDS[0]) -> FirmwareImage:
         ConfigError: there is none for it.
     """
     if baud not in BAUDS:
-        raise ConfigError(f"There is firmware for {' and '.join(map(str, BAUDS))} baud, not {baud}")
+        raise ConfigError(notice("firmware.baud", bauds=BAUDS, baud=baud))
     with as_file(resources.folder("firmware") / "images" / f"glove-{baud}.hex") as path:
         return read_image(path)
 
@@ -92,30 +90,30 @@ def read_image(path: Path) -> FirmwareImage:
     try:
         lines = read_bounded(path, MOST_BYTES, "the glove's firmware").decode("ascii").split()
     except (OSError, FileError, UnicodeDecodeError) as error:
-        raise ConfigError(f"{path} cannot be read as firmware: {error}") from error
+        raise ConfigError(notice("firmware.not_readable", path=path, why=error)) from error
     for number, line in enumerate(lines, start=1):
         try:
             record = bytes.fromhex(line.removeprefix(":")) if line.startswith(":") else b""
         except ValueError:
             record = b""
         if len(record) < 5 or len(record) != record[0] + 5 or sum(record) & 0xFF:
-            raise ConfigError(f"{path}: line {number} is damaged, so nothing of it is used")
+            raise ConfigError(notice("firmware.line_damaged", path=path, line=number))
         if record[3] == _END:
             return _glove_image(path, bytes(data))
         address = record[1] << 8 | record[2]
         if record[3] != _DATA or address != len(data):
-            raise ConfigError(
-                f"{path}: line {number} has a gap or a kind of record that is unknown"
-            )
+            raise ConfigError(notice("firmware.line_unknown", path=path, line=number))
         data += record[4:-1]
-    raise ConfigError(f"{path} ends before its last line: it is cut off")
+    raise ConfigError(notice("firmware.cut_off", path=path))
 
 
 def _glove_image(path: Path, data: bytes) -> FirmwareImage:
     if data.count(MAGIC) != 1 or data.index(MAGIC) + len(MAGIC) + 8 > len(data):
-        raise ConfigError(f"{path} is not firmware of a glove (version 1.1 or later)")
+        raise ConfigError(notice("firmware.not_glove", path=path))
     if len(data) > FLASH_BYTES:
-        raise ConfigError(f"{path} has {len(data)} bytes; the chip has {FLASH_BYTES}")
+        raise ConfigError(
+            notice("firmware.too_large", path=path, size_bytes=len(data), chip_bytes=FLASH_BYTES)
+        )
     return FirmwareImage(data)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tracker.base.notices import Notice, notice
 from tracker.firmware.image import shipped_image, version_text
 from tracker.sensors.discovery import find_gloves
 from tracker.sensors.protocol import Hello
@@ -14,14 +15,12 @@ def is_old(version: Version) -> bool:
     return version < shipped_image().version
 
 
-def advice(version: Version) -> str:
-    """What to say of a glove's firmware; empty where there is nothing to say."""
+def advice(version: Version) -> Notice | None:
+    """Reports that a newer firmware is available; None where there is none."""
     if not is_old(version):
-        return ""
-    return (
-        f"Firmware {version_text(shipped_image().version)} is available "
-        f"(installed: {version_text(version)})."
-    )
+        return None
+    newest, installed = version_text(shipped_image().version), version_text(version)
+    return notice("firmware.available", version=newest, installed=installed)
 
 
 def greeting(port: str) -> Hello | None:

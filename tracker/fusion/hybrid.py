@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.records import record
 from tracker.fusion.chain.engine import ChainEngine, ChainKept
 from tracker.fusion.chain.layout import ChainLayout
@@ -94,7 +95,7 @@ class HybridEngine(Engine):
         root = hand.segments[0].name
         names = [i.segment for i in glove.imus]
         if root not in names or not any(m.segment == root for m in glove.markers):
-            raise ConfigError(f"The engine {variant!r} needs an IMU and markers on the {root}.")
+            raise ConfigError(notice("engine.needs_root_imu", engine=variant, segment=root))
         self._hand, self._glove, self._params = hand, glove, params
         self._root = names.index(root)
         self._markers = np.array([m.id for m in glove.markers if m.segment == root])

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
@@ -78,5 +79,5 @@ def take_gyro_bias(engine: Engine, bias: Array, sd: Array) -> None:
 
 def _learner(engine: Engine) -> LearnsWearer:
     if (learner := learner_of(engine)) is None:
-        raise ConfigError("This engine does not take or learn a wearer's profile; chain does.")
+        raise ConfigError(notice("engine.no_wearer"))
     return learner

@@ -11,6 +11,7 @@ from platformdirs import user_data_path
 
 from resources import folder
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.glove.files import glove_hand_name, parse_glove
 from tracker.glove.model import GloveModel
@@ -48,10 +49,7 @@ def text(kind: str, name: str) -> str:
     ours = folder(kind) / f"{name}.toml"
     if ours.is_file():
         return ours.read_text("utf-8")
-    raise FileError(
-        f"There is no {name!r} among the {kind}; there are {', '.join(names(kind))}, "
-        "or give the path of a file."
-    )
+    raise FileError(notice("library.unknown", name=name, kind=kind, known=names(kind)))
 
 
 def load(glove: str = DEFAULT_GLOVE, hand: str | None = None) -> tuple[HandModel, GloveModel]:

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.records import record
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -73,9 +74,7 @@ class FingerEstimator3D:
         flexion: tuple[float, float] = (0.0, 0.0),
     ) -> None:
         if variant not in VARIANTS:
-            raise ConfigError(
-                f"There is no finger estimator {variant!r}; there are {', '.join(VARIANTS)}."
-            )
+            raise ConfigError(notice("engine.finger_estimator", name=variant, known=VARIANTS))
         self._inner: _Inner
         if variant.startswith("madgwick"):
             params = ADAPTIVE if variant == "madgwick_adaptive" else MadgwickParams()
@@ -117,7 +116,7 @@ def finger_geometry(hand: HandModel, glove: GloveModel, first: str, second: str)
     imu_of = {imu.segment: imu for imu in glove.imus}
     for name in (first, second):
         if name not in imu_of:
-            raise ConfigError(f"The glove {glove.name} has no IMU on {name}.")
+            raise ConfigError(notice("glove.no_imu_on", glove=glove.name, segment=name))
     proximal, middle = (hand.segments[hand.index[name]] for name in (first, second))
     return FingerGeometry(
         joint_0=proximal.origin,

@@ -75,7 +75,7 @@ def session_light(path: Path, colours: str = "") -> SessionLight:
         if sum(a.kind == kind for a in said) > len(readings) / 2
     ]
     return SessionLight(
-        readings, tuple(next(a.words for a in said if a.kind == kind) for kind in most)
+        readings, tuple(next(str(a.notice) for a in said if a.kind == kind) for kind in most)
     )
 
 

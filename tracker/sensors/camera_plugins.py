@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from tracker.base.errors import ConfigError, DeviceError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 from tracker.sensors.image_input import CameraName, CaptureFormat, ImageInput, list_cameras
 
@@ -60,7 +61,7 @@ def open_plugin(address: str, want: CaptureFormat) -> ImageInput:
     """The image input behind ``driver://id``. Raises DeviceError in words."""
     name, _, camera = address.partition("://")
     if name not in DRIVERS.names():
-        raise DeviceError(f"There is no camera plug-in {name}: install its package.")
+        raise DeviceError(notice("camera.no_plugin", name=name))
     try:
         return _made(DRIVERS.get(name)).open(camera, want)
     except DeviceError:
@@ -68,7 +69,7 @@ def open_plugin(address: str, want: CaptureFormat) -> ImageInput:
     except ConfigError as error:
         raise DeviceError(str(error)) from error
     except Exception as error:
-        raise DeviceError(f"The camera plug-in {name} does not work: {error}") from error
+        raise DeviceError(notice("camera.plugin_failed", name=name, why=error)) from error
 
 
 def _made(driver: type) -> CameraDriver:

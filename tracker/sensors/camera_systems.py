@@ -14,6 +14,7 @@ from typing import Protocol
 import cv2
 
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 
 LINUX, WINDOWS, MACOS = "linux", "win32", "darwin"  # as `sys.platform` begins
 
@@ -89,10 +90,7 @@ def list_cameras(
             return found
     if answered:
         return []
-    raise DeviceError(
-        f"This system's cameras cannot be listed by name ({trouble}). Enter the camera's number "
-        "under Set-up, Camera, Or number, file: 0 is the first one."
-    )
+    raise DeviceError(notice("camera.not_listed", why=trouble))
 
 
 def _enumerate(backend: int) -> Iterable[Listed]:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracker.base.notices import Notice, warning
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.protocol import BAUD, BAUDS, Hello, HelloRequest, Samples, encode
 from tracker.sensors.serial_line import (
@@ -38,7 +39,7 @@ class PortReport:
     path: str
     hello: Hello | None
     streaming: bool = False  # samples came without HELLO: a glove that another run had started
-    trouble: str = ""
+    trouble: Notice | None = None
     baud: int = BAUD  # at which it answered
 
     @property
@@ -67,11 +68,13 @@ def probe(
     try:
         port = open_port()
     except OSError as error:
-        return PortReport(path, None, trouble=f"{path} cannot be opened: {reason(error)}.")
+        return PortReport(
+            path, None, trouble=warning("port.not_opened", port=path, why=reason(error))
+        )
     try:
         return _ask(path, port, patience, clock, bauds)
     except OSError as error:
-        return PortReport(path, None, trouble=f"{path} went away: {reason(error)}.")
+        return PortReport(path, None, trouble=warning("port.lost", port=path, why=reason(error)))
     finally:
         port.close()
 
@@ -110,14 +113,10 @@ def _listen(
     return None, streaming
 
 
-def _silence(path: str, heard: int, bauds: Sequence[int]) -> str:
+def _silence(path: str, heard: int, bauds: Sequence[int]) -> Notice:
     if heard:
-        asked = " or ".join(f"{baud}" for baud in bauds)
-        return (
-            f"{path} sends {heard} bytes that are no glove's: another device, or one that does "
-            f"not speak at {asked} baud."
-        )
-    return f"Nothing answers at {path}."
+        return warning("port.not_glove", port=path, received_bytes=heard, bauds=bauds)
+    return warning("port.no_answer", port=path)
 
 
 def latency_advice(
@@ -125,27 +124,18 @@ def latency_advice(
     root: Path = LATENCY_FILES,
     system: str = sys.platform,
     ports: Callable[[], Sequence[UsbPort]] = usb_ports,
-) -> str:
-    """What to do about an FTDI adapter that holds bytes back; empty where there is no need.
+) -> Notice | None:
+    """What to do about an FTDI adapter that holds bytes back; None where there is no need.
 
-    Linux tells the time that is set. Windows does not, and its driver waits 16 ms unless told
-    otherwise; for macOS's own driver there is nothing to set.
+    Linux reports the time that is set. Windows does not, and its driver waits 16 ms by default;
+    for macOS's own driver there is nothing to set.
     """
     if system == "win32":
         made_by = next((p.vid for p in ports() if p.path == port), None)
-        return _windows_advice(port) if made_by == BRIDGE_FTDI else ""
+        return warning("port.latency_windows", port=port) if made_by == BRIDGE_FTDI else None
     value_ms = latency_of(port, root)
     if value_ms is None or value_ms <= GOOD_LATENCY_MS:
-        return ""
+        return None
     setting = root / Path(port).resolve().name / "latency_timer"
-    return (
-        f"The USB adapter at {port} holds bytes back for up to {value_ms} ms. For quicker "
-        f"tracking set it to 1 ms: echo 1 | sudo tee {setting}"
-    )
-
-
-def _windows_advice(port: str) -> str:
-    return (
-        f"The USB adapter at {port} may hold bytes back for up to 16 ms. For quicker tracking set "
-        f"1 ms in the Device Manager: Ports, {port}, Port Settings, Advanced, Latency Timer."
-    )
+    held = {"latency_ms": value_ms, "setting": setting}
+    return warning("port.latency_linux", port=port, **held)

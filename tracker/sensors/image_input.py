@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tracker.base.clock import monotonic
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.sensors.camera_systems import CameraName as CameraName
 from tracker.sensors.camera_systems import exposure_switch, is_device_path
 from tracker.sensors.camera_systems import list_cameras as list_cameras
@@ -168,8 +169,7 @@ class SequenceInput:
     ) -> None:
         if not left or (right is not None and len(left) != len(right)):
             raise DeviceError(
-                f"There are {len(left)} left and {len(right or ())} right images; "
-                "a sequence needs as many of one as of the other."
+                notice("images.unequal_sequences", left=len(left), right=len(right or ()))
             )
         self.name, self.fps = str(left[0].parent), fps
         others: Sequence[Path | None] = [None] * len(left) if right is None else right
@@ -207,7 +207,7 @@ def split(image: Image) -> tuple[Image, Image]:
     """The halves of a side-by-side image (h, 2w, 3). Raises DeviceError for an odd width."""
     width = image.shape[1]
     if width % 2:
-        raise DeviceError(f"The stereo image is {width} pixels wide and has no two halves.")
+        raise DeviceError(notice("images.no_halves", width_px=width))
     half = width // 2
     return np.ascontiguousarray(image[:, :half]), np.ascontiguousarray(image[:, half:])
 
@@ -221,7 +221,7 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
         want.timeout_ms,
     ]
     if isinstance(source, str) and _is_missing(source):
-        raise DeviceError(f"The camera {source} cannot be opened: it is not there.")
+        raise DeviceError(notice("camera.not_there", camera=source))
     capture = cv2.VideoCapture()
     # Only FFMPEG knows the timeouts, and another backend refuses to open with them.
     if isinstance(source, str) and not is_device_path(source):
@@ -229,9 +229,7 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
     else:
         capture.open(source, want.backend)
     if not capture.isOpened():
-        raise DeviceError(
-            f"The camera {source} cannot be opened: it is not there, or another program uses it."
-        )
+        raise DeviceError(notice("camera.not_opened", camera=source))
     _apply(capture.set, want)
     return capture
 
@@ -284,5 +282,5 @@ def _apply(put: Callable[[int, float], bool], want: CaptureFormat) -> None:
 def _image(path: Path) -> Image:
     image = cv2.imread(str(path), cv2.IMREAD_COLOR)
     if image is None:
-        raise DeviceError(f"{path} is no image that can be read.")
+        raise DeviceError(notice("images.not_readable", path=path))
     return np.asarray(image, np.uint8)

@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.messages import Array, CameraPose
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
@@ -59,13 +60,15 @@ def load_opencv_stereo(
         return rig_of_one(_intrinsics(found, "left", (width, height), where), pose)
     for what in NAMES:
         if what not in found:
-            raise FileError(f"{where} does not hold {what} ({' or '.join(NAMES[what])}).")
+            raise FileError(
+                notice("stereo.matrix_missing", path=where, key=what, names=NAMES[what])
+            )
     sizes = {"left": (width, height), "right": right_size or (width, height)}
     left, right = (_intrinsics(found, side, size, where) for side, size in sizes.items())
     R = _shaped(found["the rotation R"], (3, 3), "the rotation R", where)
     T = _shaped(found["the translation T"].reshape(-1), (3,), "the translation T", where)
     if not np.allclose(R @ R.T, np.eye(3), atol=1e-3):
-        raise FileError(f"{where}: R is no rotation.")
+        raise FileError(notice("stereo.no_rotation", path=where))
     return rectified_rig(left, right, R, T * unit, pose)
 
 
@@ -89,13 +92,13 @@ def _matrices(path: Path) -> dict[str, Array]:
             opencv_text(path), cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
         )
     except (cv2.error, SystemError) as error:
-        raise FileError(f"{path} is no calibration that OpenCV can read.") from error
+        raise FileError(notice("stereo.not_opencv", path=path)) from error
     try:
         return {
             what: m for what, names in NAMES.items() if (m := _first(storage, names)) is not None
         }
     except cv2.error as error:
-        raise FileError(f"{path} holds something that is no matrix.") from error
+        raise FileError(notice("stereo.not_matrix", path=path)) from error
     finally:
         storage.release()
 
@@ -139,15 +142,14 @@ def _shape(node: cv2.FileNode) -> tuple[int, int] | None:
 
 def _shaped(matrix: Array, shape: tuple[int, ...], what: str, where: str) -> Array:
     if matrix.shape != shape or not np.all(np.isfinite(matrix)):
-        raise FileError(f"{where}: {what} must be {'x'.join(map(str, shape))} finite numbers.")
+        raise FileError(
+            notice("stereo.matrix_shape", path=where, key=what, shape="x".join(map(str, shape)))
+        )
     return matrix
 
 
 def _distortion(matrix: Array, side: str, where: str) -> Array:
     D = matrix.reshape(-1)
     if np.any(D[MAX_COEFFICIENTS:]) or not np.all(np.isfinite(D)):
-        raise FileError(
-            f"{where}: the {side} camera has {len(D)} distortion coefficients; "
-            "only k1 k2 p1 p2 k3 are understood."
-        )
+        raise FileError(notice("stereo.coefficients", path=where, side=side, count=len(D)))
     return np.pad(D[:MAX_COEFFICIENTS], (0, max(0, MAX_COEFFICIENTS - len(D))))

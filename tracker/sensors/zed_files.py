@@ -15,6 +15,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.messages import Array, CameraPose
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
@@ -49,7 +50,7 @@ def load_zed(path: Path, height: int = 720, pose: CameraPose | None = None) -> S
     resolution = next((r for r in RESOLUTIONS if r.height == height), None)
     if resolution is None:
         known = ", ".join(str(r.height) for r in RESOLUTIONS)
-        raise FileError(f"A ZED has no images {height} pixels high; there are {known}.")
+        raise FileError(notice("zed.height", height_px=height, known=known))
     left = _intrinsics(sections, "LEFT", resolution, path)
     right = _intrinsics(sections, "RIGHT", resolution, path)
     R, T = _extrinsics(sections, resolution, path)
@@ -68,7 +69,7 @@ def _read(path: Path) -> configparser.ConfigParser:
         parser.read_string(read_text(path))
     except configparser.Error as error:
         first = str(error).splitlines()[0]
-        raise FileError(f"{path} is no calibration file of a ZED camera: {first}") from error
+        raise FileError(notice("zed.not_calibration", path=path, why=first)) from error
     return parser
 
 
@@ -109,14 +110,11 @@ def _number(
     if text is None:
         if default is not None and sections.has_section(section):
             return default
-        raise FileError(
-            f"{path} does not say {key} in [{section}]: the file is cut short, "
-            "or belongs to another camera."
-        )
+        raise FileError(notice("zed.missing_key", path=path, key=key, section=section))
     try:
         value = float(text)
     except ValueError:
         value = float("nan")
     if not np.isfinite(value):
-        raise FileError(f"{path}: {key} in [{section}] is {text!r}, which is no number.")
+        raise FileError(notice("zed.not_number", path=path, key=key, section=section, text=text))
     return value

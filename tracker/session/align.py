@@ -15,6 +15,7 @@ import numpy as np
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import write_whole
+from tracker.base.notices import notice
 from tracker.base.toml_reader import read_text
 from tracker.messages import Array, Estimate, ImuSample
 from tracker.session.holes import LONGEST_FILLED
@@ -65,12 +66,12 @@ class Alignment:
 def align(first: Path, second: Path, by: str = "movement") -> Alignment:
     """Raises ConfigError for another way, FileError where the recordings tell no offset."""
     if by not in WAYS:
-        raise ConfigError(f"Recordings are aligned by {' or '.join(WAYS)}, not by {by!r}.")
+        raise ConfigError(notice("align.unknown_method", known=WAYS, method=by))
     a, b = read_courses(first, second)
     by_clock = (b.start_ns - a.start_ns) / NS
     if by == WAYS[0]:
         if by_clock > a.t[-1] or by_clock < -b.t[-1]:
-            raise FileError("By their clocks the recordings were not made at the same time.")
+            raise FileError(notice("align.no_overlap"))
         return Alignment(first.name, second.name, by, by_clock, 0.0)
     found = best_match(a, b)
     return Alignment(
@@ -90,17 +91,14 @@ def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
     r = _correlations(x, y)
     lags = np.arange(-(len(y) - 1), len(x)) / RATE
     if not np.isfinite(r).any():
-        raise FileError(f"The recordings have no {OVERLAP:g} s of movement that could be the same.")
+        raise FileError(notice("align.too_short", needed_s=OVERLAP))
     k = int(np.nanargmax(r))
     far = np.abs(lags - lags[k]) > APART
     elsewhere = float(np.nanmax(r[far])) if np.isfinite(r[far]).any() else -1.0
     if r[k] < LEAST:
-        raise FileError(f"The movements do not fit each other (correlation {r[k]:.2f}).")
+        raise FileError(notice("align.no_fit", correlation=r[k]))
     if elsewhere > RIVAL * r[k]:
-        raise FileError(
-            f"The movements fit at more than one place (correlations {r[k]:.2f} and "
-            f"{elsewhere:.2f}): they repeat themselves too evenly."
-        )
+        raise FileError(notice("align.ambiguous", correlation=r[k], elsewhere=elsewhere))
     offset = float(lags[k] + _between(r, k) / RATE + a.t[0] - b.t[0])
     return Match(offset, float(r[k]), elsewhere)
 
@@ -110,7 +108,7 @@ def _even(course: SpeedCourse) -> Array:
     the fastest instants do not count alone."""
     known = np.isfinite(course.speed)
     if known.sum() < OVERLAP * RATE / 10:
-        raise FileError("A recording holds too little movement to be aligned by it.")
+        raise FileError(notice("align.no_movement"))
     t, speed = course.t[known], course.speed[known]
     at = np.arange(t[0], t[-1], 1 / RATE)
     width = max(int(_SMOOTH * RATE), 1)
@@ -157,7 +155,7 @@ def read_courses(first: Path, second: Path) -> tuple[SpeedCourse, SpeedCourse]:
     else:
         a, b = (_of_angles(path) for path in (first, second))
     if a is None or b is None:
-        raise FileError("Neither IMUs nor tracked angles are in both recordings.")
+        raise FileError(notice("align.nothing_common"))
     return a, b
 
 
@@ -213,9 +211,9 @@ def read_alignment(path: Path) -> Alignment:
         numbers = [float(said[k]) for k in ("offset_s", "clocks_differ_s")]
         words = [str(said[k]) for k in ("first", "second", "by")]
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
-        raise FileError(f"{path} is no alignment of two recordings.") from error
+        raise FileError(notice("align.not_alignment", path=path)) from error
     if not np.isfinite(numbers).all():
-        raise FileError(f"{path} is no alignment of two recordings.")
+        raise FileError(notice("align.not_alignment", path=path))
     return Alignment(words[0], words[1], words[2], numbers[0], numbers[1])
 
 

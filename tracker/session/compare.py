@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
 from tracker.base.files import whole_file
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray
 from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.holes import LONGEST_FILLED
@@ -62,7 +63,7 @@ def _common_sides(a: Path, b: Path) -> list[str]:
         of = [reader.sides or (reader.info.side,) for reader in (first, second)]
     common = [side for side in of[0] if side in of[1]]
     if not common:
-        raise FileError(f"{a} and {b} have no hand in common.")
+        raise FileError(notice("compare.no_hand", first=a, second=b))
     return common
 
 
@@ -75,7 +76,7 @@ def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, An
     second = _shifted(second, first.stamp_ns, shift_s) if shift_s else second
     rows_a, rows_b = common_rows(first.stamp_ns, second.stamp_ns)
     if len(rows_a) == 0:
-        raise FileError(f"{a} and {b} have no instant in common.")
+        raise FileError(notice("compare.no_instant", first=a, second=b))
     points, distance = _keypoint_distance(first, second, rows_a, rows_b)
     joints, turn = _angle_difference(first, second, rows_a, rows_b)
     report = {

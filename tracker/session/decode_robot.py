@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import RobotMemory, RobotModel, RobotState
 from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import ordered
@@ -46,7 +47,7 @@ def robot_model(reader: SessionReader, name: str) -> RobotModel:
     for message in read_robot(reader, name):
         if isinstance(message, RobotModel):
             return message
-    raise FileError(f"{reader.path} does not say what the robot {name} is.")
+    raise FileError(notice("session.robot_unknown", path=reader.path, robot=name))
 
 
 class _RobotDecoder:
@@ -82,9 +83,9 @@ class _RobotDecoder:
         try:
             said: Any = json.loads(motion.unpack_string(raw.data))
         except RecursionError as error:
-            raise FileError("What the session says of its robot is no JSON.") from error
+            raise FileError(notice("session.robot_not_json")) from error
         if not isinstance(said, dict):
-            raise FileError("What the session says of its robot is no JSON object.")
+            raise FileError(notice("session.robot_not_object"))
         return RobotModel(
             self._t(raw.publish_time),
             self._name,

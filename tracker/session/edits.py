@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import IntArray
 
 NAME, MEDIA_TYPE, SCHEMA = "edits.json", "application/json", 1
@@ -70,13 +71,15 @@ def parse_edits(text: str, where: str) -> tuple[Edit, ...]:
     try:
         said = json.loads(text)
         if said["schema"] != SCHEMA:
-            raise FileError(f"{where} has schema {said['schema']!r}, not {SCHEMA}.")
+            raise FileError(
+                notice("edits.schema", file=where, schema=said["schema"], expected=SCHEMA)
+            )
         edits = tuple(map(edit_of, said["edits"]))
         count = sum(len(edit.filled) for edit in edits)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise FileError(f"{where} is not a record of edits: {error}.") from error
+        raise FileError(notice("edits.invalid", file=where, why=error)) from error
     if count > MOST_FILLS:
-        raise FileError(f"{where} lists {count} filled gaps; at most {MOST_FILLS} are read.")
+        raise FileError(notice("edits.too_many", file=where, fills=count, most=MOST_FILLS))
     return edits
 
 

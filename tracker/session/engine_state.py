@@ -30,6 +30,7 @@ import numpy as np
 import zstandard
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.records import RECORDS, Record, record_of
 from tracker.session.mcap.chunks import decompress
 
@@ -63,9 +64,9 @@ def unpack(data: bytes) -> tuple[str, Any]:
     try:
         magic, version, crc, size = _HEAD.unpack_from(data)
         if magic != _MAGIC or zlib.crc32(data[10:]) != crc:
-            raise FileError("The state of tracking in the recording is damaged.")
+            raise FileError(notice("session.state_damaged"))
         if version != VERSION or size > MOST_BYTES:
-            raise FileError("The state of tracking in the recording is of another version.")
+            raise FileError(notice("session.state_version"))
         raw = decompress("zstd", data[_HEAD.size :], size)
         (length,) = struct.unpack_from("<I", raw)
         if length > MOST_TEXT:
@@ -77,7 +78,7 @@ def unpack(data: bytes) -> tuple[str, Any]:
         *(ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError),
         *(struct.error, zstandard.ZstdError, MemoryError, OverflowError),
     ) as error:
-        raise FileError(f"The state of tracking in the recording is damaged: {error}.") from error
+        raise FileError(notice("session.state_invalid", why=error)) from error
 
 
 # ---- writing

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import FileError, GlovetrackError
+from tracker.base.notices import notice
 from tracker.messages import Tracking
 from tracker.session.decode_estimate import tracking_of
 from tracker.session.encode import status_name
@@ -41,7 +42,7 @@ def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[
             p for p in sorted(source.rglob("*.mcap")) if leave_out not in p.parents and p.is_file()
         ]
         if not inside:
-            raise FileError(f"There is no session in {source}.")
+            raise FileError(notice("session.none_in", path=source))
         found += [(p, p.relative_to(source)) for p in inside]
     return found
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from tracker.base.damage import LeftOut
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import CameraPose, StereoFrame
 from tracker.session.ros import sensors, topics
 
@@ -61,7 +62,7 @@ def decode_image(data: bytes, name: str) -> NDArray[np.uint8]:
     check_image(data, name)
     image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
     if image is None:
-        raise FileError(f"An image of {name} is damaged.")
+        raise FileError(notice("session.image_damaged", camera=name))
     return np.asarray(image, np.uint8)
 
 
@@ -69,11 +70,11 @@ def check_image(data: bytes, name: str) -> None:
     """Raises FileError for what is no JPEG or PNG, is too large, or is cut off; decodes nothing."""
     size = image_size(data)
     if size is None:
-        raise FileError(f"An image of {name} is neither JPEG nor PNG.")
+        raise FileError(notice("session.image_kind", camera=name))
     if size[0] * size[1] > MOST_PIXELS:
-        raise FileError(f"An image of {name} claims {size[0]} by {size[1]} pixels.")
+        raise FileError(notice("session.image_size", camera=name, width=size[0], height=size[1]))
     if not (_is_whole_png(data) if data[:1] == b"\x89" else _is_whole_jpeg(data)):
-        raise FileError(f"An image of {name} is damaged.")
+        raise FileError(notice("session.image_damaged", camera=name))
 
 
 def encode_image(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import Array, Event, ImuSample, IntArray
 from tracker.session.notes import standing
 from tracker.session.reader import SessionReader
@@ -71,7 +72,7 @@ def read_raw_imu(reader: SessionReader, need: bool = True) -> RawImu:
     """
     found = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
     if not found and need:
-        raise FileError(f"{reader.path} holds no samples of IMUs.")
+        raise FileError(notice("session.no_imu", path=reader.path))
     found.sort(key=lambda m: m.t)
     names, wall = reader.info.glove.imu_names, reader.anchor.wall
     shape = (len(found), len(names), 3)

@@ -10,6 +10,7 @@ from types import TracebackType
 
 from tracker.base.clock import NS, ClockAnchor
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.toml_reader import MOST_BYTES
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
@@ -135,10 +136,12 @@ class SessionReader:
         if name not in self.attachments:
             large = any(n > MOST_BYTES + _BESIDE_TEXT for _, n in self.source.contents.attachments)
             if large:
-                raise FileError(f"{self.path} holds no {name} of at most {MOST_BYTES} bytes.")
-            raise FileError(
-                f"{self.path} holds no {name}: it was not recorded by Glovetrack, or only in part."
-            )
+                raise FileError(
+                    notice(
+                        "session.part_too_large", path=self.path, part=name, limit_bytes=MOST_BYTES
+                    )
+                )
+            raise FileError(notice("session.part_missing", path=self.path, part=name))
         return self.attachments[name]
 
     @cached_property
@@ -154,10 +157,7 @@ class SessionReader:
         except (KeyError, ValueError):
             anchor = ClockAnchor(self.source.contents.spans.bounds()[0], NS)
         if not (0 <= anchor.wall_ns < _LATEST_WALL and 0 <= anchor.monotonic_ns < LATEST):
-            raise FileError(
-                f"{self.path} says it began at an instant that no clock shows: its wall_clock_ns, "
-                "its monotonic_ns or its first log time is out of range."
-            )
+            raise FileError(notice("session.start_time", path=self.path))
         return anchor
 
     @cached_property
@@ -209,7 +209,7 @@ class SessionReader:
         hand = parse_hand(hand_text, hand_from)
         glove = parse_glove(glove_text, hand, glove_from)
         if side and glove.side != side:
-            raise FileError(f"{glove_from} is a {glove.side} glove's.")
+            raise FileError(notice("session.glove_side", path=glove_from, side=glove.side))
         m = self.metadata
         rig, moving = first_rig(self.source)
         known = description.SessionInfo(hand, glove, "", "", self.anchor).metadata().keys()
@@ -240,7 +240,7 @@ class SessionReader:
         missing = [t for t in map(topics.camera_info, EYES) if t not in self.topic_names] or [
             "a transform from world to camera_left"
         ]
-        raise FileError(f"{self.path} tells no stereo camera: {' and '.join(missing)} missing.")
+        raise FileError(notice("session.no_stereo", path=self.path, missing=missing))
 
     def rig_changes(self) -> list[tuple[float, StereoRig]]:
         """(arrival in s, rig) of each calibration after the first."""

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tracker.base.errors import FileError
 from tracker.base.files import DiskError, free_path, whole_file
+from tracker.base.notices import notice
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import McapInput
 from tracker.session.mcap.records import Damage
@@ -44,7 +45,7 @@ def recover(path: Path, out: Path | None = None, force: bool = False) -> Recover
     source = McapInput(path, scan=True)
     try:
         if not source.contents.channels and not source.contents.attachments:
-            raise FileError(f"{path} holds nothing that can be recovered.")
+            raise FileError(notice("session.nothing_recovered", path=path))
         with whole_file(out, force, [path]) as part:
             copy = _Copy(source, McapOutput(part, sync=False))
             try:

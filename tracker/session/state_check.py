@@ -15,6 +15,7 @@ import numpy as np
 
 from tracker.base.array_shapes import ArrayShape, Sizes
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.base.records import Record, record_of
 
 _NUMBER = int | float | np.generic
@@ -28,10 +29,7 @@ def require_match(state: Any, fresh: Any, engine: str) -> None:
     """Raises FileError where the engine of that name cannot go on from ``state``."""
     where = mismatch(state, fresh)
     if where is not None:
-        raise FileError(
-            f'This recording\'s start state does not match engine "{engine}" with this hand and '
-            f"glove; it cannot be tracked again. ({where})"
-        )
+        raise FileError(notice("session.state_misfit", engine=engine, where=where))
 
 
 def mismatch(state: Any, fresh: Any) -> str | None:

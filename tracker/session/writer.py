@@ -11,6 +11,7 @@ from types import TracebackType
 from tracker.base.clock import seconds
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import DiskError, free_bytes, whole_file
+from tracker.base.notices import notice
 from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
@@ -198,18 +199,13 @@ class SessionRecorder:
             return
         disk, left = self.path.parent, f"{self._free / 1e6:.0f} MB"
         if self._messages:
-            raise FileError(
-                f"The disk of {disk} is nearly full ({left} are left), so nothing more is "
-                "recorded; what was recorded is safe."
-            )
-        raise FileError(
-            f"The disk of {disk} is nearly full ({left} are left), so nothing is recorded."
-        )
+            raise FileError(notice("recording.disk_full_stopped", folder=disk, left=left))
+        raise FileError(notice("recording.disk_full", folder=disk, left=left))
 
     def _guarded(self, work: Callable[[McapOutput], None]) -> None:
         """Do ``work``; if the disk gives out, close what there is and tell."""
         if self._out is None:
-            raise FileError(f"The recording {self.path} has ended already.")
+            raise FileError(notice("recording.has_ended", path=self.path))
         try:
             work(self._out)
         except DiskError:
@@ -263,9 +259,9 @@ def _size_on_disk(path: Path) -> int:
 
 def _checked(p: RecorderParams) -> RecorderParams:
     if p.images not in IMAGES:
-        raise ConfigError(f"Images can be {', '.join(IMAGES)}, not {p.images!r}.")
+        raise ConfigError(notice("recording.images", known=IMAGES, value=p.images))
     if p.compression not in COMPRESSION:
-        raise ConfigError(f"Compression can be {', '.join(COMPRESSION)}, not {p.compression!r}.")
+        raise ConfigError(notice("recording.compression", known=COMPRESSION, value=p.compression))
     if not 1 <= p.jpeg_quality <= 100:
-        raise ConfigError(f"The JPEG quality is {p.jpeg_quality}; it must lie in 1 to 100.")
+        raise ConfigError(notice("recording.jpeg_quality", quality=p.jpeg_quality))
     return p

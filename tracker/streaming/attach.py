@@ -11,6 +11,7 @@ import threading
 from collections.abc import Callable, Sequence
 from typing import Protocol, runtime_checkable
 
+from tracker.base.notices import Notice
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
 from tracker.streaming.streams import StreamCounts, Streams
@@ -94,16 +95,16 @@ def attach(
     tracker: HasEstimate | PublishesEstimates,
     publishers: Sequence[Publisher],
     rate_hz: float = MAX_RATE_HZ,
-    say: Callable[[str], None] = lambda _: None,
+    report: Callable[[Notice], None] = lambda _: None,
 ) -> Attachment:
     """Send the tracker's estimates to ``publishers``, at most ``rate_hz`` times a second.
 
-    At `MAX_RATE_HZ` a tracker that publishes its estimates has all of them sent. ``say`` gets a
-    sentence for the log when an output fails or recovers.
+    At `MAX_RATE_HZ` a tracker that publishes its estimates has all of them sent. ``report``
+    receives a notice when an output fails or recovers.
     """
     if not 0 < rate_hz <= MAX_RATE_HZ:
         raise ValueError(f"the rate is between 0 and {MAX_RATE_HZ:g} Hz, not {rate_hz:g}")
-    streams = Streams(publishers, say)
+    streams = Streams(publishers, report)
     if not isinstance(tracker, PublishesEstimates):
         return Attachment(streams, _Poll(tracker, streams.offer, 1.0 / rate_hz).stop)
     offer = streams.offer if rate_hz == MAX_RATE_HZ else _Thinned(streams.offer, 1.0 / rate_hz)

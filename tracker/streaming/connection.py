@@ -16,6 +16,7 @@ from urllib.parse import parse_qsl
 
 from tracker.base.config import from_dict
 from tracker.base.errors import ConfigError, GlovetrackError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 
 LOOPBACK = "127.0.0.1"
@@ -69,7 +70,7 @@ class ConnectionKind(Generic[Opt]):
         except ImportError as error:
             command = f' Run: pip install "{self.extra}"' if self.extra else ""
             raise StreamError(
-                f"{what} needs a package that is not installed ({error}).{command}"
+                notice("stream.needs_package", what=what, why=error, install=command)
             ) from error
 
 
@@ -168,10 +169,8 @@ def _read(text: str, usual: object) -> object:
 def _after_colon(kind: ConnectionKind[Any], noun: str, value: str) -> dict[str, object]:
     if kind.has("port"):
         if not value.isdecimal() or not 1 <= int(value) <= 65535:
-            raise ConfigError(
-                f"{value!r} is not a port for the {kind.name} {noun}: ports are 1 to 65535."
-            )
+            raise ConfigError(notice("stream.bad_port", value=value, kind=kind.name, what=noun))
         return {key_of(kind.name, "port"): int(value)}
     if kind.has("file"):
         return {key_of(kind.name, "file"): value}
-    raise ConfigError(f"The {kind.name} {noun} has no port: clients find it by its name.")
+    raise ConfigError(notice("stream.no_port", kind=kind.name, what=noun))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import socket
 
+from tracker.base.notices import notice
 from tracker.streaming.publisher import StreamError
 
 
@@ -15,13 +16,13 @@ class DatagramSocket:
     """
 
     def __init__(self, what: str, host: str, port: int) -> None:
-        nowhere = f"The {what} stream cannot go to {host}:{port}"
+        to = {"what": what, "host": host, "port": port}
         if not 1 <= port <= 65535:
-            raise StreamError(f"{nowhere}: ports are 1 to 65535.")
+            raise StreamError(notice("stream.port_range", **to))
         try:
             found = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)
         except (OSError, UnicodeError) as error:
-            raise StreamError(f"{nowhere}: {error}.") from error
+            raise StreamError(notice("stream.no_route", why=error, **to)) from error
         family, _, _, _, address = found[0]
         self._address: tuple[object, ...] = address
         self._socket = socket.socket(family, socket.SOCK_DGRAM)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from tracker.base.clock import ClockAnchor
+from tracker.base.notices import notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -91,7 +92,7 @@ class Names:
         Raises StreamError for other joints.
         """
         if joints not in JOINT_SETS:
-            raise StreamError(f"Joints can be {' or '.join(JOINT_SETS)}, not {joints!r}.")
+            raise StreamError(notice("stream.joints", known=JOINT_SETS, value=joints))
         names = Names(hand.side, glove.keypoint_names(hand), hand.joint_names, (), hand, anchor)
         return names.with_openxr() if joints == OPENXR else names
 

@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from tracker.base.config import UNKNOWN
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.streaming.connection import (
@@ -86,13 +87,13 @@ def read_settings(path: str | Path) -> StreamSettings:
     """
     table = parse_toml(read_text(Path(path)), str(path)).get("streams", {})
     if not isinstance(table, dict):
-        raise ConfigError(f"{path}: streams must be a table.")
+        raise ConfigError(notice("config.streams_table", file=path))
     kinds = stream_kinds()
     known = {HOST, JOINTS, *kinds}
     known |= {key_of(name, option) for name, kind in kinds.items() for option in kind.fields}
     for key in table:
         if key not in known:
-            raise ConfigError(f"{path}: streams.{key} {UNKNOWN}.")
+            raise ConfigError(notice("config.unknown_stream", file=path, key=key, why=UNKNOWN))
     return StreamSettings(table)
 
 
@@ -121,7 +122,7 @@ def open_stream(kind: StreamKind[Opt], options: Opt, hands: Sequence[Names]) -> 
                 out.append(publisher)
         if len(out) != len(hands):
             raise StreamError(
-                f"The {kind.name} stream made {len(out)} publishers for {len(hands)} hands."
+                notice("stream.publishers", kind=kind.name, made=len(out), hands=len(hands))
             )
     except StreamError:
         close_all(out)

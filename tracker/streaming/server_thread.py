@@ -13,6 +13,7 @@ from typing import Any
 from websockets.asyncio.server import Server, ServerConnection, serve
 from websockets.exceptions import ConnectionClosed
 
+from tracker.base.notices import notice
 from tracker.streaming.publisher import StreamError
 
 MAX_CLIENTS = 16
@@ -51,7 +52,9 @@ class ServerThread:
         try:
             self.port = started.result(START_WAIT)
         except (OSError, OverflowError) as error:
-            raise StreamError(f"No {kind} server at {host}:{port}: {error}.") from error
+            raise StreamError(
+                notice("stream.server_not_started", kind=kind, host=host, port=port, why=error)
+            ) from error
 
     def call(self, function: Callable[..., object], *args: object) -> None:
         """Have ``function`` called in the thread, soon; not after `close`."""

@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from tracker.base.channels import Backlog, Closed
+from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
 
@@ -62,14 +63,14 @@ def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:
 class Streams:
     """Hands estimates, which it numbers, to all outputs, each in a thread of its own.
 
-    ``say`` gets a sentence when an output begins to fail and when it works again. Publishers are
-    closed by `close`.
+    ``report`` receives a notice when an output begins to fail and when it works again. `close`
+    closes the publishers.
     """
 
     def __init__(
-        self, publishers: Sequence[Publisher], say: Callable[[str], None] = lambda _: None
+        self, publishers: Sequence[Publisher], report: Callable[[Notice], None] = lambda _: None
     ) -> None:
-        self._outputs = [_Output(p, say) for p in publishers]
+        self._outputs = [_Output(p, report) for p in publishers]
         self._offered = 0
 
     def offer(self, estimate: Estimate) -> None:
@@ -92,8 +93,8 @@ class Streams:
 class _Output:
     """One publisher, its queue and its thread."""
 
-    def __init__(self, publisher: Publisher, say: Callable[[str], None]) -> None:
-        self._publisher, self._say = publisher, say
+    def __init__(self, publisher: Publisher, report: Callable[[Notice], None]) -> None:
+        self._publisher, self._report = publisher, report
         self.queue: Backlog[tuple[int, Estimate]] = Backlog(BACKLOG)
         self._times: deque[float] = deque()  # of what was sent in the last `RATE_WINDOW`
         self._began = time.monotonic()
@@ -150,6 +151,7 @@ class _Output:
         """Say where sending begins or ceases to fail, once each."""
         before, self._error = self._error, error
         if error and not before:
-            self._say(f"The stream {self._publisher.name} fails: {error.rstrip('.')}.")
+            why = error.rstrip(".")
+            self._report(warning("stream.failing", stream=self._publisher.name, why=why))
         elif before and not error:
-            self._say(f"The stream {self._publisher.name} works again.")
+            self._report(notice("stream.works_again", stream=self._publisher.name))

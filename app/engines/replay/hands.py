@@ -11,7 +11,7 @@ from typing import NamedTuple
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.tell_markers import MarkerTeller
-from tracker.base.damage import sentences
+from tracker.base.damage import reports
 from tracker.live.listeners import ListenedHand, Listeners
 from tracker.messages import Calibration, Estimate, Event, ImuSample, Message, Status
 from tracker.session.decode import MESSAGE_KINDS
@@ -129,8 +129,8 @@ class HandsInFile:
         count = sum(map(len, found))
         if count > self._damage_told and (every or count >= 2 * self._damage_told):
             self._damage_told = count
-            for text in sentences(found):
-                self.tell(Event(0.0, "error", text))
+            for what in reports(found):
+                self.tell(Event.of(0.0, "error", what))
 
     def take_events(self) -> list[Event]:
         """What was told since the last call."""

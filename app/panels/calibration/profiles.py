@@ -17,6 +17,7 @@ from app.storage.removed_file import RemovedFile
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile
 from app.viewmodels.worn_calibration import WearersOfHands, WornCalibration
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.engine.kinds import learns_wearer
 
@@ -81,7 +82,7 @@ class WearerProfiles(QObject):
         try:
             return work()
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
             return None
 
     def _remember(self, name: str) -> None:
@@ -92,7 +93,7 @@ class WearerProfiles(QObject):
         try:
             self.worn.put_on(name, layout)
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
             self._show_names("")
             return
         self._give_profile(self._store.value.engine, self.worn, setup.side)
@@ -164,7 +165,7 @@ class WearerProfiles(QObject):
         try:
             file.put_back()
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
             return
         if not self._row.name:
             self._remember(name)

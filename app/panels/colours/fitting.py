@@ -17,7 +17,7 @@ from app.widgets.chip import Chip
 from app.widgets.image_shapes import Ring
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.more_button import MoreButton
-from app.words import tr
+from app.words import error_text, tr
 from tracker.base.errors import GlovetrackError
 
 WIDTH = 320  # px, of the advice
@@ -42,7 +42,7 @@ class ColoursFitting(QObject):
         try:
             work = work_of(self.tuning)
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
             return
         self._tasks.run(self.tr("Fitting the colours"), lambda _progress: work(), self._fitted)
 
@@ -66,7 +66,7 @@ class ColoursFitting(QObject):
         try:
             self.tuning.live.ask()
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
             return
         if not self.tuning.live.is_enough:
             words = self.tr("Images are gathered: hold the hand in view, or let the replay run.")

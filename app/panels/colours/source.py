@@ -29,6 +29,7 @@ from app.storage.image_folder import (
 from app.storage.removed_file import RemovedFile
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.measures import TIGHT
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 
 LIVE = 0
@@ -106,7 +107,7 @@ class StoredImages(QObject):
             try:
                 undo = partial(self._put_back, self.folder, self.folder.remove(name))
             except GlovetrackError as error:
-                self.failed.emit(str(error))
+                self.failed.emit(error_text(error))
                 return
         else:
             return
@@ -117,7 +118,7 @@ class StoredImages(QObject):
         try:
             file.put_back()
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
             return
         if folder is self.folder:  # the camera is still the same
             self.listed.emit(file.path.stem)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
 from app.viewmodels.colour_picks import Eyedropper
 from app.viewmodels.colour_tuning import ColourTuning
 from app.widgets.one_line import OneLine
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 
 
@@ -169,7 +170,7 @@ class ColoursFiles(QObject):
         try:
             self.tuning.load(path)
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
         else:
             self.loaded.emit()
 
@@ -179,6 +180,6 @@ class ColoursFiles(QObject):
         try:
             self.tuning.save(path)
         except GlovetrackError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(error_text(error))
         else:
             self.saved.emit()

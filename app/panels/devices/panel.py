@@ -31,6 +31,7 @@ from app.viewmodels.device_settings import (
 )
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.one_line import OneLine
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 
 MOTOR_AMPLITUDE, MOTOR_MS = 160, 300
@@ -137,7 +138,7 @@ class DevicesPanel(Panel):
         try:
             apply_changes(setup, self._store, list(self.values.values()), self.edits)
         except GlovetrackError as error:
-            self._show_report(str(error))
+            self._show_report(error_text(error))
             return
         self._asked |= self.edits
         self.edits = {}
@@ -175,7 +176,7 @@ class DevicesPanel(Panel):
         try:
             save_settings(to_file(list(self.values.values())), path)
         except GlovetrackError as error:
-            self._show_report(str(error))
+            self._show_report(error_text(error))
 
     def _ask_load(self) -> None:
         words, kinds = self.tr("Load device settings"), self.tr("TOML (*.toml)")
@@ -188,7 +189,7 @@ class DevicesPanel(Panel):
         try:
             found = differences(read_settings(path), path.name, list(self.values.values()))
         except GlovetrackError as error:
-            self._show_report(str(error))
+            self._show_report(error_text(error))
             return
         self.edits = {d.key: d.stored for d in found if d.can_apply}
         self._show_report(report_of(found, path.name))

@@ -34,6 +34,7 @@ from app.widgets.measures import NEAR
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.scene import BodyScene, Label
 from app.widgets.view3d.view_3d import View3D
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.messages import Shed
 
@@ -163,7 +164,7 @@ class HandPanel(Panel):
         try:
             compared.set_reference(engine or None)
         except GlovetrackError as error:
-            self.host.error.emit(str(error))
+            self.host.error.emit(error_text(error))
 
     def _choose_trail(self, tip: str) -> None:
         for hand in self._hands:

@@ -26,6 +26,7 @@ from app.panels.library.two_takes_dialog import TwoTakesDialog
 from app.platform.tasks import Job, TaskOwner
 from app.viewmodels.compare import Comparison, rows, summary
 from app.viewmodels.two_takes import TwoTakes
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.offline.options import TrackOptions
 
@@ -117,7 +118,7 @@ class Comparing(QObject):
         try:
             out = free_name(source, wanted.engine)
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
             return
         title = self.tr("Tracking {} again").format(source.name)
         self._run(title, track_job(source, out, wanted))
@@ -191,6 +192,6 @@ class Comparing(QObject):
         try:
             self._player.set_reference(self._pair[1], self._shift)
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
         else:
             self.beside.emit(self._second)

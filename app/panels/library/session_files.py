@@ -19,7 +19,7 @@ from app.storage.system_bin import Binned, restore, to_bin
 from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
 from app.widgets.question import question
-from app.words import tr
+from app.words import error_text, tr
 from tracker.base.errors import FileError, GlovetrackError
 
 T = TypeVar("T")
@@ -139,7 +139,7 @@ class SessionFiles(QObject):
         try:
             made = work()
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
         self.changed.emit()
         return made
 

@@ -25,7 +25,7 @@ from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_takes import Image, TakeImages, TwoTakes, figures_text
 from app.widgets.image_view import ImageView
-from app.words import local
+from app.words import error_text, local
 from tracker.base.errors import GlovetrackError
 
 LONGEST = 86_400.0  # s of offset
@@ -167,7 +167,7 @@ class TwoTakesDialog(QDialog):
         try:
             found = self.takes.by_movement()
         except GlovetrackError as error:
-            self.figures.setText(str(error))
+            self.figures.setText(error_text(error))
             return
         self.set_offset(found.offset)
         told = self.tr("{} Correlation {:.2f}, elsewhere {:.2f} at most.")
@@ -178,7 +178,7 @@ class TwoTakesDialog(QDialog):
         try:
             path = self.takes.keep(self._offset)
         except GlovetrackError as error:
-            self.figures.setText(str(error))
+            self.figures.setText(error_text(error))
             return
         self.figures.setText(self.tr("Kept in {}.").format(path.name))
 

@@ -25,6 +25,7 @@ from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel
 from app.widgets.measures import NEAR
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 
 FIGURES_EVERY = 10  # refreshes
@@ -205,7 +206,7 @@ class MotionPanel(Panel):
         try:
             csv_of(self.model.table(","), path)
         except GlovetrackError as error:
-            self.host.error.emit(str(error))
+            self.host.error.emit(error_text(error))
 
     def show_theme(self, colours: PanelColours) -> None:
         self.plot.set_colours(colours.base, colours.text)

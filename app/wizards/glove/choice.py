@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from app.storage.bound_gloves import BoundGlove, bound
 from app.storage.settings import AppSettings, wearer_of
 from app.widgets.question import answer
-from app.words import told, tr
+from app.words import error_text, notice_text, tr
 from tracker.base.errors import GlovetrackError
 from tracker.base.toml_reader import read_toml
 from tracker.glove import library
@@ -124,7 +124,7 @@ class ChoicePage(QWidget):
         try:
             return library.load(self.gloves.currentText(), self.hands.currentText())
         except GlovetrackError as error:
-            self.words.setText(told(str(error)))
+            self.words.setText(error_text(error))
             return None
 
     def port(self) -> str:
@@ -233,7 +233,8 @@ def _remarks(reports: list[PortReport], chosen: str) -> list[str]:
     if not reports:
         return [tr("No other glove was found on any USB port.")]
     advice = [latency_advice(r.path) for r in reports if r.is_glove]
-    return [w for w in (*(r.trouble for r in reports), *advice) if w]
+    found = (*(r.trouble for r in reports), *advice)
+    return [notice_text(what) for what in found if what is not None]
 
 
 def _side(kind: str, name: str) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from app.engines.engine_host import EngineHost
-from app.words import tr
+from app.words import event_text, tr
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Event, ImuSample
@@ -117,8 +117,8 @@ class PortFeed:
         while not self._stopping.is_set():
             for item in self._link.poll(WAIT):
                 if isinstance(item, Event):
-                    _log.info("The glove's link: %s", item.text)
-                    self.trouble = item.text
+                    _log.info("The glove's link: %s", item.code)
+                    self.trouble = event_text(item)
                 else:
                     self._keep(item)
 

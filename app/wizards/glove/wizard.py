@@ -25,7 +25,7 @@ from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
 from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
 from app.wizards.glove.pages import StillPage, WigglePage
 from app.wizards.sizing import fit_to_screen
-from app.words import told
+from app.words import error_text
 from tracker.base.errors import DeviceError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -155,7 +155,7 @@ class GloveSetup(QDialog):
         try:
             return simulated_feed(hand, glove)
         except DeviceError as error:
-            self.choice.words.setText(told(str(error)))
+            self.choice.words.setText(error_text(error))
             return None
 
     def _leave(self, then: Callable[[], None] | None = None) -> None:

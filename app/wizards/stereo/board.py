@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.widgets.measures import WIDE
-from app.words import told
+from app.words import error_text
 from tracker.base.errors import ConfigError
 from tracker.calibration.stereo.board import BoardSpec, page_size, print_image
 from tracker.sensors.image_input import ImageInput
@@ -151,7 +151,7 @@ class BoardPage(QWidget):
                 self.square_mm.value() / 1000,
             )
         except ConfigError as error:
-            self.trouble.setText(told(str(error)))
+            self.trouble.setText(error_text(error))
             return None
 
     def _show(self) -> None:

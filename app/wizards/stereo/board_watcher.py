@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from app.platform.tasks import TaskOwner
-from app.words import told
+from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
@@ -90,14 +90,14 @@ class BoardWatcher:
             source.open()
         except GlovetrackError as error:
             _log.warning("The camera cannot be opened: %s", error)
-            self.trouble, self.ended = told(str(error)), True
+            self.trouble, self.ended = error_text(error), True
             return
         self.live = source.live
         try:
             self._read(source)
         except GlovetrackError as error:
             _log.warning("Reading the camera has ended: %s", error)
-            self.trouble = told(str(error))
+            self.trouble = error_text(error)
         finally:
             source.close()
             self.ended = True

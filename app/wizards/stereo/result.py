@@ -23,7 +23,7 @@ from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD
 from app.viewmodels.stereo import problems, solution_figures, view_rows
 from app.widgets.measures import APART, FAR, NEAR, WIDE
-from app.words import told
+from app.words import error_text, notice_text
 from tracker.base.files import free_path, slug
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.coverage import Coverage
@@ -107,7 +107,7 @@ class ResultPage(QWidget):
             self.tr("Refused") if found else self.tr("Calibrated: now check it on fresh views")
         )
         self.words.setText(f"{look.sign}  {verdict}")
-        self._show_reasons(found)
+        self._show_reasons([notice_text(problem) for problem in found])
         self._show_figures(solution)
         self._show_views(solution)
         return not found
@@ -187,7 +187,7 @@ def _solving(
         try:
             return solve(views, sizes, progress=progress)
         except CalibrationError as error:
-            return told(str(error))
+            return error_text(error)
 
     return job
 

@@ -38,6 +38,7 @@ from app.widgets.image_shapes import Shape
 from app.widgets.image_view import ImageView
 from app.widgets.measures import TIGHT, WIDE
 from app.wizards.stereo.board_watcher import BoardSeen
+from app.words import notice_text
 from tracker.calibration.stereo.collect import Answer
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.verify import Verification, verify
@@ -231,9 +232,9 @@ class CheckPage(QWidget):
         if self._rig is None:
             return
         self.found = verify(self._rig, views)
-        state, sentence = self.found.verdict()
+        state, verdict = self.found.verdict()
         look = VERDICTS[state]
-        self.words.setText(f"{look.sign}  {sentence}")
+        self.words.setText(f"{look.sign}  {notice_text(verdict)}")
         figures = rig_figures(self._rig) + check_figures(self.found)
         self.figures.setText("\n".join(f"{name}: {text}" for name, text in figures))
         rows = check_rows(self.found)

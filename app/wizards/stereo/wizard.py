@@ -26,7 +26,7 @@ from app.wizards.stereo.image_choices import folder_choice
 from app.wizards.stereo.import_form import ask_folder, ask_opencv, ask_zed
 from app.wizards.stereo.result import ResultPage, Solving, save_rig
 from app.wizards.stereo.views import CheckPage, CollectPage
-from app.words import told, tr
+from app.words import error_text, tr
 from tracker.base.errors import GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.coverage import coverage
@@ -255,7 +255,7 @@ class StereoWizard(QDialog):
         try:
             path = self._file or save_rig(self._folder, title, self._rig, note)
         except GlovetrackError as error:
-            self.check.words.setText(told(str(error)))
+            self.check.words.setText(error_text(error))
             return
         self.finished_with.emit(path, not self._simulated())
         self.close()
@@ -271,7 +271,7 @@ class StereoWizard(QDialog):
         try:
             rig = load_rig(path, form)
         except GlovetrackError as error:
-            self.board.trouble.setText(told(str(error)))
+            self.board.trouble.setText(error_text(error))
             self.board.trouble.show()
             return False
         self._rig, self._fresh = rig, None

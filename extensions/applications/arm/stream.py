@@ -16,6 +16,7 @@ from typing import Any
 
 from extensions.applications.interface import Command, JointCommand, PoseCommand
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.streaming.datagram import DatagramSocket
 
 SCHEMA = 1
@@ -47,7 +48,7 @@ def from_json(text: str | bytes) -> JointCommand | PoseCommand:
         a, b, c, d = map(float, data["orientation_xyzw"])
         return PoseCommand(robot, (x, y, z), (a, b, c, d), grip, stop)
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise GlovetrackError(f"That is no command for an arm: {error!r}.") from error
+        raise GlovetrackError(notice("arm.not_command", why=error)) from error
 
 
 class ArmSink:
@@ -69,7 +70,7 @@ class ArmSink:
             self.close()
             host, _, port = to.rpartition(":")
             if not host or not port.isdecimal():
-                raise GlovetrackError(f"A robot is at host:port, not {to!r}.")
+                raise GlovetrackError(notice("arm.address", address=to))
             self._socket, self._to = DatagramSocket("Robot arm", host, int(port)), to
 
     def close(self) -> None:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from extensions.applications.interface import Command, VehicleCommand
 from extensions.applications.swarm.mavlink import POSITION, heard, position_of, targets
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice
 from tracker.messages import Array
 
 PER_PORT = 250  # a MAVLink network has room for 255 systems: the next 250 have the next port
@@ -27,7 +28,7 @@ def address_of(text: str) -> tuple[str, int]:
     """``host:port``. Raises DeviceError in words."""
     host, _, port = text.rpartition(":")
     if not host or not port.isdecimal() or not 1 <= int(port) <= 65535:
-        raise DeviceError(f"Vehicles are at host:port, such as 127.0.0.1:14550, not {text!r}.")
+        raise DeviceError(notice("swarm.address", address=text))
     return host, int(port)
 
 

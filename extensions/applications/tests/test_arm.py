@@ -14,6 +14,7 @@ from extensions.applications.arm.stream import ArmSink, from_json, to_json
 from extensions.applications.drawing import Mesh
 from extensions.applications.interface import JointCommand, PoseCommand
 from extensions.applications.tests.hands import datas, outcomes, words
+from tests.notices import raises
 from tracker.base.errors import GlovetrackError
 from tracker.geometry import so3
 from tracker.simulation.scripted import Key
@@ -160,8 +161,8 @@ def test_a_robot_reads_what_is_sent_over_udp() -> None:
         heard = [from_json(robot.recv(65536)) for _ in range(2)]
         sink.close()
     assert heard == [joints._replace(to=""), pose._replace(to="")]
-    with pytest.raises(GlovetrackError, match="no command for an arm"):
+    with raises(GlovetrackError, "arm.not_command"):
         from_json('{"schema": 1, "robot": "r", "grip": 0, "stop": false}')
-    with pytest.raises(GlovetrackError, match="host:port"):
+    with raises(GlovetrackError, "arm.address"):
         sink.take([joints._replace(to="nowhere")], 0.0)
     assert "joints" in to_json(joints, 0.0)

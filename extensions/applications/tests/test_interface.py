@@ -24,6 +24,7 @@ from extensions.applications.sources import simulated, streamed
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.tests.hands import GLOVE, HAND, estimates, outcomes, words
 from tests.fixtures import ROOT
+from tests.notices import raises
 from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
@@ -94,7 +95,7 @@ def test_ours_are_called_what_their_classes_say_and_named_without_their_packages
     for name in [n for n in sys.modules if n.startswith(room)]:
         monkeypatch.delitem(sys.modules, name)
     assert titles()["arm"] == "Robot arm"
-    with pytest.raises(ConfigError, match=r"arm needs a package .*glovetrack\[robot\]"):
+    with raises(ConfigError, "application.needs_package"):
         kind("arm")
 
 
@@ -118,7 +119,7 @@ def test_the_same_hands_give_the_same_drawing_bit_for_bit(installed: None) -> No
 def test_settings_are_checked_and_a_change_is_an_event(installed: None) -> None:
     with pytest.raises(ConfigError, match="air-drawing: width must be a float"):
         make("air-drawing", {"width": "wide"})
-    with pytest.raises(ConfigError, match="no application 'knitting'"):
+    with raises(ConfigError, "part.unknown"):
         kind("knitting")
     runner = ApplicationRunner("air-drawing", HAND, GLOVE, {"width": 5})
     with pytest.raises(ConfigError, match="is not a setting"):

@@ -17,6 +17,7 @@ from extensions.applications.swarm.simulated_vehicles import STEP, Fleet, Vehicl
 from extensions.applications.swarm.swarm import Swarm
 from extensions.applications.swarm.vehicles import VehicleSink
 from extensions.applications.tests.hands import GLOVE, HAND, datas, estimates, outcomes, words
+from tests.notices import raises
 from tracker.base.errors import DeviceError
 from tracker.simulation.scripted import Key
 
@@ -233,5 +234,5 @@ def test_vehicles_over_udp_take_targets_and_answer() -> None:
     finally:
         sink.close()
         simulator.close()
-    with pytest.raises(DeviceError, match="host:port"):
+    with raises(DeviceError, "swarm.address"):
         VehicleSink().take([VehicleCommand(p, p, "somewhere")], 0.0)

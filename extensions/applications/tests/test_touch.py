@@ -16,6 +16,7 @@ from extensions.applications.sinks import LASTS_MS, PULLS, THREE, MotorSink, pul
 from extensions.applications.tests.hands import GLOVE, HAND, datas, estimates, outcomes, words
 from extensions.applications.touch.meshes import load_mesh, solid
 from extensions.applications.touch.touch import PlacedMesh, contacts, pads
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.geometry.triangles import triangles_of
 from tracker.messages import Event
@@ -169,7 +170,7 @@ def test_the_shipped_rabbit_is_closed() -> None:
 
 def test_another_mesh_is_read_where_it_is_set_and_a_bad_one_changes_nothing(table: str) -> None:
     runner = ApplicationRunner("touch", HAND, GLOVE, {"mesh": "rabbit"})
-    with pytest.raises(ConfigError, match="no mesh 'unicorn'"):
+    with pytest.raises(ConfigError, match="unicorn"):
         runner.set("mesh", "unicorn")
     runner.set("mesh", table)
     assert solid(table) is solid(table), "it was read once"
@@ -182,12 +183,12 @@ def test_what_is_no_mesh_is_refused_in_words(tmp_path: Path) -> None:
     (tmp_path / "x.obj").write_text("v 1 2 zebra\n")
     (tmp_path / "y.stl").write_bytes(b"solid")
     (tmp_path / "z.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + "f 1 2 9\n" * 4)
-    for name, why in [
-        ("unicorn", "no mesh 'unicorn'"),
-        (str(tmp_path / "none.obj"), "cannot be read"),
-        (str(tmp_path / "x.obj"), "no OBJ file"),
-        (str(tmp_path / "y.stl"), "holds no mesh"),
-        (str(tmp_path / "z.obj"), "names points"),
+    for name, code in [
+        ("unicorn", "mesh.unknown"),
+        (str(tmp_path / "none.obj"), "file.not_readable"),
+        (str(tmp_path / "x.obj"), "mesh.not_obj"),
+        (str(tmp_path / "y.stl"), "mesh.too_few"),
+        (str(tmp_path / "z.obj"), "mesh.bad_points"),
     ]:
-        with pytest.raises(FileError, match=why):
+        with raises(FileError, code):
             load_mesh(name)

@@ -12,6 +12,7 @@ import numpy as np
 from resources import folder
 from tracker.base.errors import FileError
 from tracker.base.files import read_bounded
+from tracker.base.notices import notice
 from tracker.geometry.triangles import Triangles, triangles_of
 from tracker.messages import Array, IntArray
 
@@ -56,17 +57,17 @@ def load_mesh(name: str) -> MeshFile:
     if not path.suffix and len(path.parts) == 1:
         shipped = folder("meshes") / f"{name}.obj"
         if not shipped.is_file():
-            raise FileError(f"There is no mesh {name!r}; a file is told with its ending.")
+            raise FileError(notice("mesh.unknown", name=name))
         return _centred(*_obj(shipped.read_text("utf-8").splitlines(), name))
     try:
         data = read_bounded(path, MOST_BYTES, "a mesh that can be read")
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror}.") from error
+        raise FileError(notice("file.not_readable", path=path, why=error.strerror)) from error
     if path.suffix.lower() == ".stl":
         return _centred(*_stl(data, str(path)))
     if path.suffix.lower() == ".obj":
         return _centred(*_obj(data.decode("utf-8", "replace").splitlines(), str(path)))
-    raise FileError(f"{path} is no mesh that can be read: .obj or .stl.")
+    raise FileError(notice("mesh.unknown_kind", path=path))
 
 
 def _obj(lines: list[str], name: str) -> tuple[Array, IntArray]:
@@ -82,7 +83,7 @@ def _obj(lines: list[str], name: str) -> tuple[Array, IntArray]:
                 rows = [r - 1 if r > 0 else len(points) + r for r in rows]
                 faces += [(rows[0], b, c) for b, c in pairwise(rows[1:])]
     except ValueError as error:
-        raise FileError(f"{name} is no OBJ file: {error}.") from error
+        raise FileError(notice("mesh.not_obj", name=name, why=error)) from error
     return _checked(np.array(points, float), np.array(faces, np.int64), name)
 
 
@@ -97,16 +98,16 @@ def _stl(data: bytes, name: str) -> tuple[Array, IntArray]:
         try:
             corners = np.array(words, float).reshape(-1, 3, 3)
         except ValueError as error:
-            raise FileError(f"{name} is no STL file: {error}.") from error
+            raise FileError(notice("mesh.not_stl", name=name, why=error)) from error
     points, rows = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
     return _checked(points, np.asarray(rows).reshape(-1, 3).astype(np.int64), name)
 
 
 def _checked(points: Array, faces: IntArray, name: str) -> tuple[Array, IntArray]:
     if len(points) < 4 or len(faces) < 4 or points.shape[1:] != (3,):
-        raise FileError(f"{name} holds no mesh: it takes four triangles to enclose anything.")
+        raise FileError(notice("mesh.too_few", name=name))
     if not np.isfinite(points).all() or faces.min() < 0 or faces.max() >= len(points):
-        raise FileError(f"{name} names points that it does not have, or that are nowhere.")
+        raise FileError(notice("mesh.bad_points", name=name))
     return points, faces
 
 

@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from app.engines.engine import EngineSetup
-from app.words import local, told, tr
+from app.words import error_text, local, tr
 from extensions.applications.drawing import Drawing
 from extensions.applications.live import stage_of
 from extensions.applications.registry import titles
@@ -59,7 +59,7 @@ class ApplicationsModel:
         try:
             self.stage.show(name, settings)
         except (GlovetrackError, ImportError) as error:
-            return told(str(error))
+            return error_text(error)
         return ""
 
     @property
@@ -80,7 +80,7 @@ class ApplicationsModel:
             if self.stage is not None:
                 self.stage.set(key, value)
         except GlovetrackError as error:
-            return told(str(error))
+            return error_text(error)
         return ""
 
     def leave(self) -> tuple[str, dict[str, Any]]:
@@ -112,7 +112,7 @@ class ApplicationsModel:
                 "glovetrack[streams]"
             )
         except StreamError as error:
-            return str(error)
+            return error_text(error)
         stage.viewers.append(page)
         return tr("For browsers of this machine, a headset's too: {}").format(page.url)
 

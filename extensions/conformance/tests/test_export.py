@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from extensions.conformance.isaac.reader import read_records
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.messages import Estimate
 from tracker.session.export.axes import AXES
@@ -35,5 +36,5 @@ def test_isaacs_record_has_every_estimate_with_its_stamps(tracked, tmp_path: Pat
         assert record.joints["is_valid"].all() == (e.keypoint_state[3] != 0)
         wrist = record.joints[1]["position"]
         assert np.allclose(wrist, Y_UP @ e.keypoints[0], atol=1e-6)
-    with pytest.raises(ConfigError, match="isaac does not support axes"):
+    with raises(ConfigError, "export.not_supported"):
         export(path, "isaac", tmp_path / "o.mcap", ExportOptions(axes="ros"))

@@ -13,6 +13,7 @@ import pytest
 from extensions.interchange import film
 from extensions.interchange.film import PLAIN, H264Film, open_film
 from extensions.interchange.views import CurvesView, HandView, side_by_side
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.base.files import DiskError
 from tracker.messages import CameraPose, Estimate
@@ -113,7 +114,7 @@ def test_views_are_laid_out_in_rows_of_two_at_the_first_ones_size() -> None:
 
 
 def test_views_that_are_none_are_refused() -> None:
-    with pytest.raises(ConfigError, match="Views can be left, right, 3d, curves"):
+    with raises(ConfigError, "export.views"):
         ExportOptions(views=("behind",))
 
 
@@ -148,7 +149,7 @@ def test_an_ffmpeg_that_ends_early_is_told_in_its_words(
     monkeypatch.setenv("PATH", str(tmp_path))
     image = np.zeros((400, 400, 3), np.uint8)
     made = H264Film(tmp_path / "a.mp4", 30.0, image, ENCODER)
-    with pytest.raises(DiskError, match=r"ffmpeg could not write a\.mp4: no space left"):
+    with raises(DiskError, "film.ffmpeg_failed_why"):
         for _ in range(100):
             made.write(image)
 

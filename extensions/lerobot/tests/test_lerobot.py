@@ -17,6 +17,7 @@ import pytest
 
 from extensions.lerobot import export as lerobot
 from tests.fixtures import RESOURCES
+from tests.notices import raises
 from tests.session.conftest import ANCHOR, at
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.workers import WorkersAsked
@@ -356,15 +357,15 @@ def test_sessions_that_differ_are_refused_in_words(
         export_dataset([plain, images], "lerobot", tmp_path / "set", ExportOptions())
     without = ExportOptions(dataset=DatasetOptions(images="none"))
     assert export_dataset([plain, images], "lerobot", tmp_path / "set", without)["sources"] == 2
-    with pytest.raises(FileError, match="is a folder"):
+    with raises(FileError, "file.occupied"):
         export_dataset([plain], "lerobot", tmp_path / "set", without)
-    with pytest.raises(ConfigError, match="axes and joints"):
+    with raises(ConfigError, "export.not_supported"):
         export(plain, "lerobot", tmp_path / "x", ExportOptions(axes="unity", joints=("openxr",)))
-    with pytest.raises(ConfigError, match="integer rate"):
+    with raises(ConfigError, "lerobot.rate"):
         export(plain, "lerobot", tmp_path / "x", ExportOptions(rate=29.97))
-    with pytest.raises(ConfigError, match="one session"):
+    with raises(ConfigError, "export.one_session"):
         export_dataset([plain, images], "csv", tmp_path / "x", ExportOptions())
-    with pytest.raises(FileError, match="track it first"):
+    with raises(FileError, "session.not_tracked"):
         export(record(tmp_path / "raw.mcap", [maker.imu(0.0)]), "lerobot", tmp_path / "x")
     assert not (tmp_path / "x").exists() and not list(tmp_path.glob(".*part"))
 
@@ -390,7 +391,7 @@ def test_films_are_made_by_the_systems_ffmpeg(
     images = [maker.image(20.0 * k, k) for k in range(20)]
     path = record(tmp_path / "a.mcap", sorted([*moving(20), *images], key=lambda m: m.t))
     options = ExportOptions(dataset=DatasetOptions(images="video"))
-    with pytest.raises(ConfigError, match="Videos require ffmpeg"):
+    with raises(ConfigError, "lerobot.needs_program"):
         export(path, "lerobot", tmp_path / "set", options)
     program = programs / "ffmpeg"
     program.write_text(FAKE)

@@ -13,6 +13,7 @@ except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside i
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
 from extensions.lsl.markers import MarkerDoor
+from tests.notices import raises
 from tracker.base.clock import monotonic
 from tracker.base.errors import ConfigError
 from tracker.streaming.connection import ConnectionSettings
@@ -94,5 +95,5 @@ def test_a_stream_that_ends_is_forgotten() -> None:
 
 
 def test_markers_have_no_port() -> None:
-    with pytest.raises(ConfigError, match="no port"):
+    with raises(ConfigError, "stream.no_port"):
         with_doors(ConnectionSettings(), "lsl:9000")

@@ -12,6 +12,7 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
 from tracker.messages import Estimate, Event, ImuSample
 from tracker.session.export.options import ExportOptions
@@ -63,10 +64,10 @@ def test_raw_samples_in_pyarrow_to_the_last_bit(session: Session, tmp_path: Path
 def test_raw_samples_are_not_turned_and_have_to_be_there(
     session: Session, tmp_path: Path, record: Callable[..., Path], maker
 ) -> None:
-    with pytest.raises(ConfigError, match="does not support axes"):
+    with raises(ConfigError, "export.not_supported"):
         export(session[0], "imu.csv", tmp_path / "o.csv", ExportOptions(axes="unity"))
     without = record(tmp_path / "none.mcap", [maker.estimate(0)])
-    with pytest.raises(FileError, match="no samples of IMUs"):
+    with raises(FileError, "session.no_imu"):
         export(without, "imu.csv", tmp_path / "o.csv")
 
 

@@ -15,6 +15,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from extensions.osc import requests as osc
 from extensions.osc.decode import message
 from extensions.osc.encode import message as osc_message
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.publisher import StreamError
@@ -80,7 +81,7 @@ def test_another_library_is_understood_and_answered_and_the_port_is_freed() -> N
         client.bind((HERE, 0))
         port = client.getsockname()[1]
         taken = kind.options(port=port)
-        with pytest.raises(StreamError, match="No remote control by OSC at 127"):
+        with raises(StreamError, "remote.not_started"):
             open_door(kind, taken, answer)
         door = open_door(kind, kind.options(port=0), answer)
         try:
@@ -102,5 +103,5 @@ def test_another_library_is_understood_and_answered_and_the_port_is_freed() -> N
 def test_the_command_line_sets_the_port() -> None:
     settings = with_doors(ConnectionSettings(), "OSC:9000")
     assert settings.is_on("osc") and settings.options(DOORS.get("osc")).port == 9000
-    with pytest.raises(ConfigError, match="'x' is not a port for the osc remote control"):
+    with raises(ConfigError, "stream.bad_port"):
         with_doors(ConnectionSettings(), "osc:x")

@@ -9,6 +9,7 @@ from extensions.robot.retarget import Retargeter
 from extensions.robot.settings import RobotSettings
 from extensions.robot.tests.hands import adroit, shadow
 from extensions.robot.wearer_hand import FINGERS
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 
 
@@ -59,12 +60,12 @@ def test_a_model_without_a_hand_is_an_error(tmp_path) -> None:
 
     path = tmp_path / "ball.xml"
     path.write_text("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
-    with pytest.raises(ConfigError, match="fingers were not found"):
+    with raises(ConfigError, "robot.no_fingers"):
         load_hand(RobotSettings(model=str(path)))
     path.write_text("<mujoco><worldbody>")
-    with pytest.raises(ConfigError, match=r"ball\.xml cannot be used"):
+    with raises(ConfigError, "robot.not_usable"):
         load_hand(RobotSettings(model=str(path)))
-    with pytest.raises(ConfigError, match="not found"):
+    with raises(ConfigError, "robot.unknown_hand"):
         load_hand(RobotSettings(model="nowhere"))
 
 

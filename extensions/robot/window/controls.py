@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.widgets.measures import NEAR
 from app.widgets.number_box import NumberBox
 from app.widgets.one_line import OneLine
+from app.words import error_text
 from extensions.robot.window.job import RobotLink
 from extensions.robot.window.view_model import CLUTCHES, MODELS, clutch_title, model_title
 from tracker.base.errors import GlovetrackError
@@ -128,7 +129,7 @@ class RobotControls(QWidget):
         try:
             work()
         except GlovetrackError as error:
-            self.refused.emit(str(error))
+            self.refused.emit(error_text(error))
             self.show_link()
 
     def _choose_model(self) -> None:

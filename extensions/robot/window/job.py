@@ -19,6 +19,7 @@ from app.engines.protocols import CommandedHand
 from app.engines.snapshot import Snapshot
 from app.jobs.connections import remembered
 from app.storage.settings import SettingsStore
+from app.words import error_text, notice_text
 from extensions.robot.command import ENGAGE, RELEASE, RESET, SCALE, RobotCommand
 from extensions.robot.library import need_mujoco
 from extensions.robot.payload import state_payload
@@ -157,7 +158,7 @@ class RobotLink(QObject):
             self._touch = TouchMotors(glove.vibrate) if glove is not None else None
             self._process = RobotProcess(settings, setup.hand, names, self._receive)
         except GlovetrackError as error:
-            self._fail(str(error))
+            self._fail(error_text(error))
 
     def _open_socket(self) -> None:
         before, self._socket = self._socket, None
@@ -206,7 +207,7 @@ class RobotLink(QObject):
             try:
                 shown = self._playback.at(estimate.t)
             except GlovetrackError as error:  # the file is damaged at this position
-                self._fail(str(error))
+                self._fail(error_text(error))
                 return
         if shown is not None:
             process.feed(shown, 0.0)
@@ -215,7 +216,7 @@ class RobotLink(QObject):
 
     def _receive(self, answer: Answer, took: float) -> None:
         if isinstance(answer, RobotFailed):
-            self._failure_received.emit(answer.text)
+            self._failure_received.emit(notice_text(answer.why))
         elif isinstance(answer, RobotReady):
             self._model = answer.model
             self.view = RobotView(answer.shape, answer.model)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.fixtures import RESOURCES
+from tests.notices import raises
 from tracker.base.errors import ConfigError
 from tracker.fusion.vist.engine import VistEngine
 from tracker.fusion.vist.params import VistParams
@@ -171,5 +172,5 @@ def test_a_gap_in_a_finger_is_refused_in_words(hand, glove):
         glove.name, glove.side, glove.hand_name, imus, glove.markers, glove.keypoints
     )
     simulation = Simulation(hand, glove, RandomPostures(hand, seed=0, duration=2.0), seed=0)
-    with pytest.raises(ConfigError, match="index_proximal"):
+    with raises(ConfigError, "engine.vist_gaps"):
         VistEngine(hand, broken, simulation.rig, VistParams())

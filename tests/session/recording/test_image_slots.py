@@ -8,6 +8,7 @@ import os
 import numpy as np
 import pytest
 
+from tests.notices import raises
 from tests.session.recording.conftest import left_since, shared_names
 from tracker.base import shared_memory
 from tracker.messages import StereoFrame
@@ -75,6 +76,6 @@ def test_a_system_with_little_room_gives_fewer_places_and_none_in_words(monkeypa
     reader.close()
     few.close()
     left[0] = 100
-    with pytest.raises(shared_memory.NoSharedMemory, match="no .* MB of shared memory left"):
+    with raises(shared_memory.NoSharedMemory, "system.shared_memory_full"):
         ImageSlots(0, bytes_of(frame(0)))
     assert not left_since(before)

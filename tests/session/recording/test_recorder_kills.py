@@ -13,6 +13,7 @@ from pathlib import Path
 import psutil
 import pytest
 
+from tests.notices import raises
 from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
 from tests.session.recording.conftest import left_since, shared_names
 from tracker.live.recording import RecordingThread
@@ -215,5 +216,5 @@ def test_a_recorder_told_to_end_finishes_its_file(tmp_path, recorders) -> None:
     os.kill(recorder.pid, signal.SIGTERM)
     assert has_ended(recorder.pid, 20.0)
     assert not needs_recovery(path) and packets(path) == list(range(50))
-    with pytest.raises(Exception, match="has ended"):
+    with raises(Exception, "recording.process_ended"):
         recorder.close()

@@ -129,7 +129,7 @@ TEXTS = {
     "port.lost": "{port} was disconnected: {why}.",
     "port.not_glove": (
         "{port} sends {received_bytes} bytes that are not a glove's: it is another "
-        "device, or its line is not set to {baud} baud."
+        "device, or its line is not set to {bauds:or} baud."
     ),
     "port.no_answer": "The device at {port} is not responding.",
     "port.latency_linux": (
@@ -166,6 +166,22 @@ TEXTS = {
         "apt-get install avrdude; for other systems see github.com/avrdudes/avrdude."
     ),
     "firmware.available": "Firmware {version} is available (installed: {installed}).",
+    "firmware.flash_failed": "{port}: avrdude failed. (avrdude: {output})",
+    "firmware.no_bootloader": (
+        "{port}: the board is not responding as a bootloader. Try the other kind "
+        "({others:list}), and press reset just before. (avrdude: {output})"
+    ),
+    "firmware.port_denied": (
+        "{port}: you are not allowed to open the port. On Linux, join the group dialout. "
+        "(avrdude: {output})"
+    ),
+    "firmware.port_busy": "{port}: another program uses the port. Close it. (avrdude: {output})",
+    "firmware.port_absent": "{port}: no device is connected to the port. (avrdude: {output})",
+    "firmware.not_verified": (
+        "{port}: the chip's contents differ from what was written. Write the firmware "
+        "again. (avrdude: {output})"
+    ),
+    "firmware.wrong_chip": "{port}: the chip is not an ATmega328P. (avrdude: {output})",
     "zed.height": "A ZED has no images {height_px} pixels high. Possible heights: {known:list}.",
     "zed.not_calibration": "{path} is not a calibration file of a ZED camera: {why}",
     "zed.missing_key": (

@@ -40,6 +40,8 @@ TEXTS = {
         "The start state of this recording does not match the engine {engine} with this "
         "hand and glove, so it cannot be tracked again. ({where})"
     ),
+    "session.damaged_topic": "{count} on {topic}",
+    "session.damaged_more": "others on {count} more {count:topic|topics}",
     "align.unknown_method": 'Recordings are aligned by {known:or}, not by "{method}".',
     "align.no_overlap": "According to their clocks the recordings were not made at the same time.",
     "align.too_short": "The recordings do not share {needed_s:g} s of movement.",

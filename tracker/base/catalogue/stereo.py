@@ -100,8 +100,14 @@ TEXTS = {
         "number must be even and the other odd."
     ),
     "board.parts_differ": "Both images must show the same part of the board.",
-    "board.mirrored": "{image:word} is mirrored. Turn off the camera's mirror setting.",
-    "board.not_seen": "The board is not visible{whole:word}{where:word}.",
+    "board.mirrored_side": (
+        "The {side:word} image is mirrored. Turn off the camera's mirror setting."
+    ),
+    "board.not_seen_side": "The board is not visible in the {side:word} image.",
+    "board.not_whole": "The whole board is not visible.",
+    "board.not_whole_side": "The whole board is not visible in the {side:word} image.",
+    "board.mirrored": "The image is mirrored. Turn off the camera's mirror setting.",
+    "board.not_seen": "The board is not visible.",
     "verify.more_views": "{missing} more new {missing:view is|views are} required.",
     "verify.rows_bad": (
         "Rows differ by {rms_px:.2f} px and sizes by {size_percent:.1f} %. Calibrate "

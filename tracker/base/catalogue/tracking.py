@@ -88,7 +88,32 @@ TEXTS = {
     "listener.failed": "The listener {name} failed and was removed: {why}",
     "still.too_short": "Only {seconds:.1f} s of samples arrived; {needed_s:g} s are required.",
     "still.moved": "The hand moved ({moving:list}). Lay it flat on the table, palm down, and wait.",
+    "still.imu_silent": "is not responding",
+    "still.imu_moves": "moves ({rate_dps:.1f} °/s)",
+    "still.imu_biased": "turns, or its gyroscope is off by {bias_dps:.0f} °/s",
+    "still.imu_gravity": "measures {gravity:.1f} m/s² of gravity, so its accelerometer is off",
+    "still.imu": "{imu:word} {what}",
+    "still.imus": "{imus:list}.",
     "wiggle.rest": "Rest the forearm and tip the whole hand up and down, fingers stretched.",
+    "wiggle.hand": (
+        "Rest your forearm and tip your whole hand up and down, with the fingers stretched."
+    ),
+    "wiggle.thumb": "Bend and stretch your thumb a few times; keep everything else still.",
+    "wiggle.finger": "Bend and stretch your {finger:word} finger a few times, in all its joints.",
+    "wiggle.nothing_moved": "Nothing moved. {instruction}",
+    "wiggle.silent": "It did not respond in any step.",
+    "wiggle.still": "It never moved. Check whether it is loose or broken.",
+    "wiggle.unclear": "It moved in several steps. Repeat them.",
+    "wiggle.elsewhere": "It is on the {found:word}; the glove file has it on the {expected:word}.",
+    "wiggle.turned": "It is in its position, but rotated by about {angle_deg:.0f}°. Remount it.",
+    "wiggle.right": "It is where the glove file has it.",
+    "wiggle.all_right": "Every IMU is where the glove file has it.",
+    "wiggle.exchanged": (
+        "Exchanged: {first:word} and {second:word}. Exchange their plugs, or choose a "
+        "glove file with that order."
+    ),
+    "wiggle.look_at": "Check {imus:list}.",
+    "wiggle.imu": "{imu:word} ({state:word})",
     "track.packets_repeated": (
         "{count} repeated {count:packet|packets} of the {side:word} glove {count:was|were} ignored."
     ),

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray
 
 KINDS = ("charuco", "chessboard")
@@ -39,21 +40,21 @@ class BoardSpec:
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
-            raise ConfigError(f"A board is one of {' and '.join(KINDS)}, not {self.kind!r}.")
+            raise ConfigError(notice("board.unknown_kind", kinds=KINDS, kind=self.kind))
         if not all(LEAST_SQUARES <= n <= MOST_SQUARES for n in (self.columns, self.rows)):
             raise ConfigError(
-                f"A board has {LEAST_SQUARES} to {MOST_SQUARES} squares each way, "
-                f"not {self.columns} by {self.rows}."
+                notice(
+                    "board.square_count",
+                    least=LEAST_SQUARES,
+                    most=MOST_SQUARES,
+                    columns=self.columns,
+                    rows=self.rows,
+                )
             )
         if not LEAST_SQUARE <= self.square <= LARGEST_SQUARE:
-            raise ConfigError(
-                f"A square of {self.square * 1000:g} mm cannot be right: measure one on the paper."
-            )
+            raise ConfigError(notice("board.square_size", square_mm=self.square * 1000))
         if self.kind == "chessboard" and (self.columns + self.rows) % 2 == 0:
-            raise ConfigError(
-                f"A chessboard of {self.columns} by {self.rows} squares looks the same upside "
-                "down: one number must be even and the other odd."
-            )
+            raise ConfigError(notice("board.symmetric", columns=self.columns, rows=self.rows))
 
     @property
     def corner_columns(self) -> int:

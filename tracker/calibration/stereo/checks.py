@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import Notice, failure, notice
 from tracker.calibration.stereo.coverage import Coverage
 from tracker.calibration.stereo.solve import Solution
 from tracker.geometry import so3
@@ -58,10 +59,10 @@ class Extrinsics:
 
     @property
     def cameras(self) -> tuple[tuple[str, Intrinsics], ...]:
-        """By their words in sentences: one of two, or the only one."""
+        """By the name of the lens in reports."""
         if self.right is None:
-            return (("", self.left),)
-        return (("left ", self.left), ("right ", self.right))
+            return (("lens", self.left),)
+        return (("left lens", self.left), ("right lens", self.right))
 
 
 def extrinsics_of(rig: StereoRig) -> Extrinsics:
@@ -73,10 +74,10 @@ def extrinsics_of(rig: StereoRig) -> Extrinsics:
     return Extrinsics(left, right, rig.right.R.T @ rig.left.R, T)
 
 
-def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[str]:
-    """Sentences, none for a good rig; the most telling first."""
+def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[Notice]:
+    """What is wrong, none for a good rig; the most important first."""
     p = limits or RigLimits()
-    checks: tuple[Callable[[Extrinsics, RigLimits], list[str]], ...] = (
+    checks: tuple[Callable[[Extrinsics, RigLimits], list[Notice]], ...] = (
         _finite, _sides, _baseline, _turn, _focal, _centre, _distortion,
     )  # fmt: skip
     if rig.right is None:
@@ -89,7 +90,7 @@ def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[str]:
 
 def known_baseline_problems(
     rig: Extrinsics, baseline: float, limits: RigLimits | None = None
-) -> list[str]:
+) -> list[Notice]:
     """Against the cameras' distance (m) that a data sheet or a ruler tells; 0 for unknown.
 
     Only this finds squares that are not as large as was said: everything else scales with them.
@@ -97,32 +98,22 @@ def known_baseline_problems(
     found, p = float(np.linalg.norm(rig.T)), limits or RigLimits()
     if not baseline or rig.right is None or abs(found / baseline - 1) <= p.baseline_known:
         return []
-    return [
-        f"The lenses would stand {1000 * found:.1f} mm apart, but {1000 * baseline:.1f} mm are "
-        "known: measure a square of the board again."
-    ]
+    mm = {"found_mm": 1000 * found, "known_mm": 1000 * baseline}
+    return [failure("stereo.baseline_differs", **mm)]
 
 
 def quality_problems(
     solution: Solution, cover: Coverage, limits: QualityLimits | None = None
-) -> list[str]:
-    """Sentences about views that are too few, too alike or do not fit."""
+) -> list[Notice]:
+    """Reports views that are too few, too similar or do not fit."""
     p, out = limits or QualityLimits(), []
     if solution.rms_px > p.rms_px:
-        out.append(
-            f"The views do not fit one camera: corners are off by {solution.rms_px:.1f} px. "
-            "Check the numbers of squares, hold the board flat and still, and turn off autofocus."
-        )
+        out.append(failure("stereo.views_disagree", rms_px=solution.rms_px))
     if cover.area < p.area:
-        out.append(
-            f"The views cover only {100 * cover.area:.0f} % of the images: show the board at "
-            "the edges too."
-        )
+        out.append(failure("stereo.coverage_low", covered_percent=100 * cover.area))
     if cover.tilted < p.tilted or np.any(solution.focal_sd > p.focal_sd):
-        out.append(
-            f"The views are too alike: only {cover.tilted} show the board tilted, and the focal "
-            f"length is uncertain by {100 * float(solution.focal_sd.max()):.1f} %."
-        )
+        percent = 100 * float(solution.focal_sd.max())
+        out.append(failure("stereo.views_alike", tilted=cover.tilted, focal_percent=percent))
     return out
 
 
@@ -130,105 +121,82 @@ def require_plausible(rig: StereoRig, name: str) -> None:
     """Raise ConfigError where a calibration from a file cannot be right."""
     problems = rig_problems(extrinsics_of(rig))
     if problems:
-        raise ConfigError(f"{name} is refused. {' '.join(problems)}")
+        raise ConfigError(notice("stereo.refused", name=name, problems=problems))
 
 
-def _finite(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _finite(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     arrays = (rig.R, rig.T, *(a for _, camera in rig.cameras for a in (camera.K, camera.D)))
     if not all(np.all(np.isfinite(a)) for a in arrays):
-        return ["The calibration holds values that are no numbers."]
+        return [failure("stereo.not_finite")]
     if np.linalg.det(rig.R) < 0:
-        return ["One camera is mirrored against the other: turn off its mirror setting."]
+        return [failure("stereo.one_mirrored")]
     return []
 
 
-def _sides(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _sides(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     x, rest = float(rig.T[0]), float(np.linalg.norm(rig.T[1:]))
     if abs(x) < rest:
-        return [
-            "The cameras stand above or behind each other, not side by side: turn the rig, "
-            "or the images, by 90 degrees."
-        ]
+        return [failure("stereo.not_side_by_side")]
     if x > 0:
-        return [
-            "Left and right are exchanged: what is called the left camera stands on the right. "
-            "Exchange the two images in the camera's set-up, or turn off mirroring, which looks "
-            "the same."
-        ]
+        return [failure("stereo.exchanged")]
     return []
 
 
-def _baseline(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _baseline(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     out, baseline = [], float(np.linalg.norm(rig.T))
     if not p.baseline_least <= baseline <= p.baseline_most:
-        out.append(
-            f"The cameras would stand {1000 * baseline:.1f} mm apart; between "
-            f"{1000 * p.baseline_least:.0f} and {1000 * p.baseline_most:.0f} mm is possible. "
-            "Is the size of a square, or the unit of the file, right?"
-        )
+        possible = {"least_mm": 1000 * p.baseline_least, "most_mm": 1000 * p.baseline_most}
+        found_mm = 1000 * baseline
+        out.append(failure("stereo.baseline_impossible", found_mm=found_mm, **possible))
     if max(abs(rig.T[1]), abs(rig.T[2])) > p.off_axis * baseline:
-        out.append(
-            f"One camera would stand {1000 * abs(rig.T[1]):.0f} mm above and "
-            f"{1000 * abs(rig.T[2]):.0f} mm before the other: they must be side by side."
-        )
+        off_mm = {"above_mm": 1000 * abs(rig.T[1]), "before_mm": 1000 * abs(rig.T[2])}
+        out.append(failure("stereo.offset_impossible", **off_mm))
     return out
 
 
-def _turn(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _turn(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     turn_deg = float(np.rad2deg(np.linalg.norm(so3.log(rig.R))))
     if turn_deg <= p.turn_deg:
         return []
-    return [f"The cameras would look {turn_deg:.0f} degrees apart: they must look the same way."]
+    return [failure("stereo.angle_impossible", angle_deg=turn_deg)]
 
 
-def _focal(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _focal(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     out = []
-    for side, camera in rig.cameras:
+    for lens, camera in rig.cameras:
         fx, fy = float(camera.K[0, 0]), float(camera.K[1, 1])
         if not p.focal_least <= fx / camera.width <= p.focal_most:
-            out.append(
-                f"The {side}lens would have a focal length of {fx:.0f} px for an image "
-                f"{camera.width} px wide, which no usual lens has."
-            )
+            image = {"focal_px": fx, "width_px": camera.width}
+            out.append(failure("stereo.focal_impossible", lens=lens, **image))
         elif abs(fy / fx - 1) > p.aspect:
-            out.append(
-                f"The {side}lens would have pixels that are not square ({fx:.0f} by {fy:.0f})."
-            )
+            out.append(failure("stereo.pixels_not_square", lens=lens, x_px=fx, y_px=fy))
     if out or rig.right is None:
         return out
     left, right = (camera.K[0, 0] / camera.width for _, camera in rig.cameras)
     ratio = float(right / left)
     if not 1 / p.focal_ratio <= ratio <= p.focal_ratio:
-        out.append(
-            f"The right lens would magnify {ratio:.2f} times as much as the left one: "
-            "are the squares the same for both, and is one of them zoomed?"
-        )
+        out.append(failure("stereo.zoom_differs", ratio=ratio))
     return out
 
 
-def _centre(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _centre(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     out = []
-    for side, camera in rig.cameras:
+    for lens, camera in rig.cameras:
         off = camera.K[:2, 2] - [(camera.width - 1) / 2, (camera.height - 1) / 2]
         if np.linalg.norm(off) > p.centre * camera.width:
-            out.append(
-                f"The middle of the {side}lens would lie {np.linalg.norm(off):.0f} px from the "
-                "middle of the image: is the image cropped, or of another size?"
-            )
+            off_px = float(np.linalg.norm(off))
+            out.append(failure("stereo.centre_off", lens=lens, off_px=off_px))
     return out
 
 
-def _distortion(rig: Extrinsics, p: RigLimits) -> list[str]:
+def _distortion(rig: Extrinsics, p: RigLimits) -> list[Notice]:
     """How far the lens shifts the image's corner."""
     out = []
-    for side, camera in rig.cameras:
+    for lens, camera in rig.cameras:
         x = (camera.width / 2) / camera.K[0, 0]
         y = (camera.height / 2) / camera.K[1, 1]
         k1, k2, _, _, k3 = camera.D
         r2 = x * x + y * y
         if abs(k1 * r2 + k2 * r2**2 + k3 * r2**3) > p.distortion:
-            out.append(
-                f"The {side}lens would bend the image's corners beyond recognition: show the "
-                "board in the corners too, or use a lens that is no fisheye."
-            )
+            out.append(failure("stereo.distortion", lens=lens))
     return out

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.base.notices import Notice, notice
 from tracker.calibration.stereo.views import Size, StereoView
 from tracker.messages import Array, IntArray
 
@@ -60,18 +61,18 @@ def coverage(
     )
 
 
-def advice(cover: Coverage, params: CoverageParams | None = None) -> str:
-    """How to hold the board next, in words; empty where nothing is missing."""
+def advice(cover: Coverage, params: CoverageParams | None = None) -> Notice | None:
+    """How to hold the board next; None where nothing is missing."""
     p = params or CoverageParams()
     if cover.area < p.area:
-        return f"Hold the board where the images are empty: {_emptiest(cover)}."
+        return notice("stereo.cover_empty", regions=_emptiest(cover))
     if cover.tilted < p.tilted:
-        return "Tilt the board: by 30 degrees to the left, right, towards you and away."
+        return notice("stereo.cover_tilt")
     if cover.distances < p.distances:
-        return "Hold the board nearer, then farther away."
+        return notice("stereo.cover_distance")
     if cover.views < p.views:
-        return "A few more views, each different from the others."
-    return ""
+        return notice("stereo.cover_more")
+    return None
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import numpy as np
 
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import write_kept
+from tracker.base.notices import notice
 from tracker.calibration.stereo.checks import require_plausible
 from tracker.messages import Array
 from tracker.sensors.opencv_yaml import load_opencv_stereo, opencv_text
@@ -85,9 +86,7 @@ def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
     elif suffix in SUFFIXES:
         rig = _load_opencv(path, form)
     else:
-        raise FileError(
-            f"{path} is no stereo calibration: a ZED's file ends in .conf, OpenCV's in .yml."
-        )
+        raise FileError(notice("stereo.unknown_file", path=path))
     require_plausible(rig, str(path))
     return rig
 
@@ -102,7 +101,7 @@ def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
     try:
         return load_opencv_stereo(paths, width, height, unit, right_size=right_size)
     except ConfigError as error:
-        raise ConfigError(f"{path} is refused. {error}") from error
+        raise ConfigError(notice("stereo.file_refused", path=path, why=error)) from error
 
 
 def _size(path: Path, side: str = "") -> tuple[int, int] | None:
@@ -111,7 +110,7 @@ def _size(path: Path, side: str = "") -> tuple[int, int] | None:
         flags = cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
         storage = cv2.FileStorage(opencv_text(path), flags)
     except (cv2.error, SystemError) as error:
-        raise FileError(f"{path} is no calibration that OpenCV can read.") from error
+        raise FileError(notice("stereo.not_opencv", path=path)) from error
     try:
         names = (f"image_width{side}", f"image_height{side}")
         width, height = (storage.getNode(n) for n in names)

@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import notice
 from tracker.calibration.stereo.views import Size, StereoView
 from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
@@ -96,7 +97,7 @@ def solve(
     for k in range(p.rounds):
         if len(used) < p.least_views:
             raise CalibrationError(
-                f"{len(used)} usable views are too few: at least {p.least_views} are needed."
+                notice("stereo.too_few_views", usable=len(used), needed=p.least_views)
             )
         chosen = [views[i] for i in used]
         rig = _solve_once(chosen, sizes, p, _part(progress, k / p.rounds, 1 / p.rounds))
@@ -141,9 +142,7 @@ def _solve_once(
             progress(0.5, "both together")
             _solve_pair(rig, points, sides, sizes[0], criteria)
     except cv2.error as error:
-        raise CalibrationError(
-            "The views do not fit any camera: check the board's kind and its numbers of squares."
-        ) from error
+        raise CalibrationError(notice("stereo.no_solution")) from error
     return rig
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from tracker.base.notices import Notice, failure, notice, warning
 from tracker.calibration.stereo.views import StereoView
 from tracker.messages import Array
 from tracker.vision.rig import Camera, StereoRig
@@ -39,40 +40,27 @@ class Verification:
     shape: float
     one_camera: bool = False
 
-    def verdict(self, params: VerifyParams | None = None) -> tuple[str, str]:
-        """("good" | "usable" | "refused" | "waiting", a sentence)."""
+    def verdict(self, params: VerifyParams | None = None) -> tuple[str, Notice]:
+        """("good" | "usable" | "refused" | "waiting", why)."""
         p = params or VerifyParams()
         missing = p.least_views - len(self.off_px)
         if missing > 0:
-            return "waiting", f"{missing} more fresh views are needed."
+            return "waiting", notice("verify.more_views", missing=missing)
         if self.one_camera:
             return self._verdict_of_one(p)
+        off = {"rms_px": self.rms_px, "size_percent": 100 * self.shape}
         if self.rms_px > p.usable_px or self.shape > 2 * p.shape:
-            return "refused", (
-                f"Rows disagree by {self.rms_px:.2f} px and sizes by {100 * self.shape:.1f} %: "
-                "calibrate again with more, and more different, views."
-            )
+            return "refused", failure("verify.rows_bad", **off)
         if self.rms_px > p.good_px or self.shape > p.shape:
-            return "usable", (
-                f"Rows disagree by {self.rms_px:.2f} px, sizes by {100 * self.shape:.1f} %. "
-                "It can be used; a new calibration would place the hand better."
-            )
-        return "good", (
-            f"Rows agree to {self.rms_px:.2f} px and sizes to {100 * self.shape:.2f} %."
-        )
+            return "usable", warning("verify.rows_fair", **off)
+        return "good", notice("verify.rows_good", **off)
 
-    def _verdict_of_one(self, p: VerifyParams) -> tuple[str, str]:
+    def _verdict_of_one(self, p: VerifyParams) -> tuple[str, Notice]:
         if self.rms_px > p.usable_px:
-            return "refused", (
-                f"Corners are off by {self.rms_px:.2f} px: calibrate again with more, and more "
-                "different, views."
-            )
+            return "refused", failure("verify.corners_bad", rms_px=self.rms_px)
         if self.rms_px > p.good_px:
-            return "usable", (
-                f"Corners are off by {self.rms_px:.2f} px. It can be used; a new calibration would "
-                "place the hand better."
-            )
-        return "good", f"Corners are where they should be within {self.rms_px:.2f} px."
+            return "usable", warning("verify.corners_fair", rms_px=self.rms_px)
+        return "good", notice("verify.corners_good", rms_px=self.rms_px)
 
 
 def verify(rig: StereoRig, views: Sequence[StereoView]) -> Verification:

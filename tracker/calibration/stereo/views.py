@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.base.notices import Notice, warning
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.messages import Array, IntArray
 
@@ -55,7 +56,7 @@ class BoardLook:
     left: Corners | None
     right: Corners | None
     view: StereoView | None
-    trouble: str = ""
+    trouble: Notice | None = None
 
 
 class BoardFinder:
@@ -77,8 +78,7 @@ class BoardFinder:
         assert found[0] is not None and found[1] is not None
         view = self._common(found[0], found[1])
         if len(view.ids) < LEAST_CORNERS:
-            words = "Both images must show the same part of the board."
-            return BoardLook(found[0], found[1], None, words)
+            return BoardLook(found[0], found[1], None, warning("board.parts_differ"))
         return BoardLook(found[0], found[1], view)
 
     def _look_alone(self, grey: Image) -> BoardLook:
@@ -114,13 +114,12 @@ class BoardFinder:
         grid = _upright(grid, grey)
         return Corners(np.arange(self.spec.corner_count), grid.reshape(-1, 2))
 
-    def _absence(self, side: str, grey: Image) -> str:
+    def _absence(self, side: str, grey: Image) -> Notice:
         if self._charuco is not None and self.find(np.ascontiguousarray(grey[:, ::-1])):
-            which = f"The {side} image" if side else "The image"
-            return f"{which} is mirrored: turn off the camera's mirror setting."
-        whole = "" if self._charuco is not None else " whole"
-        where = f" in the {side} image" if side else ""
-        return f"The board is not seen{whole}{where}."
+            return warning("board.mirrored_side", side=side) if side else warning("board.mirrored")
+        if self._charuco is not None:
+            return warning("board.not_seen_side", side=side) if side else warning("board.not_seen")
+        return warning("board.not_whole_side", side=side) if side else warning("board.not_whole")
 
     def _common(self, left: Corners, right: Corners) -> StereoView:
         ids, i, j = np.intersect1d(left.ids, right.ids, return_indices=True)

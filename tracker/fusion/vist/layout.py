@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -42,14 +43,9 @@ class VistLayout:
         self.chain = ChainLayout(hand, reduced)
         gaps = [name for name in self.chain.names if name not in sensed]
         if gaps:
-            raise ConfigError(
-                f"The engine vist needs an IMU on every segment of a chain; the glove {glove.name} "
-                f"has none on {', '.join(gaps)}."
-            )
+            raise ConfigError(notice("engine.vist_gaps", glove=glove.name, segments=gaps))
         if len(set(sensed)) < len(sensed):
-            raise ConfigError(
-                f"The engine vist takes one IMU per segment; the glove {glove.name} has more."
-            )
+            raise ConfigError(notice("engine.vist_extra", glove=glove.name))
 
     @property
     def n(self) -> int:

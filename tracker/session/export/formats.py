@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.base.registry import Registry
 from tracker.session.export.options import ExportOptions
 
@@ -61,14 +62,14 @@ class ExportFormat:
     def load(self) -> Writer:
         """The writer. Raises ConfigError for a data set, or if a package is missing."""
         if self.writer is None:
-            raise ConfigError(f"{self.name} is a data set of many sessions.")
+            raise ConfigError(notice("export.data_set", format=self.name))
         return self._imported(self.writer)
 
     def load_dataset(self) -> DatasetWriter:
         """The writer of data sets. Raises ConfigError for another format."""
         if self.dataset is None:
             sets = " or ".join(kind.name for kind in formats() if kind.dataset is not None)
-            raise ConfigError(f"{self.name} contains one session; {sets} can contain several.")
+            raise ConfigError(notice("export.one_session", format=self.name, others=sets))
         return self._imported(self.dataset)
 
     def _imported(self, factory: Callable[[], Any]) -> Any:
@@ -77,7 +78,7 @@ class ExportFormat:
         except ImportError as error:
             install = f" Run: pip install '{self.extra}'" if self.extra else ""
             raise ConfigError(
-                f"The format {self.name} cannot be used: {error}.{install}"
+                notice("export.format_missing", format=self.name, why=error, install=install)
             ) from error
 
     def check(self, options: ExportOptions) -> None:
@@ -89,7 +90,7 @@ class ExportFormat:
             if name not in self.options and getattr(options, name) != getattr(unset, name)
         ]
         if wrong:
-            raise ConfigError(f"The format {self.name} does not support {' and '.join(wrong)}.")
+            raise ConfigError(notice("export.not_supported", format=self.name, options=wrong))
 
     def without_unused(self, options: ExportOptions) -> ExportOptions:
         """``options`` for several formats at once, without the axes, units and settings of data

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import EYES, Estimate
 from tracker.session import description, edits, engine_state
 from tracker.session.export.options import ExportOptions
@@ -68,10 +69,7 @@ def copy_extras(reader: SessionReader, out: McapOutput, without: Sequence[str] =
 def _check(options: ExportOptions) -> None:
     hidden = [name for name in ("hand", "time") if name in options.anonymous]
     if hidden:
-        raise ConfigError(
-            f"A session cannot do without its {' and '.join(hidden)}; leave out participant and "
-            "notes by name."
-        )
+        raise ConfigError(notice("export.session_needs", parts=hidden))
 
 
 def _span(reader: SessionReader, options: ExportOptions) -> tuple[int, int]:

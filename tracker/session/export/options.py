@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 
 IMAGES = ENCODED, VIDEO, NONE = ("encoded", "video", "none")
 """Of a data set: as recorded, as films by the system's ffmpeg, or left out."""
@@ -39,7 +40,7 @@ class DatasetOptions:
 
     def __post_init__(self) -> None:
         if self.images not in IMAGES:
-            raise ConfigError(f"Images can be {', '.join(IMAGES)}, not {self.images!r}.")
+            raise ConfigError(notice("export.images", known=IMAGES, value=self.images))
 
 
 @dataclass(frozen=True)
@@ -65,14 +66,14 @@ class ExportOptions:
     def __post_init__(self) -> None:
         low, high = RATES
         if self.rate is not None and not low <= self.rate <= high:
-            raise ConfigError(f"A rate of {self.rate:g} Hz is not between {low:g} and {high:g} Hz.")
+            raise ConfigError(notice("export.rate", rate_hz=self.rate, least_hz=low, most_hz=high))
         if self.every < 1:
-            raise ConfigError(f"Every image or every n-th, not every {self.every}.")
+            raise ConfigError(notice("export.every", every=self.every))
         if not self.views or not set(self.views) <= set(VIEWS):
-            raise ConfigError(f"Views can be {', '.join(VIEWS)}, not {', '.join(self.views)!r}.")
+            raise ConfigError(notice("export.views", known=VIEWS, value=", ".join(self.views)))
         if self.axes is not None and self.axes not in AXES_NAMES:
-            raise ConfigError(f"Axes can be {', '.join(AXES_NAMES)}, not {self.axes!r}.")
+            raise ConfigError(notice("export.axes", known=AXES_NAMES, value=self.axes))
         if OPENXR in self.joints and len(self.joints) > 1:
-            raise ConfigError("Joints are openxr or names of ours, not both.")
+            raise ConfigError(notice("export.joints"))
         if self.units is not None and self.units not in UNITS:
-            raise ConfigError(f"Units can be {', '.join(UNITS)}, not {self.units!r}.")
+            raise ConfigError(notice("export.units", known=UNITS, value=self.units))

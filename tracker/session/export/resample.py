@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.series import EstimateSeries
 from tracker.session.holes import runs
@@ -33,8 +34,13 @@ def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
     n = int(np.floor(m.elapsed[-1] * rate + 1e-9)) + 1
     if n > 20 * len(m) + MOST_ROWS:
         raise FileError(
-            f"{len(m)} estimates over {m.elapsed[-1]:.0f} s would be {n} rows at {rate:g} Hz; "
-            "export a part of them."
+            notice(
+                "export.too_many_rows",
+                estimates=len(m),
+                seconds=m.elapsed[-1],
+                rows=n,
+                rate_hz=rate,
+            )
         )
     return sampled_at(m, np.arange(n) / rate, rate)
 

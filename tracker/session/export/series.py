@@ -9,6 +9,7 @@ import numpy as np
 
 from tracker.base.clock import NS
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.session.description import SessionInfo
 from tracker.session.edits import WORD, Mask, masks
@@ -99,14 +100,14 @@ class EstimateSeries:
         high = np.inf if stop is None else stop
         rows = np.flatnonzero((self.elapsed >= low) & (self.elapsed <= high))
         if len(rows) == 0:
-            raise FileError(f"There is no estimate between {low:g} s and {high:g} s.")
+            raise FileError(notice("session.none_between", start_s=low, end_s=high))
         return self.rows(rows)
 
     def only(self, names: tuple[str, ...]) -> EstimateSeries:
         """Keypoints and angles of those names. Raises ConfigError for a name that is none."""
         for name in names:
             if name not in self.keypoint_names and name not in self.joint_names:
-                raise ConfigError(f"There is no keypoint or joint {name!r} in this session.")
+                raise ConfigError(notice("session.no_joint", name=name))
         points = [i for i, n in enumerate(self.keypoint_names) if n in names]
         joints = [i for i, n in enumerate(self.joint_names) if n in names]
         return replace(
@@ -144,7 +145,7 @@ def recorded_series(reader: SessionReader, segments: bool = True) -> EstimateSer
     """As `read_series`; raises FileError if the session contains no estimates."""
     series = read_series(reader, segments)
     if not len(series):
-        raise FileError(f"{reader.path} holds no estimates; track it first.")
+        raise FileError(notice("session.not_tracked", path=reader.path))
     return series
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import Array, Validity
 from tracker.session.edits import Mask
 from tracker.session.export.load import load_series
@@ -112,5 +113,5 @@ def arrow() -> tuple[ModuleType, ModuleType]:
         import pyarrow
         import pyarrow.parquet
     except ImportError as error:
-        raise ConfigError("Parquet needs Arrow: install glovetrack[parquet].") from error
+        raise ConfigError(notice("export.needs_arrow")) from error
     return pyarrow, pyarrow.parquet

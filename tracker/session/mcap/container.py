@@ -9,6 +9,7 @@ from mcap.writer import CompressionType, Writer
 
 from tracker import __version__
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.session.mcap.disk import WholeRecordFile
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.sync import SyncBeside
@@ -87,7 +88,7 @@ class McapOutput:
     def add_schema(self, name: str, encoding: str, data: bytes) -> int:
         self._n_schemas += 1
         if self._n_schemas > MOST_CHANNELS:
-            raise FileError(f"A session has at most {MOST_CHANNELS} types of messages.")
+            raise FileError(notice("session.many_types", most=MOST_CHANNELS))
         return self._writer.register_schema(name, encoding, data)
 
     def add_channel(
@@ -95,7 +96,7 @@ class McapOutput:
     ) -> int:
         self._n_channels += 1
         if self._n_channels > MOST_CHANNELS:
-            raise FileError(f"A session has at most {MOST_CHANNELS} channels.")
+            raise FileError(notice("session.many_channels", most=MOST_CHANNELS))
         return self._writer.register_channel(topic, encoding, schema_id, metadata)
 
     def channel(self, topic: str, type_name: str) -> int:

@@ -10,6 +10,7 @@ from pathlib import Path
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
 from tracker.base.files import disk_error, free_path, name_part
+from tracker.base.notices import notice
 
 
 class WholeRecordFile:
@@ -25,7 +26,7 @@ class WholeRecordFile:
         try:
             self._fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o644)
         except FileExistsError as error:
-            raise FileError(f"{path} exists already; a recording never overwrites.") from error
+            raise FileError(notice("recording.exists", path=path)) from error
         except OSError as error:
             raise disk_error(path, error) from error
 

@@ -18,6 +18,7 @@ from mcap.opcode import Opcode
 from mcap.records import Channel, Header, Schema
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.session.mcap.chunks import MESSAGE, message_records, records, unpacked
 from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, SAVED, Damage, RecordFile
 from tracker.session.mcap.spans import LooseMessages, Span, Spans
@@ -55,7 +56,7 @@ class Contents:
         try:
             header = Header.read(ReadDataStream(BytesIO(file.body(offset, length))))
         except BAD_RECORD as error:
-            raise FileError(f"{file.path} is not an MCAP file: its header is damaged.") from error
+            raise FileError(notice("session.header_damaged", path=file.path)) from error
         self.profile, self.library = header.profile, header.library
 
 

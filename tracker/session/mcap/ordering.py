@@ -6,6 +6,7 @@ import heapq
 from collections.abc import Callable, Iterator
 
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
 from tracker.session.mcap.records import LIMIT
 
@@ -36,7 +37,7 @@ def ordered(
                 heapq.heappush(heap, (m.log_time, rank(m.topic), span.offset, i, m))
                 held += len(m.data) + _PER_MESSAGE
         if held > LIMIT:
-            raise FileError(f"{source.path} cannot be read in order: its chunks all overlap.")
+            raise FileError(notice("session.not_orderable", path=source.path))
     while heap:
         yield heapq.heappop(heap)[4]
 

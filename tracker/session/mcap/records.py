@@ -17,6 +17,7 @@ from mcap.exceptions import McapError
 
 from tracker.base.errors import FileError
 from tracker.base.files import check_regular
+from tracker.base.notices import notice
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
@@ -46,7 +47,7 @@ class RecordFile:
         self.size = os.fstat(self._file.fileno()).st_size
         if self.at(0, len(MAGIC)) != MAGIC:
             self.close()
-            raise FileError(f"{self.path} is not an MCAP file.")
+            raise FileError(notice("session.not_mcap", path=self.path))
 
     def close(self) -> None:
         self._file.close()
@@ -67,7 +68,7 @@ class RecordFile:
     def body(self, offset: int, length: int, limit: int = LIMIT) -> bytes:
         """Content of the record at ``offset``. Raises FileError if it is longer than ``limit``."""
         if length > limit:
-            raise FileError(f"{self.path} holds a record of {length} bytes: it is damaged.")
+            raise FileError(notice("session.record_size", path=self.path, size_bytes=length))
         return self.at(offset + _HEAD.size, length)
 
     def damaged(self, offset: int, why: str = "") -> FileError:
@@ -89,6 +90,6 @@ def _open(path: Path) -> IO[bytes]:
         check_regular(path)
         return path.open("rb")
     except FileNotFoundError as error:
-        raise FileError(f"There is no file {path}.") from error
+        raise FileError(notice("file.missing", path=path)) from error
     except OSError as error:
-        raise FileError(f"{path} cannot be read: {error.strerror}.") from error
+        raise FileError(notice("file.not_readable", path=path, why=error.strerror)) from error

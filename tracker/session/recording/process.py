@@ -15,6 +15,7 @@ from typing import Any
 
 from tracker.base.child import start_child
 from tracker.base.errors import FileError, GlovetrackError
+from tracker.base.notices import notice
 from tracker.session.description import SessionInfo
 from tracker.session.recording.child import serve
 from tracker.session.recording.remote import RemoteRecorder
@@ -120,8 +121,7 @@ class RecorderProcess:
             why = f"was ended by signal {-code}" if code < 0 else f"has ended (exit code {code})"
         there = f" What it has written is in {self.path}; Recover makes it whole."
         return FileError(
-            f"The recorder's process {why}.{there if self.path.is_file() else ''} "
-            "You can record again at once."
+            notice("recording.process_ended", why=why, there=there if self.path.is_file() else "")
         )
 
     def close(self) -> None:

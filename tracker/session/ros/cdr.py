@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from tracker.base.clock import NS
 from tracker.base.errors import FileError
+from tracker.base.notices import notice
 from tracker.messages import Array, IntArray
 
 LITTLE_ENDIAN = b"\x00\x01\x00\x00"
@@ -46,7 +47,7 @@ class CdrWriter:
         """builtin_interfaces/Time of nanoseconds since 1970. Raises FileError out of its range."""
         self._align(4)
         if not -_END_OF_TIME <= ns < _END_OF_TIME:
-            raise FileError("An instant lies outside the years 1901 to 2038, which ROS 2 can tell.")
+            raise FileError(notice("session.instant_range"))
         self._body += struct.pack("<iI", *divmod(ns, NS))
 
     def text(self, value: str) -> None:

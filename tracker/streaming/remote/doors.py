@@ -16,6 +16,7 @@ from concurrent.futures import Future
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
+from tracker.base.notices import notice
 from tracker.streaming.connection import StreamError
 from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_BYTES, Reply, Request, parse
@@ -59,7 +60,9 @@ class DatagramDoor:
         try:
             self._loop, self._stop, self.port = started.result(START_WAIT)
         except (OSError, OverflowError, UnicodeError) as error:
-            raise StreamError(f"No remote control by {kind} at {host}:{port}: {error}.") from error
+            raise StreamError(
+                notice("remote.not_started", kind=kind, host=host, port=port, why=error)
+            ) from error
         self.name = f"{kind} at {host}:{self.port}"
 
     def counts(self) -> DoorCounts:

@@ -14,6 +14,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.wizards.leading.dialog import LeadingDialog
+from app.words import error_text
 from extensions.conformance.window.guide.lead import ScriptPage
 from extensions.conformance.window.guide.result import VerdictPage
 from extensions.conformance.window.job import Judged, conformance_job
@@ -64,7 +65,7 @@ class ConformanceDialog(LeadingDialog):
         try:
             request = RecordingPlan(self._store).request_for(TASK)
         except GlovetrackError as error:
-            self._host.error.emit(str(error))
+            self._host.error.emit(error_text(error))
             return
         if self._host.record(request):
             self._take = request.path

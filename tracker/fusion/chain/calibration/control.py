@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams
 from tracker.fusion.chain.prior import initial_covariance
@@ -34,7 +35,7 @@ def calibration_rows(layout: ChainLayout, segments: Sequence[str]) -> IntArray:
 
     for name in segments:
         if name not in layout.names:
-            raise ConfigError(f"There is no segment {name!r} whose calibration is estimated.")
+            raise ConfigError(notice("calibration.no_segment", segment=name))
         a = layout.names.index(name)
         block(layout.blocks.scale, a, 2)
         if (j := int(layout.imu_of[a])) >= 0:

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PriorParams
 from tracker.fusion.chain.prior import initial_covariance
@@ -29,8 +30,12 @@ def measured_profile(layout: ChainLayout, length: float, sd: float = RULER_SD) -
     """
     if not SHORTEST <= length <= LONGEST:
         raise ConfigError(
-            f"A hand is {1000 * SHORTEST:.0f} to {1000 * LONGEST:.0f} mm long, from the crease of "
-            f"the wrist to the tip of the middle finger; {1000 * length:.0f} mm is no hand's."
+            notice(
+                "calibration.hand_length",
+                least_mm=1000 * SHORTEST,
+                most_mm=1000 * LONGEST,
+                length_mm=1000 * length,
+            )
         )
     state = initial_state(layout)
     P = initial_covariance(layout, PriorParams())

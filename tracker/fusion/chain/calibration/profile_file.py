@@ -17,6 +17,7 @@ import tomli_w
 
 from tracker.base.errors import FileError
 from tracker.base.files import write_kept
+from tracker.base.notices import notice
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.chain.distal import OWN, DistalSegments, Synergies
 from tracker.fusion.chain.layout import ChainLayout
@@ -94,17 +95,23 @@ def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
     try:
         said = parse_toml(read_text(path), path.name)
     except FileError as error:
-        raise FileError(f"{path.name} is no profile of a wearer: {error}") from error
+        raise FileError(notice("wearer.invalid", file=path.name, why=error)) from error
     if _is_of_another(said, layout):
         names, ours = (said["hand"], said["glove"]), (layout.hand.name, layout.glove.name)
         raise FileError(
-            f"{path.name} is of hand {names[0]} with glove {names[1]}; "
-            f"this is hand {ours[0]} with glove {ours[1]}."
+            notice(
+                "wearer.other_hand",
+                file=path.name,
+                hand=names[0],
+                glove=names[1],
+                our_hand=ours[0],
+                our_glove=ours[1],
+            )
         )
     try:
         return _parsed(said, layout)
     except (KeyError, TypeError, ValueError) as error:
-        raise FileError(f"{path.name} is no profile of a wearer, or it is damaged.") from error
+        raise FileError(notice("wearer.damaged", file=path.name)) from error
 
 
 def _parsed(said: dict[str, Any], layout: ChainLayout) -> WearerFile:
