@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tracker.base.errors import notice_of
-from tracker.base.notices import PLAIN, Language, Notice, render, try_render
+from tracker.base.notices import Language, Notice, render, try_render
 from tracker.messages import Event
 
 
@@ -16,19 +16,16 @@ class _Catalogue:
     """What turns words of the source into the user's; as they stand until one is in use."""
 
     look_up: Callable[[str], str | None] | None = None
-    sentences: Callable[[str], str] | None = None
     decimal = "."
 
 
 def use(
     look_up: Callable[[str], str | None] | None,
-    sentences: Callable[[str], str] | None = None,
     decimal: str = ".",
 ) -> None:
-    """Translate by ``look_up`` from now on, which gives None for what it does not hold; and what
-    the engine says by ``sentences``. ``decimal``: the separator in numbers."""
-    _Catalogue.look_up, _Catalogue.sentences = look_up, sentences
-    _Catalogue.decimal = decimal
+    """Translate by ``look_up`` from now on, which gives None for a text that it does not have.
+    ``decimal``: the separator in numbers."""
+    _Catalogue.look_up, _Catalogue.decimal = look_up, decimal
 
 
 def tr(text: str) -> str:
@@ -61,8 +58,6 @@ class LocalFloat(float):
 
 def notice_text(what: Notice) -> str:
     """What the engine reports, in the user's language."""
-    if what.code == PLAIN:
-        return told(str(what))
     return render(what, Language(_word, _Catalogue.decimal))
 
 
@@ -74,8 +69,8 @@ def error_text(error: BaseException) -> str:
 def event_text(event: Event) -> str:
     """What an event reports, in the user's language; in English where it was recorded without a
     notice, or with one that this version does not have. A note is the user's own text."""
-    if event.notice is None or event.notice.code == PLAIN:
-        return event.text if event.kind == "note" else told(event.text)
+    if event.notice is None:
+        return event.text
     return try_render(event.notice, Language(_word, _Catalogue.decimal)) or event.text
 
 
@@ -87,9 +82,3 @@ def _word(text: str) -> str:
         translated = tr(capital)
         found = text if translated is capital else translated.lower()
     return found
-
-
-def told(text: str) -> str:
-    """What the engine says, which knows no window, in the user's language. A text of the window,
-    that has passed `tr`, stays as it is."""
-    return _Catalogue.sentences(text) if _Catalogue.sentences is not None and text else text

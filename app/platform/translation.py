@@ -12,7 +12,6 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from app import words
-from app.platform.engine_sentences import EngineSentences
 from resources import folder
 
 CONTEXT = "glovetrack"
@@ -64,12 +63,7 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
     catalogue = Catalogue(app)
     catalogue.load(str(where / f"{PREFIX}{code}.qm"))
     app.installTranslator(catalogue)
-    sentences = EngineSentences(where / f"{PREFIX}{code}.ts")
-    words.use(
-        lambda text: catalogue.translate(CONTEXT, text),
-        sentences.translate,
-        QLocale().decimalPoint(),
-    )
+    words.use(lambda text: catalogue.translate(CONTEXT, text), QLocale().decimalPoint())
     return code
 
 

@@ -15,8 +15,10 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from app.platform.engine_sentences import LEAST, is_engines, own
 from app.platform.translation import CONTEXT, place
+from tracker.base.catalogue import WORDS
+from tracker.base.notices import GROUP as NOTICES
+from tracker.base.notices import all_templates
 from tracker.engine.kinds import ENGINES, engine_kinds
 from tracker.session.export.formats import FORMATS, formats
 from tracker.streaming.registry import STREAMS, stream_kinds
@@ -24,38 +26,6 @@ from tracker.streaming.remote.registry import DOORS, door_kinds
 
 ROOT = Path(__file__).resolve().parents[2]
 WINDOW = ("app", "extensions")
-ENGINES_SIDE = ("tracker", "extensions")
-NOT_SHOWN = (
-    "extensions/applications/command",
-    "extensions/applications/page",
-    "extensions/applications/session_",
-    "extensions/applications/sources",
-    "extensions/applications/swarm/simulated_vehicles",
-    "extensions/conformance",
-    "extensions/evaluation",
-    "extensions/movement",
-    "extensions/robot/pick",
-    "extensions/robot/teleop_",
-    "extensions/sheets",
-    "tracker/base/arguments",
-    "tracker/base/command",
-    "tracker/base/logs",
-    "tracker/base/workers",
-    "tracker/cli",
-    "tracker/completion",
-    "tracker/fusion/ablations",
-    "tracker/kernels",
-    "tracker/offline",
-    "tracker/session/commands",
-    "tracker/simulation",
-    "extensions/foxglove",
-    "tracker/streaming/payload_read",
-    "tracker/streaming/remote/client",
-    "extensions/osc/requests",
-    "tracker/streaming/remote/reception",
-    "tracker/streaming/remote/request",
-)
-"""What speaks to the command line, to other programs, or in a file: that stays English."""
 SAYS = ("tr", "mark", "translate")
 """Functions whose words are for the user; of ``translate`` the second argument."""
 
@@ -78,35 +48,6 @@ def words_in(code: str) -> Iterator[tuple[str, int]]:
             yield word.value, node.lineno
 
 
-def sentences_in(code: str) -> Iterator[str]:
-    """What the engine says: whole sentences of its code, ``{}`` for each value. Docstrings are
-    none."""
-    tree = ast.parse(code)
-    apart: set[int] = set()
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-            apart.add(id(node.value))
-        elif isinstance(node, ast.JoinedStr):
-            apart.update(id(part) for part in node.values)
-    for node in ast.walk(tree):
-        if id(node) in apart:
-            continue
-        if isinstance(node, ast.JoinedStr):
-            yield from _sentence("".join(_plain(part) or "{}" for part in node.values))
-        else:
-            yield from _sentence(_plain(node))
-
-
-def _plain(node: ast.AST) -> str:
-    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
-
-
-def _sentence(text: str) -> Iterator[str]:
-    whole = text[:1].isupper() or text.startswith("{}")
-    if whole and text.count(" ") >= 2 and text.rstrip().endswith((".", "?")) and own(text) >= LEAST:
-        yield text
-
-
 def _sources(root: Path, folders: Sequence[str]) -> Iterator[tuple[str, Path]]:
     """Each module's path from the root of the tree, tests left out."""
     for folder in folders:
@@ -114,16 +55,6 @@ def _sources(root: Path, folders: Sequence[str]) -> Iterator[tuple[str, Path]]:
             inside = path.relative_to(root).as_posix()
             if "/tests/" not in inside:
                 yield inside, path
-
-
-def engine_sentences(root: Path = ROOT) -> dict[str, str]:
-    """Each sentence that the window may show, and the file it stands in."""
-    found: dict[str, str] = {}
-    for inside, path in _sources(root, ENGINES_SIDE):
-        if is_engines(inside) and not inside.startswith(NOT_SHOWN):
-            for text in sentences_in(path.read_text("utf-8")):
-                found.setdefault(text, inside)
-    return found
 
 
 def _from_table(word: ast.expr | None) -> bool:
@@ -143,12 +74,12 @@ def _is_qt(function: ast.expr) -> bool:
 
 
 def all_words(root: Path = ROOT) -> dict[str, str]:
-    """Every text of the window and the file it stands in first, in the order of the files; then the
-    sentences of the engine."""
+    """Every text of the window and the first file with it, in the order of the files; then the
+    templates of notices and the words that their values may be."""
     own = {"words.py", "translation.py", "translations.py"}
     found: dict[str, str] = {}
     for inside, path in _sources(root, WINDOW):
-        if path.name not in own and not (inside.startswith("extensions/") and is_engines(inside)):
+        if path.name not in own and (inside.startswith("app/") or "/window/" in inside):
             for text, _line in words_in(path.read_text("utf-8")):
                 found.setdefault(text, inside)
     for engine in engine_kinds().values():
@@ -161,8 +92,8 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
         found.setdefault(door.title, DOORS.group)
     for form in formats():
         found.setdefault(form.title, FORMATS.group)
-    for text, inside in engine_sentences().items():
-        found.setdefault(text, inside)
+    for text in (*all_templates().values(), *WORDS):
+        found.setdefault(text, NOTICES)
     return found
 
 

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QVBoxLayout, Q
 
 from app.widgets.banner import Action, Banner
 from app.widgets.measures import NEAR
-from app.words import told
 
 MOVES = (
     QEvent.Type.Resize,
@@ -59,7 +58,6 @@ class MessageBar(QWidget):
         ``stays`` is not taken away by its own buttons. Good news that is about nothing that could
         end disappears after some seconds, unless the pointer or the keyboard is on it.
         """
-        text = told(text)
         again = self.isVisible() and text == self.banner.text()
         self._about = about
         self.banner.show_text(text, *actions, good=good, stays=stays)

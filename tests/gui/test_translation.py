@@ -2,6 +2,7 @@
 
 import ast
 import re
+from dataclasses import replace
 from pathlib import Path
 from string import Formatter
 
@@ -10,20 +11,29 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication
 
 from app import words
-from app.platform.engine_sentences import EngineSentences, own, templates_in
 from app.platform.translation import CONTEXT, Catalogue, chosen, install, languages, place
 from app.tools.translations import (
     SAYS,
     all_words,
-    engine_sentences,
     read,
     release,
-    sentences_in,
     words_in,
     write,
 )
 from app.viewmodels.recording import position_text
 from app.window.main_window import MainWindow
+from tracker.base import files
+from tracker.base.errors import DeviceError, FileError
+from tracker.base.notices import (
+    Notice,
+    Severity,
+    all_templates,
+    failure,
+    notice,
+    plain,
+    warning,
+)
+from tracker.messages import Event
 
 ROOT = Path(__file__).resolve().parents[2]
 APP = ROOT / "app"
@@ -75,7 +85,7 @@ def test_no_words_are_handed_to_qt_untranslated():
 
 PARTS = ("viewmodels", "jobs", "engines", "storage", "panels", "window", "wizards")
 SPOKEN_TO_PROGRAMS = {
-    "jobs/remote_answers.py",  # answers of the remote control, which other programs read
+    "jobs/remote.py",  # answers of the remote control, which other programs read
     "window/command_line.py",
     "window/headless_report.py",  # the terminal speaks English, as does its help
     "window/remote_command.py",
@@ -205,56 +215,63 @@ def test_the_language_is_the_one_set_else_the_desktop_s_else_english(setting, sy
     assert chosen(setting, system, ["en", "de"]) == code
 
 
-def test_sentences_of_the_engine_are_found_with_their_values_and_docstrings_are_not():
-    code = """
-def f(x, y):
-    \"\"\"This is no sentence for anybody.\"\"\"
-    raise FileError(f"The glove {x} is at "
-                    f"{y:.1f} metres.", "key", "no sentence, no capital.", f"{x}: {y}.")
-"""
-    assert list(sentences_in(code)) == ["The glove {} is at {} metres."]
-    assert len(engine_sentences()) > 200  # of files, devices, colours, the fit, the export
-
-
 @pytest.fixture
-def german(tmp_path):
-    """A catalogue whose engine says three things."""
+def german(monkeypatch):
+    """A catalogue with a few notices."""
     done = {
-        "The camera {} is connected.": "Die Kamera {} ist verbunden.",
-        "{} and {} are exchanged.": "{1} ist mit {0} vertauscht.",
-        "{} cannot be read: {}.": "{} ist nicht lesbar: {}.",
-        "Window": "Fenster",
+        "The camera {camera} is connected.": "Die Kamera {camera} ist verbunden.",
+        "No packets from the {side:word} glove: the hand follows the images alone.": (
+            "Handschuh {side:word}: keine Pakete."
+        ),
+        "The {hues:words} markers look alike in this light. Use another lamp, or other cloth.": (
+            "Die Marker {hues:words} sehen gleich aus."
+        ),
+        "The glove's battery is low ({volts:.2f} V). Charge it soon.": "Akku: {volts:.2f} V",
+        "The recording has ended: {why}": "Aufnahme beendet: {why}",
+        "red": "rot",
+        "Left": "Links",
+        "{} and {}": "{} und {}",
     }
-    path = tmp_path / "glovetrack_de.ts"
-    write(path, "de", dict.fromkeys(done, "tracker/a.py") | {"Window": "app/a.py"}, done)
-    assert "Window" not in dict(templates_in(path))
-    return EngineSentences(path).translate
+    monkeypatch.setattr(words._Catalogue, "look_up", staticmethod(done.get))
+    monkeypatch.setattr(words._Catalogue, "decimal", ",")
 
 
 @pytest.mark.parametrize(
-    ("said", "translated"),
+    ("report", "text"),
     [
-        ("The camera front is connected.", "Die Kamera front ist verbunden."),
-        ("a and b are exchanged.", "b ist mit a vertauscht."),
-        ("x.mcap cannot be read: no such. file.", "x.mcap ist nicht lesbar: no such. file."),
+        (notice("camera.connected", camera="front"), "Die Kamera front ist verbunden."),
+        (warning("glove.packets_missing", side="left"), "Handschuh links: keine Pakete."),
         (
-            "a and b are exchanged. The camera c is connected. Who knows?",
-            "b ist mit a vertauscht. Die Kamera c ist verbunden. Who knows?",
+            warning("light.hues_alike", hues=("red", "pearl")),
+            "Die Marker rot und pearl sehen gleich aus.",
         ),
-        ("Die Kamera front ist verbunden.", "Die Kamera front ist verbunden."),
-        ("", ""),
+        (warning("glove.battery_low", volts=3.49), "Akku: 3,49 V"),
+        (
+            failure("recording.ended", why=notice("camera.connected", camera="b")),
+            "Aufnahme beendet: Die Kamera b ist verbunden.",
+        ),
+        (plain("Whatever a plug-in says."), "Whatever a plug-in says."),
+        (notice("tracking.searching"), "Looking for the hand."),
     ],
 )
-def test_what_the_engine_says_is_translated_with_its_values(german, said, translated):
-    assert german(said) == translated
+def test_notices_are_rendered_in_the_language_of_the_window(german, report, text):
+    assert words.notice_text(report) == text
+    assert words.error_text(FileError(report)) == text
+    assert words.event_text(Event.of(1.0, "device", report)) == text
 
 
-def test_decimals_are_written_as_the_language_does(german, monkeypatch):
-    monkeypatch.setattr(words._Catalogue, "decimal", ",")
+def test_events_of_other_versions_show_the_text_that_they_have(german):
+    old = Event(1.0, "device", "The camera front is connected.")
+    assert words.event_text(old) == old.text
+    later = replace(old, notice=Notice("camera.invented_later", Severity.INFO, {}))
+    assert words.event_text(later) == old.text
+    note = Event(1.0, "note", "red")
+    assert words.event_text(note) == "red", "a note is the user's own"
+
+
+def test_decimals_are_written_as_the_language_does(german):
     assert f"{words.local(63.0):.1f} mm" == "63,0 mm" and f"{words.local(5.4):.0f}" == "5"
     assert position_text(83.996) == "1:24,00"
-    assert german("1.25 mm and a are exchanged.") == "a ist mit 1,25 mm vertauscht."
-    assert german("1.2.0 and b are exchanged.") == "b ist mit 1.2.0 vertauscht.", "a version"
 
 
 FOR_PROGRAMS = {"graphs.py": ["x", "t"]}  # a table of comma-separated values
@@ -295,28 +312,26 @@ def test_decimals_on_the_screen_are_in_the_user_s_language(part):
     assert {p: n for p, n in found.items() if n and n != FOR_PROGRAMS.get(p)} == {}
 
 
-def test_hues_that_the_engine_enumerates_are_translated(monkeypatch):
-    german = {"red": "rot", "blue": "blau", "green": "grün", "{} and {}": "{} und {}"}
-    monkeypatch.setattr(words._Catalogue, "look_up", staticmethod(german.get))
-    said = EngineSentences(place() / "glovetrack_de.ts").translate(
-        "The red, green and blue markers are too bright: shorten the exposure, or move the lamp "
-        "away."
-    )
-    assert "rot, grün und blau" in said and " and " not in said
+def test_templates_of_notices_and_reasons_of_the_disk_are_listed_for_translation():
+    listed = all_words()
+    assert set(all_templates().values()) <= listed.keys()
+    assert set(files._WORDS.values()) <= listed.keys()
 
 
-def test_every_translation_of_the_engine_takes_just_the_values_of_its_sentence():
+def test_every_translation_of_a_notice_takes_just_the_values_of_its_text():
+    def values(template):
+        return {name for _, name, _, _ in Formatter().parse(template) if name}
+
     for path in place().glob("*.ts"):
-        for source, target in templates_in(path):
-            values = [f"<{k}>" for k in range(source.count("{}"))]
-            if own(source) and values:
-                assert all(target.format(*values).count(v) == 1 for v in values), source
+        done = read(path)
+        for code, template in all_templates().items():
+            if template in done:
+                assert values(done[template]) == values(template), code
 
 
-def test_a_lost_camera_is_told_in_german_in_banner_and_log(window, monkeypatch):
-    sentences = EngineSentences(place() / "glovetrack_de.ts")
-    monkeypatch.setattr(words._Catalogue, "sentences", staticmethod(sentences.translate))
-    window.host.error.emit("The camera 0 gives no images; waiting for it.")
-    said = "Die Kamera 0 gibt keine Bilder; es wird auf sie gewartet."
-    assert window.messages.banner.text() == said
-    assert window.log.model.ends_with(said)
+def test_a_lost_camera_is_reported_in_banner_and_log(window, german):
+    front = DeviceError(notice("camera.connected", camera="0"))
+    window.host.error.emit(words.error_text(front))
+    text = "Die Kamera 0 ist verbunden."
+    assert window.messages.banner.text() == text
+    assert window.log.model.ends_with(text)

@@ -106,7 +106,7 @@ def check_target(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -
         if path.exists() and source.exists() and path.samefile(source):
             raise FileError(notice("file.is_input", path=path))
     if path.exists() and not path.is_file():
-        what = "is a folder" if path.is_dir() else "is a device, not a file"
+        what = "a folder" if path.is_dir() else "a device, not a file"
         raise FileError(notice("file.occupied", path=path, what=what))
     if not force and not _is_empty(path):
         raise FileError(notice("file.exists_force", path=path))

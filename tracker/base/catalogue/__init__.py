@@ -26,3 +26,31 @@ TEMPLATES: dict[str, str] = {
     **exports.TEXTS,
     **settings.TEXTS,
 }
+
+WORDS = (
+    *("left", "right", "left lens", "right lens", "lens", "hand", "back of the hand"),
+    *("red", "green", "blue", "yellow"),
+    *("thumb", "index", "middle", "ring", "little"),
+    *("top left", "top", "top right", "the middle", "bottom left", "bottom", "bottom right"),
+    *("still", "silent", "unclear", "elsewhere", "turned"),
+    *("hands", "gloves", "colours"),
+    "a configuration file",
+    "a mesh that can be read",
+    "a folder",
+    "a device, not a file",
+    "the disk is full",
+    "the disk quota is used up",
+    "the disk allows no file this large",
+    "you may not write there",
+    "the disk can only be read",
+    "the disk failed or was taken away",
+    "the disk was taken away",
+    "the network disk is gone",
+    "the folder does not exist",
+    "the name is too long",
+    "a file of that name exists already",
+    "a folder of that name exists already",
+    "{} and {}",
+    "{} or {}",
+)
+"""What values of notices may be, besides names and numbers: texts that have a translation."""

@@ -16,7 +16,7 @@ TEXTS = {
     "file.not_regular": "{path} is not a regular file.",
     "file.too_large": "{path} is larger than {limit_bytes} bytes, so it is not {what:word}.",
     "file.is_input": "{path} is an input. Choose another name for the output.",
-    "file.occupied": "{path} already exists and {what:word}. Choose another name.",
+    "file.occupied": "{path} already exists and is {what:word}. Choose another name.",
     "file.exists_force": (
         "{path} already exists. Choose another name, or use --force to replace it."
     ),
