@@ -1,5 +1,6 @@
 """A kernel's signature is what its annotations say; numba is the oracle of what they mean."""
 
+import importlib
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -8,8 +9,9 @@ from numba import typeof
 from numpy.typing import NDArray
 
 from tracker.kernels.arrays import BoolVector, IntMatrix, Matrix, Vector, Written
+from tracker.kernels.exported import exported
 from tracker.kernels.numba_types import arguments, numba_type
-from tracker.kernels.signature import SignatureError, parameters, signature, word
+from tracker.kernels.signature import SignatureError, check_result, parameters, signature, word
 
 HERE = __name__
 Images = Annotated[NDArray[np.uint8], "u1[3A]"]
@@ -89,3 +91,18 @@ def test_a_name_that_is_not_there_when_the_program_runs_is_an_error():
 
     with pytest.raises(SignatureError, match="Nowhere"):
         signature(function)
+
+
+def test_a_kernel_that_python_calls_returns_no_named_tuple():
+    """In a wheel the compiled function would crash: its class has another name there."""
+
+    def function() -> Untyped: ...
+
+    with pytest.raises(SignatureError, match="function returns the named tuple Untyped"):
+        check_result(function)
+
+
+def test_results_of_kernels_that_python_calls_can_be_made_in_a_wheel():
+    for name in exported():
+        module, _, function = name.rpartition(".")
+        check_result(getattr(importlib.import_module(module), function).py_func)

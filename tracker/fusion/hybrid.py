@@ -22,7 +22,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.output.completion import ActiveSegments
-from tracker.fusion.output.motion import JOINT_RATE_SD, linked_rates, moving
+from tracker.fusion.output.motion import JOINT_RATE_SD, Rates, linked_rates, moving
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -144,7 +144,8 @@ class HybridEngine(Engine):
                 w[i], w_sd[i] = R[i].T @ R[a] @ w[a], np.hypot(w_sd[a], JOINT_RATE_SD)
         segments = ActiveSegments(R, p, np.ones((len(R), 3)))
         v, v_sd = dorsum.motion.linear[at].copy(), float(dorsum.motion.linear_sd[at])
-        rates = linked_rates(lay.parent, segments, v, w, v_sd, w_sd, np.full(len(R), ANGLE_SD))
+        sd = v_sd, w_sd, np.full(len(R), ANGLE_SD)
+        rates = Rates(*linked_rates(lay.parent, segments, v, w, *sd))
         return moving(self._output, estimate, segments, rates)
 
     def _of_root(self, sample: ImuSample) -> ImuSample:

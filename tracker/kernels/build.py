@@ -18,6 +18,7 @@ import os
 import sys
 import tempfile
 from collections import Counter, defaultdict
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -33,7 +34,7 @@ from setuptools import Distribution, Extension
 from tracker.kernels import aot, exported, kept, numba_types, parts, tools
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.parts import HERE
-from tracker.kernels.signature import SignatureError, signature
+from tracker.kernels.signature import SignatureError, check_result, signature
 
 DISPATCH = "_dispatch"
 FOR_DEMO = "--for-demo"
@@ -79,12 +80,14 @@ def _fetch_part(part: str, table: str) -> bool:
 
 
 def _entries() -> dict[str, list[Entry]]:
-    """What each part is to hold. SystemExit if a kernel does not say its types."""
-    untyped = [str(error) for error in map(_error_of, exported.kernels()) if error is not None]
-    if untyped:
-        raise SystemExit("\n".join(untyped))
+    """What each part is to hold. SystemExit if a kernel cannot be compiled for it."""
+    called = exported.exported()
+    errors = [_error_of(signature, name) for name in exported.kernels()]
+    errors += [_error_of(check_result, name) for name in called]
+    if wrong := [str(error) for error in errors if error is not None]:
+        raise SystemExit("\n".join(wrong))
     entries: dict[str, list[Entry]] = defaultdict(list)
-    for name in exported.exported():
+    for name in called:
         kernel, part = _kernel(name), parts.part_of(name)
         wide = kernel.options.get("wide") and parts.can_be_wide()
         for its in (entries[part], entries[part + parts.WIDE]) if wide else (entries[part],):
@@ -97,9 +100,9 @@ def _kernel(name: str) -> Any:
     return getattr(importlib.import_module(module), function)
 
 
-def _error_of(name: str) -> SignatureError | None:
+def _error_of(check: Callable[[Any], object], name: str) -> SignatureError | None:
     try:
-        signature(_kernel(name).py_func)
+        check(_kernel(name).py_func)
     except SignatureError as error:
         return error
     return None

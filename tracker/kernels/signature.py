@@ -49,6 +49,20 @@ def parameters(function: Callable[..., Any]) -> dict[str, Annotation]:
         raise SignatureError(f"{_full_name(function)}: {unknown}.") from unknown
 
 
+def check_result(function: Callable[..., Any]) -> None:
+    """SignatureError if a kernel that Python calls returns a named tuple.
+
+    Its compiled function would import the tuple's class by its name in this tree, and crash in a
+    wheel, where the class has another name.
+    """
+    result = get_type_hints(function).get("return")
+    if isinstance(result, type) and hasattr(result, "_fields"):
+        raise SignatureError(
+            f"{_full_name(function)} returns the named tuple {result.__qualname__}. "
+            "A kernel that Python calls has to return a plain tuple."
+        )
+
+
 def word(annotation: Annotation, written: bool = False) -> str:
     """What stands for one parameter, or for a tuple's member; ``written``: the tuple is."""
     written = written or is_written(annotation)

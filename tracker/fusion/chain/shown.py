@@ -27,7 +27,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tracking import DOUBT_AFTER
 from tracker.fusion.output.completion import ActiveSegments, Completion
-from tracker.fusion.output.motion import linked_rates, moving
+from tracker.fusion.output.motion import Rates, linked_rates, moving
 from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed, sensed_lately
 from tracker.fusion.time.timeline import HAND_SPEED, behind_variance
 from tracker.geometry.kernels import cross3
@@ -278,7 +278,7 @@ class ShownHand:
             lay.drive, lay.blocks, state.R_GB, state.imus, past.P, *readings, gyro_sd
         )
         v = state.v + state.R_GB[0] @ cross3(w[0], state.R_GB[0].T @ (active.p[0] - state.p))
-        rates = linked_rates(lay.parent, active, v, w, v_sd, w_sd, turn_sd)
+        rates = Rates(*linked_rates(lay.parent, active, v, w, v_sd, w_sd, turn_sd))
         return moving(self._output, estimate, active, rates)
 
     def _velocity_sd(self, past: ChainState, t: float) -> float:

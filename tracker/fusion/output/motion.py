@@ -63,9 +63,10 @@ def linked_rates(
     v_sd: float,
     w_sd: Vector,
     turn_sd: Vector,
-) -> Rates:
-    """`Rates` of segments that hang together, parent (A,): the root's origin moves with v (3,) m/s,
-    as surely as ``v_sd``; the other arguments are fields of the result."""
+) -> tuple[Matrix, Matrix, Vector, Vector, Vector]:
+    """The fields of `Rates`, in their order, of segments that hang together, parent (A,): the
+    root's origin moves with v (3,) m/s, as surely as ``v_sd``; the other arguments are fields of
+    the result."""
     n = len(parent)
     v_all, sd = np.empty((n, 3)), np.empty(n)
     v_all[0], sd[0] = v, v_sd
@@ -74,7 +75,7 @@ def linked_rates(
         lever = active.p[i] - active.p[a]
         v_all[i] = v_all[a] + cross3(rotate(active.R[a], w[a]), lever)
         sd[i] = np.sqrt(sd[a] ** 2 + _lever_variance(lever, w_sd[a] ** 2))
-    return Rates(v_all, w, sd, w_sd, turn_sd)
+    return v_all, w, sd, w_sd, turn_sd
 
 
 @kernel(nogil=False)
