@@ -16,7 +16,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from tracker.geometry import so3
 from tracker.geometry.kernels import quats
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS, KEYPOINTS
@@ -50,9 +49,13 @@ KEYPOINT_OF = {
     **{f"{f}_tip": f"{f}_tip" for f in FINGERS},
 }
 
-MOMENT = 1e-5  # s over which joints are differentiated
 METACARPAL_BASE = 0.25  # of the way from wrist to knuckle: where the carpus ends
 PALM = 0.625  # the middle metacarpal's centre on the same line
+ON_DORSUM = (
+    *zip(METACARPALS, KNUCKLES, [METACARPAL_BASE] * len(FINGERS), strict=True),
+    (PALM_JOINT, JOINTS.index("middle_proximal"), PALM),
+)
+"""Joints without a keypoint, each with the knuckle and the share of the way to it."""
 
 # XrSpaceLocationFlags
 ORIENTATION_VALID, POSITION_VALID, ORIENTATION_TRACKED, POSITION_TRACKED = 1, 2, 4, 8
@@ -109,28 +112,32 @@ class PointMotion:
 def openxr_motion(
     estimate: Estimate, keypoint_names: Sequence[str], joints: OpenXrHand
 ) -> PointMotion:
-    """How the ``joints`` of an estimate, in the order of `JOINTS`, move in OpenXR's world: their
-    change over a moment. A joint on the dorsum is as unsure as the wrist and its knuckle."""
-    e, m, n = estimate, estimate.motion, len(JOINTS)
+    """How the ``joints`` of an estimate, in the order of `JOINTS`, move in OpenXR's world.
+
+    Those on the dorsum move between wrist and knuckle and turn with the wrist; they are as unsure
+    as both.
+    """
+    m, nothing = estimate.motion, np.full((len(JOINTS), 3), np.nan)
     if m is None:
-        nothing = np.full((n, 3), np.nan)
         return PointMotion(nothing, nothing, nothing[:, 0], nothing[:, 0])
-    turned = so3.exp(m.angular * MOMENT) @ so3.matrix_from_quat(e.keypoint_q)
-    q, p = so3.quat_from_matrix(turned), e.keypoints + m.linear * MOMENT
-    later = openxr_joints(p, q, e.keypoint_state, keypoint_names, joints.radius)
-    R, R_later = (so3.matrix_from_quat(x.orientation) for x in (joints, later))
-    angular = so3.log(R_later @ R.swapaxes(1, 2)) / MOMENT
-    linear = (later.position - joints.position) / MOMENT
-    sds = [_joint_sds(sd, keypoint_names) for sd in (m.linear_sd, m.angular_sd)]
+    rows = np.array(keypoint_rows(keypoint_names))
+    there = rows >= 0
+    linear, angular = nothing.copy(), nothing.copy()
+    linear[there], angular[there] = m.linear[rows[there]] @ R_BX, m.angular[rows[there]] @ R_BX
+    for joint, knuckle, share in ON_DORSUM:
+        linear[joint] = (1 - share) * linear[WRIST] + share * linear[knuckle]
+        angular[joint] = angular[WRIST]
+    lost = joints.state == Validity.LOST
+    linear[lost], angular[lost] = np.nan, np.nan
+    sds = [_joint_sds(sd, rows) for sd in (m.linear_sd, m.angular_sd)]
     return PointMotion(linear, angular, *sds)
 
 
-def _joint_sds(sd: Array, keypoint_names: Sequence[str]) -> Array:
-    """(26,) of keypoints' sd (K,)."""
-    out = np.array([sd[row] if row >= 0 else np.nan for row in keypoint_rows(keypoint_names)])
-    for joint, finger in (("palm", "middle"), *((f"{f}_metacarpal", f) for f in FINGERS)):
-        knuckle = JOINTS.index(f"{finger}_proximal")
-        out[JOINTS.index(joint)] = np.hypot(out[WRIST], out[knuckle])
+def _joint_sds(sd: Array, rows: IntArray) -> Array:
+    """(26,) of keypoints' sd (K,); ``rows`` as `keypoint_rows`."""
+    out = np.where(rows >= 0, sd[np.maximum(rows, 0)], np.nan)
+    for joint, knuckle, _ in ON_DORSUM:
+        out[joint] = np.hypot(out[WRIST], out[knuckle])
     return out
 
 
