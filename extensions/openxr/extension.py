@@ -1,4 +1,4 @@
-"""What OpenXR adds to the program: the stream that API layers read."""
+"""What OpenXR adds to the program: the stream that layers read; `command` has the commands."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from extensions.openxr.layout import JOINT, Velocity
 from extensions.openxr.quaternions import inverse, product, rotate, rotation_vector
-from tracker.hand.openxr import JOINTS, WRIST, OpenXrHand, keypoint_rows
+from tracker.hand.openxr import JOINTS, WRIST, OpenXrHand, keypoint_rows, openxr_motion
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.payload import openxr_of
 from tracker.streaming.publisher import Names, StreamError
@@ -76,10 +76,19 @@ class JointSeries:
         out["sd"] = np.where(
             (self._rows >= 0) & known, estimate.keypoint_sd[np.maximum(self._rows, 0)], np.nan
         )
-        out["linear_sd"] = out["angular_sd"] = np.nan
-        velocity = self._add_velocities(out, poses)
+        velocity = self._add_motion(out, estimate, hand)
+        if velocity == Velocity.UNKNOWN:
+            velocity = self._add_differences(out, poses)
         self._before.append(poses)
         return Joints(out, velocity)
+
+    def _add_motion(self, out: JointArray, estimate: Estimate, hand: OpenXrHand) -> Velocity:
+        """The engine's own velocities; NaN of joints without such."""
+        motion = openxr_motion(estimate, self._names.keypoints, hand)
+        out["linear"], out["angular"] = motion.linear, motion.angular
+        out["linear_sd"], out["angular_sd"] = motion.linear_sd, motion.angular_sd
+        is_known = bool(np.isfinite(motion.linear[WRIST]).all())
+        return Velocity.FILTER if is_known else Velocity.UNKNOWN
 
     def _poses(self, hand: OpenXrHand, known: NDArray[np.bool_]) -> Poses | None:
         """Every joint's, those that are lost where they were on the hand; None without such."""
@@ -95,9 +104,10 @@ class JointSeries:
             q = np.where(known[:, None], q, product(q[WRIST], self._q_W))
         return Poses(hand.t, p, q, known)
 
-    def _add_velocities(self, out: JointArray, now: Poses) -> Velocity:
+    def _add_differences(self, out: JointArray, now: Poses) -> Velocity:
         """Differences from the newest poses that are `SPAN` old; NaN of joints without such."""
         out["linear"], out["angular"] = np.nan, np.nan
+        out["linear_sd"] = out["angular_sd"] = np.nan
         while len(self._before) > 1 and now.t - self._before[1].t >= SPAN:
             self._before.popleft()
         if not self._before or not SPAN <= now.t - self._before[0].t <= LONGEST_SPAN:

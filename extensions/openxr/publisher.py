@@ -39,8 +39,6 @@ from tracker.streaming.publisher import Names, OtherHand, StreamError
 STALE_NS = 250_000_000
 REPLAYED_NS = 1_000_000_000
 """An estimate that is older is from a recording, and is stamped when it is sent."""
-READS_NOW_NS = 1_000_000_000
-"""An application that has read the hand since then counts as a client."""
 
 
 @dataclass(frozen=True)
@@ -104,8 +102,8 @@ class OpenXrPublisher:
         """Applications that read the hand within the last second."""
         with self._writing:
             readers = [] if self._memory.is_closed else readers_of(self._entries)
-        since = self._now_ns() + self._shift_ns - READS_NOW_NS
-        return sum(reader.last_ns >= since for reader in readers)
+        now = self._now_ns() + self._shift_ns
+        return sum(reader.is_reading(now) for reader in readers)
 
     def missed(self) -> dict[str, int]:
         """Nothing: a reader takes the newest sample."""

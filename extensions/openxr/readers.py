@@ -8,8 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from extensions.openxr.layout import HEADER, MAGIC, READER, READERS, READERS_AT, VERSION, Clock
+from extensions.openxr.layout import (
+    HEADER,
+    MAGIC,
+    READER,
+    READERS,
+    READERS_AT,
+    SIDES,
+    VERSION,
+    Clock,
+)
 from extensions.openxr.memory import attach
+
+RECENT_NS = 1_000_000_000
 
 
 @dataclass(frozen=True)
@@ -22,6 +33,10 @@ class Reader:
     last_ns: int
     readings: int
     active: int
+
+    def is_reading(self, now_ns: int) -> bool:
+        """Whether it read the hand within the last second."""
+        return now_ns - self.last_ns < RECENT_NS
 
 
 @dataclass(frozen=True)
@@ -65,6 +80,26 @@ def read_link(name: str = "") -> Link | None:
         tuple(int(hand["count"]) for hand in header["hands"]),
         tuple(readers_of(entries)),
         clock_ns(Clock(int(header["clock"]))),
+    )
+
+
+def link_lines(link: Link | None) -> list[str]:
+    """What a running program sends, and a line for each application that read it."""
+    if link is None or not link.running:
+        return ["stream: off"]
+    hands = [f"{side} {n}" for side, n in zip(SIDES, link.hands, strict=True) if n]
+    lines = [f"stream: on, estimates: {', '.join(hands) or 'none'}"]
+    if not link.readers:
+        return [*lines, "applications: none has read the hand"]
+    return [*lines, *(_reader_line(reader, link.now_ns) for reader in link.readers)]
+
+
+def _reader_line(reader: Reader, now_ns: int) -> str:
+    since = (now_ns - reader.last_ns) / 1e9
+    when = "now" if reader.is_reading(now_ns) else f"{since:.0f} s ago"
+    return (
+        f"application: {reader.name} (process {reader.process}), last reading: {when}, "
+        f"readings: {reader.readings}, with an active hand: {reader.active}"
     )
 
 

@@ -39,7 +39,7 @@ from tests.streaming.conftest import MakeEstimate
 from tracker.glove.files import load_glove
 from tracker.hand.files import load_hand
 from tracker.hand.openxr import JOINTS, to_openxr
-from tracker.messages import Estimate, Tracking, Validity
+from tracker.messages import Estimate, Motion, Tracking, Validity
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_stream, open_streams
 
@@ -138,6 +138,27 @@ def test_velocities_are_those_of_the_motion(openxr: Names, make_estimate: MakeEs
     assert_allclose(joints.array["linear"][wrist], [-v[1], v[2], -v[0]], atol=1e-5)
     assert_allclose(joints.array["angular"][wrist], 0, atol=1e-5)
     assert np.linalg.norm(joints.array["angular"][tip]) == pytest.approx(3.0, rel=1e-4)
+
+
+def test_velocities_of_the_engine_are_preferred(openxr: Names, make_estimate: MakeEstimate) -> None:
+    """They have no delay and a standard deviation; a finger's metacarpal moves with the wrist."""
+    e, n, j = make_estimate(t=1.0), len(openxr.keypoints), len(openxr.angles)
+    linear, angular = np.tile([1.0, 2.0, 3.0], (n, 1)), np.zeros((n, 3))
+    sd, rate = np.full(n, 0.02), np.zeros(j)
+    motion = Motion(linear, angular, sd, 2 * sd, rate, rate, rate)
+    joints = JointSeries(openxr).add(dataclasses.replace(e, motion=motion))
+    assert joints.velocity == Velocity.FILTER and joints.array is not None
+    assert_allclose(joints.array["linear"], np.tile([-2, 3, -1], (26, 1)), atol=1e-4)
+    assert_allclose(joints.array["angular"], 0, atol=1e-4)
+    tip, base = JOINTS.index("index_tip"), JOINTS.index("index_metacarpal")
+    assert joints.array["linear_sd"][tip] == pytest.approx(0.02)
+    assert joints.array["angular_sd"][tip] == pytest.approx(0.04)
+    assert joints.array["linear_sd"][base] > 0.02
+    nothing = Motion(
+        *(np.full_like(x, np.nan) for x in (linear, angular, sd, sd, rate, rate, rate))
+    )
+    without = JointSeries(openxr).add(dataclasses.replace(e, motion=nothing))
+    assert without.velocity == Velocity.UNKNOWN
 
 
 @pytest.mark.parametrize("dt", [SPAN / 2, 1.1 * LONGEST_SPAN])
