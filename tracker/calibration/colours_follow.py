@@ -1,9 +1,9 @@
-"""Colours that follow the light: white balance and exposure drift while the hand is tracked.
+"""Adapts the colours to changes of white balance and exposure while the hand is tracked.
 
-What tracked markers look like is compared with what they looked like when the colours were learned.
-Once that has moved, they are learned anew from the last images, tried on the newest one, and taken
-where they find as many of its markers and no more of the room. Nothing but images and what was made
-of them decides, so the same messages give the same colours.
+The colours of tracked markers are compared with those at the time of learning. If they have
+changed, colours are learned again from the last images, tested on the newest image, and accepted if
+they find as many of its markers and no more of the background. The decision depends on images and
+detections only, so the same messages give the same colours.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""A light meter for markers: what of an image's light will cost markers, and what to change.
+"""A light meter for markers: finds lighting problems that cost markers, and recommends changes.
 
-An image is read on its own: patches of any colour are looked for, and told from the room by the
-dark cloth around them. Their pixels and the cloth's say what light it is, whatever colours were
-fitted; these say which patch is of which hue, and which are missed.
+Each image is analysed separately: patches of any colour are detected and distinguished from the
+room by the dark cloth around them. Their pixels and those of the cloth determine the light,
+independently of the fitted colours; the fitted colours determine the hue of each patch and which
+are missed.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""How surely a gesture is told: by what the sensors know of it, not by how much of it there is.
+"""Confidence of a recognised gesture: how well the sensors determine it, not how pronounced it is.
 
-A finger without a sensor is inferred from the others, and its pinch cannot be told from its
-neighbour's: the standard deviations that the estimate claims say how far.
+A finger without a sensor is inferred from the others, and its pinch cannot be distinguished from
+its neighbour's; the confidence follows from the standard deviations of the estimate.
 """
 
 from __future__ import annotations

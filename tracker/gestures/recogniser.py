@@ -44,7 +44,7 @@ straighten pass by a grasp within 0.15 s."""
 NEVER = StartRule(math.inf)
 MUCH_MORE = 0.2  # by which another posture's value must exceed that of the one that stands
 NEARER = 0.006  # m by which another finger's pad must be nearer than that of the pinch that stands
-LOSES_AFTER = 0.1  # s that a gesture outlives the sight of what it is told by
+LOSES_AFTER = 0.1  # s for which a gesture continues after its features are lost
 LARGEST_SD = 0.012  # m, of the gap of a pinch that is believed to begin
 
 
@@ -91,7 +91,7 @@ class GestureRecogniser:
 
     @property
     def confidences(self) -> dict[str, float]:
-        """How surely each that is shown now is told, 0 to 1."""
+        """Confidence of each active gesture, 0 to 1."""
         shape = self._shape
         if shape is None:
             return dict.fromkeys(self.active, 0.0)

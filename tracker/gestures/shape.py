@@ -1,8 +1,8 @@
-"""What of a hand's shape gestures are told by, and how surely.
+"""Features of the hand's shape from which gestures are recognised, with their uncertainty.
 
-Numbers of the wearer's own hand in its own frame: neither where the hand is nor how it is turned
-counts, so a gesture holds while the place is lost and the fingers are known. A thrust alone is of
-the hand's way through the room.
+The features are in the hand's own frame and independent of its position and orientation, so a
+gesture continues while the position is lost and the fingers are known. Only a thrust depends on the
+hand's motion in the room.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ class GestureShape(NamedTuple):
 
 
 class _PlainEstimate(NamedTuple):
-    """An estimate in plain numbers: so few are told here that arrays would take ten times as long
-    as the sums, in the thread that tracks."""
+    """An estimate as Python numbers. There are so few that arrays would take ten times as long as
+    the arithmetic, which runs in the tracking thread."""
 
     t: float
     p: list[list[float]]
@@ -174,8 +174,8 @@ def _ahead(before: list[float], tip: list[float], base: list[float]) -> float:
     length = max(math.dist(tip, base), SHORTEST)
     went = [x - y for x, y in zip(tip, before, strict=True)]
     along = sum(w * (x - y) / length for w, x, y in zip(went, tip, base, strict=True))
-    aside = math.sqrt(max(sum(w * w for w in went) - along * along, 0.0))
-    return along - aside
+    across = math.sqrt(max(sum(w * w for w in went) - along * along, 0.0))
+    return along - across
 
 
 def _from_line(p: list[float], a: list[float], b: list[float]) -> float:

@@ -57,9 +57,9 @@ class GestureParams(NamedTuple):
 
 
 def values(shape: GestureShape, params: GestureParams) -> dict[str, float]:
-    """Of all `GESTURES`; NaN where what it is told by is lost.
+    """Values of all `GESTURES`; NaN if a feature of the gesture is lost.
 
-    In the thread that tracks, for each packet: what several gestures ask is asked once.
+    Runs in the tracking thread for each packet, so shared features are computed once.
     """
     s, p = shape, params
     straight, curled = [p.straight.of(b) for b in s.bend], [p.curled.of(b) for b in s.bend]

@@ -53,7 +53,8 @@ def text(kind: str, name: str) -> str:
 
 
 def load(glove: str = DEFAULT_GLOVE, hand: str | None = None) -> tuple[HandModel, GloveModel]:
-    """A glove and its hand, by names or paths; the hand that the glove refers to if not told."""
+    """A glove and its hand, by names or paths; the default is the hand to which the glove
+    refers."""
     glove_text = text("gloves", glove)
     model = parse_hand(*_named("hands", hand or glove_hand_name(glove_text, glove)))
     return model, parse_glove(glove_text, model, glove)

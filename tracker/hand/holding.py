@@ -22,7 +22,7 @@ NOTHING_ARRIVES = "nothing"
 NEAR = (
     0.038  # m between the ends of two fingertips' axes: radii, where pads meet, the tracker's error
 )
-UNPLACED = 0.010  # m more where no camera has told how the IMUs sit
+UNPLACED = 0.010  # m more if the mounting of the IMUs is not known from a camera
 
 
 class Holding(NamedTuple):

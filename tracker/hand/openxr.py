@@ -173,7 +173,7 @@ def openxr_joints(
     p, out_q = np.full((*shape, 3), np.nan), np.full((*shape, 4), np.nan)
     out_state = np.full(shape, int(Validity.LOST), np.int64)
     out_state[..., there] = state[..., columns]
-    # R_BX^T R R_BX turns about the same axis as R, told in OpenXR's axes.
+    # R_BX^T R R_BX rotates about the same axis as R, expressed in OpenXR's axes.
     p[..., there, :] = keypoints[..., columns, :] @ R_BX
     out_q[..., there, :3] = q[..., columns, :3] @ R_BX
     out_q[..., there, 3] = q[..., columns, 3]

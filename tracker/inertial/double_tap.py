@@ -1,7 +1,7 @@
-"""Two quick taps on an IMU, told from its accelerometer and gyroscope.
+"""Detects two quick taps on an IMU from its accelerometer and gyroscope.
 
-A tap is a short spike of the specific force in a hand that is otherwise at rest. Two of them, and
-no third, count; movements, which are longer and turn the hand, do not.
+A tap is a short spike of the specific force while the hand is otherwise at rest. Exactly two taps
+count; movements, which are longer and rotate the hand, do not.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ from tracker.messages import Array
 
 @record("finger.moment", shapes={"gyro": "2 3", "accel": "2 3"})
 class _Moment(NamedTuple):
-    """What one sample told: gyro, accel (2, 3) in B; w_B (3,) of the dorsum, its R_GB (3, 3)."""
+    """Data of one sample: gyro, accel (2, 3) in B; w_B (3,) of the dorsum, its R_GB (3, 3)."""
 
     gyro: Array
     accel: Array

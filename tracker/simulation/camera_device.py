@@ -142,7 +142,7 @@ class SimulatedCamera:
 
 
 class NoSimulatedCamera(NoCamera):
-    """Stands for it where a wearer is simulated without a camera; his events are told."""
+    """Replaces the camera if a wearer is simulated without one; reports the wearer's events."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -192,11 +192,11 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
         if time.monotonic() > t_0 + arrival + LATE:
             continue
         while not free or pipe.poll():
-            told = pipe.recv()
-            if isinstance(told, Asked):
-                ask(sim, told)
+            item = pipe.recv()
+            if isinstance(item, Asked):
+                ask(sim, item)
             else:
-                free.append(told)
+                free.append(item)
         slot = free.pop(0)
         if spec.right_late:
             sim.renderer.images(t + spec.right_late, list(images[slot]))

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from tracker.messages import ImuSample
 
 PACKETS = 30  # that are ready, 0.3 s of them: making a second of them takes up to 0.1 s
-LOOK_EVERY = 0.2  # s, whether nobody wants any more
+LOOK_EVERY = 0.2  # s between checks whether images are still requested
 
 
 class DrawnAhead:

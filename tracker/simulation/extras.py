@@ -12,7 +12,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose
 from tracker.simulation.backgrounds import fabric_bgr
 from tracker.simulation.smooth import SmoothNoise, rng_for
-from tracker.simulation.solids import NOBODY, Solids, boxes, capsules
+from tracker.simulation.solids import UNOWNED, Solids, boxes, capsules
 from tracker.vision.rig import default_pose
 
 _NO_BALLS = (np.zeros((0, 3)), np.zeros(0), ())
@@ -47,8 +47,8 @@ class Distractors:
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
         positions = self._positions(t)
-        nobody = np.full(len(positions), NOBODY)
-        return capsules(positions, positions, self._radius, nobody, self._colour)
+        unowned = np.full(len(positions), UNOWNED)
+        return capsules(positions, positions, self._radius, unowned, self._colour)
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
         return self._positions(t), self._radius, self._names
@@ -75,7 +75,7 @@ class HeldObject:
     def _in_dorsum(self) -> Solids:
         root = self.hand.segments[self.hand.root]
         grey, reach = np.array([150.0, 160.0, 165.0]), root.length + 0.012
-        one = np.array([NOBODY])
+        one = np.array([UNOWNED])
         if self.kind in ("box", "phone"):
             half = np.array(
                 [[0.022, 0.055, 0.018] if self.kind == "box" else [0.037, 0.075, 0.005]]
@@ -115,7 +115,7 @@ class FingertipDevices:
         half = np.column_stack([reach, np.full((len(rows), 2), self.side)])
         centre = p_GB[rows] + R_GB[rows][:, :, 0] * reach[:, None]
         return boxes(
-            R_GB[rows], centre, half, np.full(len(rows), NOBODY), np.array([45.0, 45.0, 50.0])
+            R_GB[rows], centre, half, np.full(len(rows), UNOWNED), np.array([45.0, 45.0, 50.0])
         )
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:

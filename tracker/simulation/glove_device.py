@@ -36,7 +36,7 @@ from tracker.sensors.protocol import (
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two looks at the line, and at the clock where nothing is due before
-SYSTEM_KEEPS = 65536  # bytes that a system holds of a line nobody reads, as Linux does
+SYSTEM_KEEPS = 65536  # bytes that the system buffers without a reader, as Linux does
 
 
 @dataclass
@@ -123,7 +123,7 @@ class SimulatedGlove:
             self._seq = 0
 
     def reset(self) -> None:
-        """The chip restarts: counters begin anew, HELLO is sent."""
+        """Restart the chip: counters start from zero, HELLO is sent."""
         with self._lock:
             self._streaming, self._seq = False, 0
             self._greet()
@@ -138,7 +138,7 @@ class SimulatedGlove:
     # ---- the firmware
 
     def _run(self) -> None:
-        run_soon()  # as a device does, that shares nobody's processor
+        run_soon()  # like a device, which does not share a processor
         pending: list[bytes] = []
         last_hello = last_status = last_flush = float("-inf")
         baud = self.params.wire_baud
@@ -175,7 +175,7 @@ class SimulatedGlove:
         return min(max(due, 0.0), TICK)
 
     def _skip(self, sample: ImuSample | None, now: float) -> ImuSample | None:
-        """What was sampled while nobody listened is gone."""
+        """Discard samples from before a host was connected."""
         while sample is not None and self._t_0 + sample.t <= now:
             sample = next(self._source, None)
         return sample

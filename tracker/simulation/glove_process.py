@@ -97,12 +97,12 @@ def _serve(pipe: Connection, spec: DemoSpec) -> None:
             return
         pipe.send(_There({side: device.path for side, device in devices.items()}))
         while True:
-            told: _Begin | Asked = pipe.recv()
-            if isinstance(told, Asked):
-                ask(scene, told)
+            item: _Begin | Asked = pipe.recv()
+            if isinstance(item, Asked):
+                ask(scene, item)
                 continue
             for device in devices.values():
-                device.begin(told.t_0)
+                device.begin(item.t_0)
 
 
 def _device(worn: contextlib.ExitStack, packets: DrawnAhead, glove: GloveModel) -> SimulatedGlove:

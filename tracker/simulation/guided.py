@@ -99,7 +99,7 @@ class GuidedPoses:
 
     @property
     def events(self) -> list[Event]:
-        """What the wearer is told, in order of time."""
+        """Instructions to the wearer as events, in order of time."""
         out = []
         for p in self._held:
             out += [began(p.name, p.begin), ended(p.name, p.end, held=True)]

@@ -59,7 +59,7 @@ class Meeting:
 
 @dataclass(frozen=True, eq=False)
 class OneOfTwo:
-    """A motion about the middle, moved aside to its place in a meeting; ``side`` is the hand's."""
+    """A motion about the centre, shifted to its position in a meeting; ``side`` is the hand's."""
 
     motion: Motion
     meeting: Meeting
@@ -77,5 +77,5 @@ class OneOfTwo:
     def poses(self, t: Array) -> Poses:
         poses = self.motion.poses(t)
         half = 0.5 if self.side == "right" else -0.5
-        aside = half * self.meeting.offset(t) @ self.camera.R_GC.T
-        return poses._replace(p_GB=poses.p_GB + aside)
+        shift = half * self.meeting.offset(t) @ self.camera.R_GC.T
+        return poses._replace(p_GB=poses.p_GB + shift)

@@ -115,7 +115,7 @@ class RandomPostures:
         return self._alive(t, angles, R, p)
 
     def _alive(self, t: Array, angles: Array, R: Array, p: Array) -> Poses:
-        """Add sway and tremor; nobody holds a hand quite still."""
+        """Add sway and tremor, since no hand is completely still."""
         a = self._params
         sway, tremor = self._sway(t), self._tremor(t)
         turn = np.deg2rad(a.sway_deg) * sway + np.deg2rad(a.tremor_deg) * tremor

@@ -58,7 +58,7 @@ class ImagePipe:
     def _open(self) -> bool:
         try:
             self._pipe = os.open(self.path, os.O_WRONLY | os.O_NONBLOCK)
-        except OSError:  # nobody reads
+        except OSError:  # no reader
             return False
         os.set_blocking(self._pipe, True)
         return True
@@ -154,7 +154,7 @@ class HeldBoard:
 
 
 class _Sender:
-    """A thread that sends the newest image, so that a reader that stops holds up nobody."""
+    """A thread that sends the newest image, so that a stopped reader does not block others."""
 
     def __init__(self, path: Path, late: float) -> None:
         self.pipe, self.taken, self._late = ImagePipe(path), 0, late

@@ -1,4 +1,4 @@
-"""A hand that does what it is told: from key to key, each a place, a turn and a gesture."""
+"""A scripted hand that moves between keys, each with a position, an orientation and a gesture."""
 
 from __future__ import annotations
 

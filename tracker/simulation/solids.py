@@ -13,15 +13,15 @@ from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
 from tracker.simulation.wearer import Wearer
 
-NOBODY = -1
+UNOWNED = -1
 """Owner of a solid that is no part of the hand."""
 
 
 class Solids(NamedTuple):
     """P capsules from ``a`` to ``b`` and Q boxes of centre ``centre`` and half edges ``half``, m.
 
-    ``owner`` is the segment's row, or NOBODY; ``colour`` BGR 0..255. box_R (Q, 3, 3) maps the box's
-    axes to the frame.
+    ``owner`` is the segment's row, or UNOWNED; ``colour`` BGR 0..255. box_R (Q, 3, 3) maps the
+    box's axes to the frame.
     """
 
     a: Matrix
@@ -131,7 +131,7 @@ class BodyShape:
         them. Fingers, the palm's rim and the forearm; the palm's flat."""
         fingers, r = self._fingers, self.radius[self.root]
         count = len(fingers) + 5
-        owner = np.concatenate([fingers, np.full(4, self.root), [NOBODY]])
+        owner = np.concatenate([fingers, np.full(4, self.root), [UNOWNED]])
         radius = np.concatenate([self.radius[fingers], np.full(4, r), [1.7 * r]])
         colour = np.tile(np.array(GLOVE_BGR), (count, 1))
         colour[-1] = SLEEVE_BGR

@@ -60,8 +60,8 @@ class HidingHand:
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
         R, p, _ = self._wearer.segments(self._motion, np.array([t]))
         mine = self._shape.solids(R[0], p[0])
-        nobody = -np.ones_like(mine.owner), -np.ones_like(mine.box_owner)
-        return mine._replace(owner=nobody[0], box_owner=nobody[1])
+        unowned = -np.ones_like(mine.owner), -np.ones_like(mine.box_owner)
+        return mine._replace(owner=unowned[0], box_owner=unowned[1])
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
         return np.zeros((0, 3)), np.zeros(0), ()

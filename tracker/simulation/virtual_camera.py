@@ -17,7 +17,7 @@ from tracker.simulation.scene import SimulatedScene
 
 FAULTS = (
     "drop images", "torn", "unplug camera", "stall camera", "frozen", "black", "black left",
-    "swapped", "lens up", "lens aside", "knocked",
+    "swapped", "lens up", "lens turned", "knocked",
 )  # fmt: skip
 MOVED = 0.005  # m
 NOISE_IMAGES = 4
@@ -102,13 +102,13 @@ class VirtualCamera:
 
     def _shifts(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Where a camera that has moved by 5 mm sees the hand: (u, v) px of left and right."""
-        if self._fault not in ("lens up", "lens aside", "knocked"):
+        if self._fault not in ("lens up", "lens turned", "knocked"):
             return (0.0, 0.0), (0.0, 0.0)
         wrist_C = self._scene.instant(self.t).p_CB[0]
         px = self._scene.rig.fx * MOVED / float(wrist_C[2])
         if self._fault == "lens up":
             return (0.0, 0.0), (0.0, px)
-        if self._fault == "lens aside":
+        if self._fault == "lens turned":
             return (0.0, 0.0), (-px, 0.0)
         return (px, 0.0), (px, 0.0)
 

@@ -51,7 +51,7 @@ class Wearer:
     """The true hand and fitting; every array in the order of the hand's segments or the glove's.
 
     The hand is drawn from ``seed``, and so is how the glove sits on it, unless ``fitting`` is
-    another seed: the same person who has put the glove on anew.
+    another seed: the same person after putting the glove on again.
     """
 
     def __init__(

@@ -7,7 +7,7 @@ import numpy as np
 from tracker.messages import Array
 from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import NOBODY, Solids, capsules
+from tracker.simulation.solids import UNOWNED, Solids, capsules
 
 BGR = (
     (118, 160, 212), (96, 132, 186), (66, 92, 140), (150, 184, 226),
@@ -36,7 +36,7 @@ class Forearm(Extra):
         middle, end = begin - 0.4 * LENGTH * along, begin - LENGTH * along
         a, b = np.array([begin, middle]), np.array([middle, end])
         radius = self._thickness * np.array([THIN, THICK])
-        return capsules(a, b, radius, np.full(2, NOBODY), self._colour)
+        return capsules(a, b, radius, np.full(2, UNOWNED), self._colour)
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
         return np.zeros((0, 3)), np.zeros(0), ()
