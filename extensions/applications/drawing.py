@@ -1,7 +1,7 @@
-"""What an application has drawn: a few primitives in m in G, whoever draws them.
+"""Drawings of applications: primitives in m in G, independent of the renderer.
 
-A primitive's ``name`` is its identity from one drawing to the next: whoever draws keeps what it
-made for it. Colours are ``#rrggbb``.
+A primitive's ``name`` identifies it across drawings, so that a renderer can reuse its objects.
+Colours are ``#rrggbb``.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ def _origin() -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles ``faces`` (F, 3), counter-clockwise from outside, of ``points`` (V, 3) m in a frame
-    of its own, which stands in G turned by R (3, 3), times a size, and at p (3,)."""
+    """Triangles ``faces`` (F, 3), counter-clockwise from outside, of ``points`` (V, 3) m in the
+    mesh's frame, whose pose in G is R (3, 3), times a scale, and p (3,)."""
 
     name: str
     points: Array
@@ -37,7 +37,7 @@ class Mesh:
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """From each of ``points`` (N, 3) to the next; ``width`` in px."""
+    """A polyline through ``points`` (N, 3); ``width`` in px."""
 
     name: str
     points: Array
@@ -47,7 +47,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Small balls of one ``radius`` (m) at ``points`` (N, 3); N may change."""
+    """Balls of one ``radius`` (m) at ``points`` (N, 3); N may change."""
 
     name: str
     points: Array
@@ -57,12 +57,12 @@ class Points:
 
 @dataclass(frozen=True, eq=False)
 class Text:
-    """A few words beside a point ``p`` (3,)."""
+    """A text next to the point ``p`` (3,)."""
 
     name: str
     text: str
     p: Array
-    colour: str = ""  # empty: what stands out from the background
+    colour: str = ""  # empty: contrasts with the background
 
 
 Primitive = Mesh | Line | Points | Text

@@ -1,4 +1,4 @@
-"""What applications add to the program: a listener of each hand, and four applications."""
+"""Descriptors of the applications extension: a listener, four applications and two commands."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ApplicationKind:
-    """Describes an application whose class takes long to import or needs further packages.
+    """Describes an application whose class is slow to import or requires further packages.
 
     ``load`` imports and returns the class, whose ``__init__`` takes the dataclass of its settings;
     ``extra`` is what pip installs if ``load`` raises ImportError. Those of a lower ``order`` are

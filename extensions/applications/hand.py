@@ -1,7 +1,7 @@
-"""The hand as applications see it: points, palm, gestures, and what is known of each.
+"""The hand as input of applications: points, palm and gestures with their states.
 
-Only what a session keeps to the last bit is in it, so an application fed with recorded estimates
-does what it did live.
+It contains only values that a session stores without loss, so an application behaves identically
+for recorded estimates.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from tracker.hand.names import CHAINS, KEYPOINTS
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 TIPS = tuple(f"{finger}_tip" for finger in CHAINS)
-FASTEST = 3.0  # m/s that a fingertip is believed to move at between two samples
+FASTEST = 3.0  # m/s, maximum speed of a fingertip between two samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,9 +29,9 @@ class HandSample:
     """One hand at one instant ``t`` (s); everything in m in G.
 
     p (K, 3), q (K, 4) xyzw, state (K,) of Validity and sd (K,) of the keypoints ``names``; NaN
-    where lost. radius (K,) m: half the finger's thickness there. ``gestures`` are those that are
-    shown, ``phases`` those that begin or end with this sample, ``values`` 0..1 or NaN. ``between``:
-    not measured, but foretold from the two samples before.
+    where lost. radius (K,) m: half the finger's thickness. ``gestures`` are the active ones,
+    ``phases`` those that begin or end with this sample, ``values`` 0..1 or NaN. ``between``: the
+    sample is predicted from the previous two.
     """
 
     t: float
@@ -50,19 +50,19 @@ class HandSample:
 
     @property
     def located(self) -> bool:
-        """Whether it is known where the hand is."""
+        """Whether the hand's position is known."""
         placed = self.tracking in (Tracking.TRACKING, Tracking.COASTING)
         return placed and self.point("wrist") is not None
 
     def point(self, name: str) -> Array | None:
-        """(3,) of a keypoint such as ``index_tip``; None where it is lost."""
+        """Position (3,) m of a keypoint such as ``index_tip``; None if it is lost."""
         row = self.names.get(name, -1)
         if row < 0 or self.state[row] == Validity.LOST or not np.isfinite(self.p[row]).all():
             return None
         return np.asarray(self.p[row])
 
     def rotation(self, name: str) -> Array | None:
-        """(3, 3) R_GB of the segment that a keypoint is of (x to the tip, z dorsal)."""
+        """R_GB (3, 3) of a keypoint's segment (x to the tip, z dorsal)."""
         row = self.names.get(name, -1)
         if row < 0 or self.state[row] == Validity.LOST or not np.isfinite(self.q[row]).all():
             return None
@@ -70,14 +70,14 @@ class HandSample:
 
     @cached_property
     def palm(self) -> tuple[Array, Array] | None:
-        """R_GB (3, 3) of the dorsum, the palm's middle (3,); None where the hand has no place."""
+        """R_GB (3, 3) of the dorsum and the palm's centre (3,) m; None without a position."""
         R, wrist, knuckle = self.rotation("wrist"), self.point("wrist"), self.point("middle_mcp")
         if R is None or wrist is None or knuckle is None or not self.located:
             return None
         return R, wrist + 0.625 * (knuckle - wrist)
 
     def pinch_point(self, finger: str = "index") -> Array | None:
-        """(3,) midway between the thumb's tip and a finger's."""
+        """Midpoint (3,) m of the tips of thumb and finger."""
         thumb, tip = self.point("thumb_tip"), self.point(f"{finger}_tip")
         return None if thumb is None or tip is None else (thumb + tip) / 2
 
@@ -89,13 +89,13 @@ class HandSample:
         return any(p.gesture == gesture and p.begins for p in self.phases)
 
     def value(self, gesture: str) -> float:
-        """0..1; 0 where it is not known."""
+        """Value of a gesture, 0..1; 0 if unknown."""
         value = (self.values or {}).get(gesture, np.nan)
         return 0.0 if np.isnan(value) else value
 
 
 class HandReader:
-    """Makes samples of one hand's estimates, in order."""
+    """Converts the estimates of one hand, in order, to samples."""
 
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
         names = glove.keypoint_names(hand)
@@ -126,9 +126,9 @@ class HandReader:
         )
 
 
-def foretold(before: HandSample, now: HandSample, ahead: float) -> HandSample:
-    """The hand ``ahead`` s after ``now``, each point going on as it went; gestures stand."""
-    step, t = now.t - before.t, seconds(nanoseconds(now.t + ahead))  # as a session keeps it
+def predicted(before: HandSample, now: HandSample, ahead: float) -> HandSample:
+    """The hand ``ahead`` s after ``now`` at constant velocity of each point; same gestures."""
+    step, t = now.t - before.t, seconds(nanoseconds(now.t + ahead))  # as stored in a session
     if not 0 < step < 0.1:
         return replace(now, t=t, phases=(), between=True)
     velocity = (now.p - before.p) / step

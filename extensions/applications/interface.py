@@ -1,4 +1,4 @@
-"""What an application is, and what it may ask of devices."""
+"""The interface of applications and their commands to devices."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ Vector3 = tuple[float, float, float]
 
 
 class Happening(NamedTuple):
-    """Something worth an event: a word such as ``touch``, and its data in JSON's types."""
+    """An event of an application: a name such as ``touch``, and its data as JSON values."""
 
     what: str
     data: Mapping[str, Value] = {}
 
 
 class MotorCommand(NamedTuple):
-    """A fingertip is to feel something: ``strength`` 0..1, from ``direction``, of length 1, in the
-    distal segment's frame B (x to the tip, z dorsal): the push that the skin is to feel."""
+    """Haptic feedback at a fingertip: ``strength`` 0..1 along the unit vector ``direction`` in the
+    distal segment's frame B (x to the tip, z dorsal), the direction of the force on the skin."""
 
     tip: str
     strength: float
     direction: Vector3 = (0.0, 0.0, 1.0)
-    axes: int = 1  # of the motors that are to make it felt: 1, or 3
+    axes: int = 1  # of the motors: 1 or 3
 
 
 class JointCommand(NamedTuple):
-    """A robot's joints are to go to ``angles`` (rad); ``grip`` 0 open to 1 closed."""
+    """Target ``angles`` (rad) of a robot's joints; ``grip`` 0 open to 1 closed."""
 
     robot: str
     names: tuple[str, ...]
@@ -43,7 +43,7 @@ class JointCommand(NamedTuple):
 
 
 class PoseCommand(NamedTuple):
-    """A robot's hand is to go to p (3,) m and q (4,) xyzw, in its base's frame."""
+    """Target pose of a robot's gripper: p (3,) m and q (4,) xyzw, in its base's frame."""
 
     robot: str
     p: Vector3
@@ -55,8 +55,8 @@ class PoseCommand(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class VehicleCommand:
-    """N vehicles at ``to`` (host:port) are to be at ``p`` (N, 3) m in G, moving with ``v`` (N, 3)
-    m/s."""
+    """Targets of N vehicles at ``to`` (host:port): position ``p`` (N, 3) m in G and velocity ``v``
+    (N, 3) m/s."""
 
     p: Array
     v: Array
@@ -68,7 +68,7 @@ Command = MotorCommand | JointCommand | PoseCommand | VehicleCommand
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """What one sample of the hand brings; unpacks as (drawing, events, commands)."""
+    """Result of one sample of the hand; unpacks as (drawing, events, commands)."""
 
     drawing: Drawing = ()
     events: Sequence[Happening] = field(default_factory=tuple)
@@ -79,14 +79,13 @@ class Step:
 
 
 class Application(Protocol):
-    """Made with its settings; fed with one hand's samples in order.
+    """An application is created with its settings and receives one hand's samples in order.
 
-    ``settings`` is a frozen dataclass that `tracker.base.config` can read (numbers, texts,
-    booleans, tuples of numbers, with defaults); another one may be put in its place between two
-    steps.
-    ``between``: how many foretold samples it wants after each measured one.
-    Where the class has a ``prepare(settings)``, it is called before other settings take the place,
-    in the thread of the one who sets: for what takes long, and to refuse it (GlovetrackError).
+    ``settings`` is a frozen dataclass that `tracker.base.config` can read (numbers, strings,
+    booleans, tuples of numbers, with defaults); it may be replaced between two steps.
+    ``between``: number of predicted samples after each measured one.
+    An optional ``prepare(settings)`` is called before settings are replaced, in the thread of the
+    caller: for slow work, and to reject settings (GlovetrackError).
     """
 
     name: ClassVar[str]
@@ -95,9 +94,9 @@ class Application(Protocol):
     settings: Any
 
     def step(self, hand: HandSample) -> Step:
-        """What this sample brings. The same samples and settings bring the same, bit for bit."""
+        """Result of a sample. The same samples and settings give the same result, bit for bit."""
 
 
 @dataclass(frozen=True)
 class NoSettings:
-    """Of an application that has none."""
+    """Settings of an application without settings."""

@@ -1,4 +1,4 @@
-"""Applications as a listener of the hand: on a thread of their own, or on that of a replay."""
+"""Runs applications as listeners of the hand: in their own thread, or in that of a replay."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from tracker.base.urgency import run_soon
 from tracker.live.listeners import ListenedHand, Listener, LiveAccess
 from tracker.messages import Estimate
 
-MOST_WAITING = 200  # estimates, 2 s: an application that is too slow loses some
-WAIT = 0.05  # s that the thread waits before it looks again
+MOST_WAITING = 200  # estimates, 2 s: an application that is slower loses some
+WAIT = 0.05  # s between checks of the thread whether to stop
 
 
 def listener(hand: ListenedHand) -> ReplayedApplication:
@@ -47,7 +47,7 @@ class ReplayedApplication:
 
     def restart(self) -> None:
         """Start the application over with the next estimate."""
-        self.stage.begin_anew()
+        self.stage.restart()
 
     def close(self) -> None:
         """Stop the devices. May be called again."""
@@ -93,7 +93,7 @@ class LiveApplication(ReplayedApplication):
         super().close()
 
     def _figures(self) -> dict[str, float]:
-        """Estimates that an application was too slow for."""
+        """Number of estimates lost because an application was too slow."""
         return {"application_missed": self._inbox.overflowed}
 
     def _run(self) -> None:
@@ -107,7 +107,7 @@ class LiveApplication(ReplayedApplication):
             return
 
     def _feed_stage(self, fed: _Fed) -> None:
-        """Foretold samples wait for their time, unless the next estimate arrives before."""
+        """Process an estimate; predicted samples wait for their time or the next estimate."""
         began = self._clock()
         outcomes = self.stage.feed(fed.estimate)
         while (outcome := self._next_of(outcomes)) is not None:
@@ -122,7 +122,7 @@ class LiveApplication(ReplayedApplication):
             return next(outcomes, None)
 
     def _wait_until(self, due: float) -> None:
-        """Or until the next estimate arrives."""
+        """Wait until ``due`` or until the next estimate arrives."""
         left = due - self._clock()
         if left > 0 and self._next is None:
             self._next = self._inbox.get(left)

@@ -1,7 +1,7 @@
-"""The hand and its application's drawing as a page for browsers, of a headset too (WebXR).
+"""Shows the hand and the application's drawing in browsers, including headsets (WebXR).
 
-One server on this machine alone gives the page and, at ``/stream``, a WebSocket. Its messages are
-in OpenXR's axes (y up, -z forward), m; a mesh's points come once to each client, then its pose.
+A server on this computer provides the page and, at ``/stream``, a WebSocket. Its messages are in
+OpenXR's axes (y up, -z forward), in m; a mesh's points are sent once to each client, then its pose.
 
     {"title": "place", "gestures": ["point"],
      "hand": {"wrist": {"position": [x, y, z], "state": "measured", "radius": 0.013}, ...},
@@ -36,13 +36,13 @@ from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 FILES = ("index.html", "page.js", "three.module.min.js", "iwer.min.js")
 STREAM = "/stream"
 DECIMALS = 5
-MOST_SAID = 1024  # bytes; a page has nothing to say
+MOST_RECEIVED = 1024  # bytes; a page sends nothing
 
 
 class PageServer:
-    """Serves until `close`. Port 0 takes any free one; ``url`` says where the page is.
+    """Serves until `close`. Port 0 selects a free port; ``url`` is the page's address.
 
-    Raises StreamError where the port cannot be had.
+    Raises StreamError if the port is not available.
     """
 
     def __init__(self, port: int = 0) -> None:
@@ -54,18 +54,18 @@ class PageServer:
             LOOPBACK,
             port,
             origins=[None, LOCAL_PAGE],
-            max_size=MOST_SAID,
+            max_size=MOST_RECEIVED,
             process_request=_answer,
         )
         self.url = f"http://localhost:{self._server.port}/"
 
     @property
     def clients(self) -> int:
-        """How many pages look."""
+        """Number of connected pages."""
         return self._server.connected
 
     def show(self, title: str, hand: HandSample, drawing: Drawing) -> None:
-        """The newest hand and drawing; a page that is slow misses those between."""
+        """Send the newest hand and drawing; slow pages skip some."""
         self._server.call(self._put, (title, hand, drawing))
 
     def close(self) -> None:
@@ -94,7 +94,7 @@ class PageServer:
 
 
 def _answer(connection: ServerConnection, request: Request) -> Response | None:
-    """A file of the page; None goes on with the WebSocket."""
+    """A file of the page; None continues with the WebSocket."""
     path = request.path.partition("?")[0]
     if path == STREAM:
         return None
@@ -109,14 +109,14 @@ def _answer(connection: ServerConnection, request: Request) -> Response | None:
 
 
 def message(title: str, hand: HandSample, drawing: Drawing, known: dict[str, Array]) -> str:
-    """For one client; ``known`` are points of the meshes that it has, and is added to."""
-    said = {
+    """Message for one client; ``known``, which is updated, contains the mesh points it has."""
+    message = {
         "title": title,
         "gestures": list(hand.gestures),
         "hand": {name: _joint(hand, row) for name, row in hand.names.items()},
         "drawing": [_primitive(d, known) for d in drawing],
     }
-    return json.dumps(said, separators=(",", ":"), allow_nan=False)
+    return json.dumps(message, separators=(",", ":"), allow_nan=False)
 
 
 def _joint(hand: HandSample, row: int) -> dict[str, Any]:
@@ -154,7 +154,7 @@ def _mesh(d: Mesh, known: dict[str, Array]) -> dict[str, Any]:
 
 
 def _turned(p_G: Array) -> list[float]:
-    """Points (..., 3) of G in OpenXR's axes, one after the other."""
+    """Points (..., 3) of G in OpenXR's axes, flattened."""
     return _numbers(p_G @ R_BX)
 
 
@@ -163,7 +163,7 @@ def _numbers(values: Array) -> list[float]:
 
 
 class PacedPage:
-    """Shows each sample when it is due; ``paced`` False: at once, since it comes live."""
+    """Shows each sample when it is due; ``paced`` False: immediately, for live input."""
 
     def __init__(self, port: int, paced: bool) -> None:
         self._server, self._paced = PageServer(port), paced
@@ -171,7 +171,7 @@ class PacedPage:
         self.url = self._server.url
 
     def look(self, title: str, outcome: Outcome) -> None:
-        """Waits for the sample's time, then shows it."""
+        """Wait for the sample's time, then show it."""
         now = monotonic()
         if self._began is None:
             self._began = now - outcome.t

@@ -1,4 +1,4 @@
-"""Which applications there are: our own, and those of installed packages.
+"""The registry of applications: our own and those of installed packages.
 
 A package names its application's class under the entry-point group ``glovetrack.applications``.
 """
@@ -31,7 +31,7 @@ APPLICATIONS = Registry("applications", "application", ApplicationKind, _describ
 
 
 def kind(name: str) -> type[Application]:
-    """The class. Raises ConfigError where there is none, or it cannot be loaded."""
+    """The class of an application. Raises ConfigError if it does not exist or cannot be loaded."""
     described = APPLICATIONS.get(name)
     try:
         return described.load()
@@ -43,31 +43,31 @@ def kind(name: str) -> type[Application]:
 
 
 def titles() -> dict[str, str]:
-    """The title of each application, by name, in the order of the list.
+    """Titles of all applications by name, in display order.
 
-    One that lacks a package is listed and says so when it is chosen; one that cannot be loaded is
-    left out and logged.
+    Applications with a missing package are listed and report it when selected; those that cannot be
+    loaded are omitted and logged.
     """
     found = sorted(APPLICATIONS.all().items(), key=lambda item: item[1].order)
     return {name: described.title for name, described in found}
 
 
 def settings_type(found: type[Application]) -> type[Any]:
-    """The dataclass of an application's settings: what its ``__init__`` takes."""
+    """The dataclass of an application's settings, which its ``__init__`` takes."""
     hints = get_type_hints(found.__init__)
     hints.pop("return", None)
     return next(iter(hints.values()))
 
 
 def make(name: str, settings: Mapping[str, Any] | None = None) -> Application:
-    """An application as new. Raises ConfigError for a setting that it cannot take."""
+    """Create an application. Raises ConfigError for invalid settings."""
     found = kind(name)
     maker: Maker = found
     return maker(settings_of(settings_type(found), settings or {}, name))
 
 
 def settings_of(known: type[Any], values: Mapping[str, Any], name: str) -> Any:
-    """A ``known`` with ``values``. Raises ConfigError."""
+    """Settings of type ``known`` with ``values``. Raises ConfigError."""
 
     def complain(path: str, why: str) -> None:
         raise ConfigError(f"{name}: {path} {why}.")
@@ -76,6 +76,6 @@ def settings_of(known: type[Any], values: Mapping[str, Any], name: str) -> Any:
 
 
 def changed(settings: Any, key: str, value: Any, name: str) -> Any:
-    """``settings`` with another value of one of them. Raises ConfigError."""
+    """``settings`` with one value changed. Raises ConfigError."""
     wanted = settings_of(type(settings), {key: value}, name)
     return replace(settings, **{key: getattr(wanted, key)})

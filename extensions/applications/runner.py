@@ -1,7 +1,7 @@
-"""One application fed with one estimate after another; no thread, no clock.
+"""Runs one application on successive estimates, without threads and clocks.
 
-It begins, and each change of a setting, with an event, so that a recorded session tells all that it
-takes to run the application again: from the same estimates it gives the same events.
+The start and each change of a setting are events, so that a recorded session contains everything
+needed to run the application again: the same estimates give the same events.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from extensions.applications.drawing import Drawing
-from extensions.applications.hand import HandReader, HandSample, foretold
+from extensions.applications.hand import HandReader, HandSample, predicted
 from extensions.applications.interface import Command, Happening, Step
 from extensions.applications.registry import changed, make
 from tracker.base.errors import ConfigError, GlovetrackError
@@ -27,7 +27,8 @@ PACKET = 0.01  # s between two estimates of a glove
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """Of one sample at ``t`` (s); another of the same estimate follows ``next_after`` s later."""
+    """Result of one sample at ``t`` (s); the next one of this estimate is ``next_after`` s
+    later."""
 
     t: float
     next_after: float
@@ -38,7 +39,7 @@ class Outcome:
 
 
 class ApplicationRunner:
-    """Feeds an application. Raises ConfigError where it cannot be made."""
+    """Feeds an application. Raises ConfigError if it cannot be created."""
 
     def __init__(
         self,
@@ -50,10 +51,10 @@ class ApplicationRunner:
         self.name, self.side = name, hand.side
         self._hand, self._glove = hand, glove
         self._settings = dict(settings or {})
-        self.begin_anew()
+        self.restart()
 
-    def begin_anew(self) -> None:
-        """As in the beginning, with the settings as they are now."""
+    def restart(self) -> None:
+        """Start over with the current settings."""
         self.application = make(self.name, self._settings)
         self._reader = HandReader(self._hand, self._glove)
         self._last: HandSample | None = None
@@ -77,7 +78,7 @@ class ApplicationRunner:
         self._changes.append((key, value))
 
     def feed(self, estimate: Estimate) -> Iterator[Outcome]:
-        """What an estimate brings, to be gone through: its own sample, then those foretold."""
+        """Yields the results of an estimate: of its own sample, then of the predicted ones."""
         before, now = self._last, self._reader.read(estimate)
         self._last = now
         many = self.application.between if before is not None else 0
@@ -85,15 +86,15 @@ class ApplicationRunner:
         yield self._step(now, self._openings(now), pause if many else 0.0)
         for k in range(1, many + 1):
             assert before is not None
-            hand = foretold(before, now, pause * k)
+            hand = predicted(before, now, pause * k)
             yield self._step(hand, [], pause if k < many else 0.0)
 
     def _openings(self, hand: HandSample) -> list[Event]:
-        """That it begins, and changes that stand from this sample on."""
+        """Events of the start and of changed settings that take effect with this sample."""
         out = []
         if not self._begun:
             self._begun = True
-            # as JSON gives them back: tuples are lists in a session
+            # as read back from JSON: tuples are lists in a session
             settings = json.loads(json.dumps(asdict(self.application.settings)))
             out.append(self._event(hand, Happening(BEGINS, {"settings": settings})))
         changes, self._changes = self._changes, []  # another thread may add meanwhile
@@ -114,10 +115,10 @@ class ApplicationRunner:
 
     @property
     def has_begun(self) -> bool:
-        """Whether a sample has reached it."""
+        """Whether the application has received a sample."""
         return self._begun
 
     def ended(self, t: float) -> Event:
-        """That it is over."""
+        """The event that the application has ended."""
         data: dict[str, object] = {"application": self.name, "hand": self.side, "what": ENDS}
         return Event(t, KIND, "", data)

@@ -1,4 +1,4 @@
-"""An application off-screen: fed by a source, its events told, recorded or compared."""
+"""Runs an application without a window; its events are printed, recorded or compared."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from tracker.session.writer import SessionRecorder, new_session
 
 @dataclass
 class ApplicationReport:
-    """What a run brought. ``took`` (s) of each sample; ``differs``: the first event that was not
-    what the session holds, empty where all are the same or none was compared."""
+    """Result of a run. ``took`` (s) per sample; ``differs``: the first event that differs from the
+    session, empty if all are equal or none was compared."""
 
     application: str
     samples: int = 0
@@ -67,13 +67,13 @@ def run(
     recorder: SessionRecorder | None = None,
     look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> ApplicationReport:
-    """Feed the application with all that the source has; ``look`` hears its title and what each
-    sample brought. Raises ConfigError, FileError."""
+    """Feed the application with the complete source; ``look`` receives its title and the result of
+    each sample. Raises ConfigError, FileError."""
     runner = ApplicationRunner(name, source.info.hand, source.info.glove, settings)
     report, last = ApplicationReport(name), 0.0
     for message in source.messages:
         if isinstance(message, Event) and message.kind == KIND:
-            continue  # of a run before
+            continue  # of an earlier run
         if recorder is not None:
             if isinstance(message, PackedFrame):
                 recorder.write_packed(message)
@@ -115,7 +115,7 @@ def _feed(
 
 @dataclass(frozen=True)
 class Into:
-    """Where a run goes: a new session (None: none), made of ``inputs``; ``force`` replaces one."""
+    """Output of a run: a new session (None: none) made from ``inputs``; ``force`` overwrites."""
 
     out: Path | None = None
     inputs: Sequence[Path] = ()
@@ -130,7 +130,7 @@ def run_into(
     sinks: Sequence[CommandSink] = (),
     look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> ApplicationReport:
-    """`run`, into a new session that is there whole or not at all."""
+    """`run` into a new session, which is written completely or not at all."""
     with ExitStack() as stack:
         recorder = None
         if into.out is not None:
@@ -141,15 +141,15 @@ def run_into(
 
 
 def replay(path: Path) -> list[ApplicationReport]:
-    """Run again each application that a session holds, with its settings and their changes.
+    """Run all applications of a session again with their settings and changes of these.
 
-    Raises FileError where it holds none.
+    Raises FileError if the session contains none.
     """
     with recorded(path) as source:
-        told = [m for m in source.messages if isinstance(m, Event) and m.kind == KIND]
+        recorded_events = [m for m in source.messages if isinstance(m, Event) and m.kind == KIND]
     runs = []
-    for side in dict.fromkeys(str(e.data["hand"]) for e in told):
-        events = [e for e in told if e.data["hand"] == side]
+    for side in dict.fromkeys(str(e.data["hand"]) for e in recorded_events):
+        events = [e for e in recorded_events if e.data["hand"] == side]
         begun = [i for i, e in enumerate(events) if e.data["what"] == BEGINS]
         runs += [events[i:j] for i, j in zip(begun, [*begun[1:], len(events)], strict=True)]
     if not runs:
@@ -158,7 +158,7 @@ def replay(path: Path) -> list[ApplicationReport]:
 
 
 def _again(path: Path, events: Sequence[Event]) -> ApplicationReport:
-    """The run that begins with the first of ``events``."""
+    """Repeat the run that starts with the first of ``events``."""
     first, name = events[0], str(events[0].data["application"])
     settings: Any = first.data["settings"]
     changes = [e for e in events if e.data["what"] == SETTING]
@@ -180,7 +180,7 @@ def _again(path: Path, events: Sequence[Event]) -> ApplicationReport:
 
 
 def difference(wanted: Sequence[Event], found: Sequence[Event]) -> str:
-    """Of the first event that is not as ``wanted``, in words; empty where all are the same."""
+    """Description of the first event that differs from ``wanted``; empty if all are equal."""
     for i, event in enumerate(wanted):
         if i >= len(found) or (found[i].t, found[i].data) != (event.t, event.data):
             again = found[i].data if i < len(found) else "nothing"

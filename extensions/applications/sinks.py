@@ -1,8 +1,8 @@
-"""The devices that commands of an application can go to, and how the glove's motors take them.
+"""Devices that receive an application's commands, including the glove's motors.
 
-Motor ``i`` of a glove with one a finger is that of thumb, index, middle, ring or little finger.
-Fingertip devices of three axes (Lee et al. 2021, Fig. 8B) have three motors a finger, from channel
-`THREE` on, which pull the pad along `PULLS`: a push is the sum of three pulls.
+A glove with one motor per finger has them in the order thumb, index, middle, ring, little finger.
+Fingertip devices with three axes (Lee et al. 2021, Fig. 8B) have three motors per finger, from
+channel `THREE` on, which pull the pad along `PULLS`; a force is the sum of three pulls.
 """
 
 from __future__ import annotations
@@ -23,35 +23,36 @@ from tracker.messages import Event
 
 KIND = "motor"
 THREE = len(TIPS)
-LEAN = np.deg2rad(50.0)  # of each pull from the pad's normal
+LEAN = np.deg2rad(50.0)  # angle of each pull from the pad's normal
 PULLS = np.array(
     [
         [np.sin(LEAN) * np.cos(a), np.sin(LEAN) * np.sin(a), np.cos(LEAN)]
         for a in np.deg2rad([0.0, 120.0, 240.0])
     ]
 )
-"""(3, 3) rows: the directions in the distal segment's frame B that three motors push the pad in."""
-LASTS_MS = 60  # a motor that hears no more stops by itself
-AGAIN = 0.03  # s after which it is told the same again
-STEP = 8  # of 255: a change that is told at once
+"""(3, 3) rows: directions in the distal segment's frame B in which three motors push the pad."""
+LASTS_MS = 60  # a motor stops if no further command arrives
+AGAIN = 0.03  # s after which an unchanged command is repeated
+STEP = 8  # of 255: larger changes are sent immediately
 
 
 @dataclass
 class _Motor:
     amplitude: int = 0
-    told: float = -np.inf  # when, s of the samples' clock
+    sent: float = -np.inf  # time of the last command, s of the samples' clock
 
 
 def pulls(command: MotorCommand) -> np.ndarray:
-    """(3,) 0..1 of the three motors whose pulls make the push, as far as they only push."""
+    """Amplitudes (3,) 0..1 of three motors whose pulls add up to the force; negative ones are 0."""
     push = command.strength * np.array(command.direction)
     return np.clip(np.linalg.solve(PULLS.T, push), 0.0, 1.0)
 
 
 class MotorSink:
-    """Tells motors what to do, no oftener than needed; what it tells is an event as well.
+    """Sends commands to motors, no more often than needed, and reports each as an event.
 
-    ``clock`` (s) stamps these: from the sample (``of``) to it is the way from packet to motor.
+    Events are stamped with ``clock`` (s); the difference to the sample (``of``) is the latency from
+    packet to motor.
     """
 
     def __init__(
@@ -78,17 +79,17 @@ class MotorSink:
         changes = abs(amplitude - motor.amplitude) >= STEP or bool(amplitude) != bool(
             motor.amplitude
         )
-        if not changes and not (amplitude and t - motor.told >= AGAIN):
+        if not changes and not (amplitude and t - motor.sent >= AGAIN):
             return
         if not self._vibrate(channel, amplitude, LASTS_MS if amplitude else 1):
-            return  # the next sample tells it again
-        motor.amplitude, motor.told = amplitude, t
+            return  # a later sample repeats it
+        motor.amplitude, motor.sent = amplitude, t
         data: dict[str, object] = {"channel": channel, "amplitude": amplitude, "of": t}
         if changes:
             self._tell(Event(self._clock(), KIND, "", data))
 
     def close(self) -> None:
-        """All motors rest."""
+        """Stop all motors."""
         for channel, motor in self._motors.items():
             if motor.amplitude:
                 self._vibrate(channel, 0, 1)
@@ -96,7 +97,7 @@ class MotorSink:
 
 
 def _amplitudes(command: MotorCommand) -> dict[int, int]:
-    """By channel."""
+    """Amplitudes by channel."""
     finger = TIPS.index(command.tip)
     if command.axes == 1:
         return {finger: round(255 * min(max(command.strength, 0.0), 1.0))}
@@ -104,12 +105,12 @@ def _amplitudes(command: MotorCommand) -> dict[int, int]:
 
 
 def network_sinks() -> list[CommandSink]:
-    """Vehicles and robots, at the addresses that commands name; none is opened before."""
+    """Sinks of vehicles and robots; connections are opened with the first command to an address."""
     return [VehicleSink(), ArmSink()]
 
 
 def all_sinks(vibrate: Vibrate | None, tell: Callable[[Event], None]) -> list[CommandSink]:
-    """All of a hand: those on the network and, if the glove has motors, these; ``tell`` receives an
+    """All sinks of a hand: the network and, if present, the glove's motors; ``tell`` receives an
     event for each motor command."""
     motors: list[CommandSink] = [MotorSink(vibrate, monotonic, tell)] if vibrate is not None else []
     return [*motors, *network_sinks()]

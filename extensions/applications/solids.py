@@ -1,4 +1,4 @@
-"""Boxes, cylinders, capsules and balls as triangles, for drawings. Lengths in m."""
+"""Triangle meshes of boxes, cylinders, capsules and balls, for drawings. Lengths in m."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Solid(NamedTuple):
 
 
 def box(half: Array) -> Solid:
-    """About the origin; each side has corners of its own, so that its edges are sharp."""
+    """A box about the origin; sides do not share corners, so that edges are sharp."""
     points = (CORNERS * half)[SQUARES.ravel()]
     first = 4 * np.arange(6)[:, None]
     faces = np.concatenate([first + [0, 1, 2], first + [0, 2, 3]])
@@ -33,7 +33,7 @@ def box(half: Array) -> Solid:
 
 
 def capsule(radius: float, half: float) -> Solid:
-    """Along z from -half to half, with half a ball on either end; ``half`` 0: a ball."""
+    """A capsule along z whose cylinder is from -half to half; ``half`` 0: a ball."""
     rise = np.linspace(-np.pi / 2, np.pi / 2, 10)
     profile = np.stack([radius * np.cos(rise), radius * np.sin(rise)], axis=1)
     profile[:, 1] += np.where(rise < 0, -half, half)
@@ -41,7 +41,7 @@ def capsule(radius: float, half: float) -> Solid:
 
 
 def cylinder(radius: float, half: float) -> Solid:
-    """Along z from -half to half."""
+    """A cylinder along z from -half to half."""
     profile = [
         [0, -half],
         [radius, -half],
@@ -54,7 +54,8 @@ def cylinder(radius: float, half: float) -> Solid:
 
 
 def _turned(profile: Array) -> Solid:
-    """A profile (K, 2) of distance from z and height, upwards, turned around z."""
+    """Surface of revolution of a profile (K, 2) of distance from z and height, from bottom to
+    top."""
     angle = 2 * np.pi * np.arange(SIDES) / SIDES
     around = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     rings = [np.column_stack([r * around, np.full(SIDES, z)]) for r, z in profile]

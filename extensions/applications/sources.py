@@ -1,4 +1,4 @@
-"""Where the hand of an application comes from off-screen: a session, the simulator, a stream."""
+"""Sources of the hand for applications without a window: a session, the simulator, a stream."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from tracker.streaming.payload_read import from_json
 from tracker.streaming.publisher import LOOPBACK, Names, StreamError
 from tracker.streaming.udp import DEFAULT_PORT
 
-SILENCE = 3.0  # s after which a stream is taken to have ended
-PATIENCE = 30.0  # s that its first hand is waited for
+SILENCE = 3.0  # s without data after which a stream has ended
+PATIENCE = 30.0  # s, timeout for the first hand of a stream
 
 
 class HandSource(NamedTuple):
-    """What a session is about, and its messages; estimates are among them."""
+    """Information about a session, and its messages including estimates."""
 
     info: SessionInfo
     messages: Iterator[Message | Decoded]
@@ -35,8 +35,8 @@ class HandSource(NamedTuple):
 
 @contextmanager
 def recorded(path: Path, side: str = "") -> Iterator[HandSource]:
-    """The estimates of a session's hand, and all else that is in it; ``side``: which of two, else
-    the main one. Raises FileError where the session has no such hand."""
+    """The messages of a session with the estimates of one hand; ``side`` selects one of two, the
+    default is the main hand. Raises FileError if the session does not contain that hand."""
     with SessionReader(path, side=side if sides_of(path) else "") as reader:
         if side and reader.info.side != side:
             raise FileError(f"{path} has no {side} hand.")
@@ -44,13 +44,13 @@ def recorded(path: Path, side: str = "") -> Iterator[HandSource]:
 
 
 def sides_of(path: Path) -> tuple[str, ...]:
-    """The hands of a session of both; empty where there is one. Raises FileError."""
+    """The hands of a session with both; empty for a single hand. Raises FileError."""
     with SessionReader(path) as reader:
         return reader.sides
 
 
 def simulated(options: SimulateOptions, on_truth: bool) -> HandSource:
-    """A simulated wearer, tracked as we go; ``on_truth``: as if the hand were known."""
+    """A simulated wearer, tracked or, with ``on_truth``, with the true hand."""
     simulation, info = build_simulation(options)
 
     def messages() -> Iterator[Message]:
@@ -70,9 +70,9 @@ def simulated(options: SimulateOptions, on_truth: bool) -> HandSource:
 
 
 def streamed(address: str, glove_name: str = "") -> HandSource:
-    """Estimates that a window sends: ``udp:PORT``, or ``ws://host:port``.
+    """Estimates of a live stream: ``udp:PORT``, or ``ws://host:port``.
 
-    Raises ConfigError for another address; going through them StreamError, where none comes.
+    Raises ConfigError for an invalid address; iterating raises StreamError if none arrives.
     """
     texts = library.texts(glove_name or library.DEFAULT_GLOVE, None)
     info = describe(*texts, ClockAnchor(0, 0))
@@ -107,7 +107,7 @@ def _datagrams(port: int) -> Iterator[bytes]:
 
 
 def _need_some(timeout: float, where: str, error: Exception) -> None:
-    """A stream may end, but not before it has begun."""
+    """Raises StreamError if a stream ends before its first estimate."""
     if timeout == PATIENCE:
         raise StreamError(f"No hand has come to {where} in {PATIENCE:.0f} s.") from error
 

@@ -1,4 +1,4 @@
-"""Where an application runs: chosen, set and looked at by any thread, fed by one."""
+"""Hosts an application: it is selected, configured and observed by any thread and fed by one."""
 
 from __future__ import annotations
 
@@ -20,35 +20,35 @@ _log = logging.getLogger(__name__)
 
 
 class CommandSink(Protocol):
-    """Takes an application's commands to a device; passes over those that are not for it."""
+    """Sends an application's commands to a device; ignores commands for other devices."""
 
     def take(self, commands: Sequence[Command], t: float) -> None:
-        """What a sample at ``t`` (s) has brought; called for each sample, also without commands."""
+        """Take the commands of a sample at ``t`` (s); called for each sample, also without any."""
 
     def close(self) -> None:
-        """Let the device rest."""
+        """Stop the device."""
 
 
 class Viewer(Protocol):
-    """Shows what an application draws, somewhere else."""
+    """Shows an application's drawing outside the window."""
 
     def show(self, title: str, hand: HandSample, drawing: Drawing) -> None:
-        """The newest; never waits."""
+        """Show the newest drawing; does not block."""
 
     def close(self) -> None: ...
 
 
 class ApplicationStage:
-    """Empty until `show`. ``tell`` gets each event, in the thread that feeds."""
+    """Empty until `show`. ``tell`` receives each event in the feeding thread."""
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, tell: Callable[[Event], None] = lambda _: None
     ) -> None:
         self._hand, self._glove = hand, glove
         self._runner: ApplicationRunner | None = None
-        self._ending: list[ApplicationRunner] = []  # shown before, and not yet told that they end
-        self._anew = False
-        self._lock = threading.Lock()  # what is shown, what ends and where it begins anew
+        self._ending: list[ApplicationRunner] = []  # replaced, but their end is not yet reported
+        self._restart = False
+        self._lock = threading.Lock()  # guards the three fields above
         self.tell = tell
         self.sinks: list[CommandSink] = []
         self.viewers: list[Viewer] = []
@@ -62,29 +62,29 @@ class ApplicationStage:
 
     @property
     def name(self) -> str:
-        """Of the application that is shown; empty where there is none."""
+        """Name of the current application; empty without one."""
         runner = self._runner
         return runner.name if runner is not None else ""
 
     @property
     def title(self) -> str:
-        """What it is called; empty where there is none."""
+        """Title of the current application; empty without one."""
         runner = self._runner
         return runner.application.title if runner is not None else ""
 
     @property
     def settings(self) -> Any:
-        """The dataclass of its settings; None where there is none."""
+        """The dataclass of its settings; None without an application."""
         runner = self._runner
         return runner.settings if runner is not None else None
 
     def show(self, name: str, settings: Mapping[str, Any] | None = None) -> None:
-        """Run another application, as new; an empty name: none. Raises ConfigError."""
+        """Start another application; an empty name stops it. Raises ConfigError."""
         made = ApplicationRunner(name, self._hand, self._glove, settings) if name else None
         with self._lock:
             if self._runner is not None:
                 self._ending.append(self._runner)
-            self._runner, self._anew = made, False
+            self._runner, self._restart = made, False
             self.outcome, self.last, self.problem = None, None, ""
             self.counts = Counter()
             self.latest = {}
@@ -95,34 +95,34 @@ class ApplicationStage:
         if runner is not None:
             runner.set(key, value)
 
-    def begin_anew(self) -> None:
-        """From the next sample on, as in the beginning: a recording holds all of it."""
+    def restart(self) -> None:
+        """Start over with the next sample, so that a recording contains all of the run."""
         with self._lock:
-            self._anew = True
+            self._restart = True
 
-    # --- from the one that feeds
+    # --- from the feeding thread
 
     def feed(self, estimate: Estimate) -> Iterator[Outcome]:
-        """Give an estimate to the application, if there is one; to be gone through."""
+        """Feed an estimate to the application, if any; yields the results."""
         with self._lock:
             ending, self._ending = self._ending, []
-            runner, anew = self._runner, self._anew
+            runner, restart = self._runner, self._restart
             resting = runner is None or bool(self.problem)
-            self._anew = anew and resting
+            self._restart = restart and resting
         for before in ending:
             if before.has_begun:
                 self._hear(before.ended(estimate.t))
         if runner is None or resting:
             return
-        if anew:
+        if restart:
             self.counts.clear()
             self.latest = {}
-            runner.begin_anew()
+            runner.restart()
         try:
             for outcome in runner.feed(estimate):
                 self._take(outcome)
                 yield outcome
-        except Exception as error:  # noqa: BLE001 - a stranger's code must not end ours
+        except Exception as error:  # noqa: BLE001 - code of plug-ins must not stop the program
             self._fail(runner, estimate.t, error)
 
     def _take(self, outcome: Outcome) -> None:
@@ -137,18 +137,22 @@ class ApplicationStage:
     def _hear(self, event: Event) -> None:
         self.counts[str(event.data["what"])] += 1
         self.last = event
-        self.latest = {**self.latest, str(event.data["what"]): event}  # others read it meanwhile
+        self.latest = {
+            **self.latest,
+            str(event.data["what"]): event,
+        }  # replaced, because other threads read it
         self.tell(event)
 
     def _fail(self, runner: ApplicationRunner, t: float, error: Exception) -> None:
-        """It rests until it is chosen again."""
+        """Stop a failed application until it is selected again."""
         _log.error("The application %s failed", runner.name, exc_info=error)
         self.problem = f"{type(error).__name__}: {error}"
         data: dict[str, object] = {"application": runner.name, "hand": runner.side, "what": FAILED}
         self._hear(Event(t, KIND, self.problem, data))
 
     def close(self) -> None:
-        """Let all devices rest."""
+        """Stop all devices."""
+
         with self._lock:
             sinks, viewers = self.sinks, self.viewers
             self.sinks, self.viewers = [], []

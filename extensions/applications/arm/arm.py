@@ -1,10 +1,10 @@
-"""A robot arm that follows the hand while it is held, and grabs what the hand pinches.
+"""A robot arm that follows the hand while the clutch is closed, and grips when the hand pinches.
 
-A closed hand, grasping or pinching, is the clutch: while it is closed the gripper moves as the palm
-does, ``scale`` times as far; opened, the arm stays, and the hand may go back. A pinch that lasts
-closes the gripper, the next one opens it. An open palm stops the arm until a thumb up says that it
-may go on; a thumb up else marks the place where the gripper is. A palm that is only likely, where
-ring and little finger are inferred, stops it as well: a stop too many does no harm.
+A closed hand, grasping or pinching, is the clutch: while it is closed, the gripper moves like the
+palm, ``scale`` times as far; while it is open, the arm does not move. A sustained pinch closes the
+gripper, the next one opens it. An open palm stops the arm until a thumb up releases it; otherwise a
+thumb up marks the gripper's position. An open palm of which ring and little finger are only
+inferred stops the arm as well, since an unnecessary stop is harmless.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from tracker.gestures.values import BEGINS_AT
 from tracker.messages import Array
 
 CLUTCH = ("grasp", "pinch_index")
-AHEAD = np.array([0.12, 0.12, -0.10])  # m of the arm's foot before the palm that is first seen
-LOW, HIGH = np.array([0.10, -0.40, 0.016]), np.array([0.50, 0.40, 0.50])  # m, where it may go
+AHEAD = np.array([0.12, 0.12, -0.10])  # m of the arm's base from the first known palm
+LOW, HIGH = np.array([0.10, -0.40, 0.016]), np.array([0.50, 0.40, 0.50])  # m, workspace
 PINCH_LASTS, SIGN_LASTS, STOP_LASTS = 0.2, 0.3, 0.05  # s until each gesture counts
 LONGEST_STEP = 0.05  # s
 TRAIL = 100  # points
@@ -37,8 +37,8 @@ METAL, STOPPED = "#B8BEC6", "#D55E00"
 
 @dataclass(frozen=True)
 class ArmSettings:
-    """``place`` of its foot, m in G; empty: before the hand, where it is first seen. ``commands``:
-    joints or pose. ``robot``: host:port of one that takes these by UDP; empty: none."""
+    """``place``: position of the base, m in G; empty: in front of the hand when first known.
+    ``commands``: joints or pose. ``robot``: host:port that receives these by UDP; empty: none."""
 
     scale: float = 1.5
     place: tuple[float, ...] = ()
@@ -49,7 +49,7 @@ class ArmSettings:
 
 @dataclass(frozen=True, eq=False)
 class _Clutched:
-    """The palm and the gripper as the clutch closed: R (3, 3), p (3,) of each."""
+    """Palm and gripper when the clutch closed: R (3, 3), p (3,) of each."""
 
     R_palm: Array
     p_palm: Array
@@ -57,20 +57,20 @@ class _Clutched:
 
 
 class _Lasting:
-    """Whether a gesture has lasted; once for each time that it is shown."""
+    """Detects that a gesture has lasted; true once per gesture."""
 
     def __init__(self, seconds: float) -> None:
-        self._seconds, self._since, self._told = seconds, np.nan, False
+        self._seconds, self._since, self._reported = seconds, np.nan, False
 
     def tells(self, shown: bool, t: float) -> bool:
         if not shown:
-            self._since, self._told = np.nan, False
+            self._since, self._reported = np.nan, False
             return False
         if np.isnan(self._since):
             self._since = t
-        if self._told or t - self._since < self._seconds - 1e-9:
+        if self._reported or t - self._since < self._seconds - 1e-9:
             return False
-        self._told = True
+        self._reported = True
         return True
 
 
@@ -103,7 +103,7 @@ class RobotArm:
         passed = hand.t - self._t if np.isfinite(self._t) else 0.0
         self._t = hand.t
         self._arm.advance(min(max(passed, 0.0), LONGEST_STEP))
-        self._tell_block(events)
+        self._report_block(events)
         commands: list[Command] = [command] if self.settings.robot else []
         return Step(self._drawing(), events, commands)
 
@@ -117,7 +117,7 @@ class RobotArm:
         events.append(Happening("placed", {"at": self._place.tolist()}))
         return True
 
-    # --- what the hand says
+    # --- gestures
 
     def _signs(self, hand: HandSample, events: list[Happening]) -> None:
         palm = hand.shows("open_palm") or hand.value("open_palm") > BEGINS_AT
@@ -140,7 +140,7 @@ class RobotArm:
         events.append(Happening("confirm", {"at": self._arm.tool.p.tolist()}))
 
     def _follow(self, hand: HandSample, events: list[Happening]) -> None:
-        """Where the gripper is to be."""
+        """Compute the gripper's target."""
         closed = any(map(hand.shows, CLUTCH)) and not self._stopped
         if not closed or hand.palm is None:
             if self._clutched is not None:
@@ -167,8 +167,8 @@ class RobotArm:
         angles = tuple(self._angles.tolist())
         return JointCommand("six-axis", AXES, angles, grip, self._stopped, to)
 
-    def _tell_block(self, events: list[Happening]) -> None:
-        """Whether the gripper has the block in the air."""
+    def _report_block(self, events: list[Happening]) -> None:
+        """Report whether the gripper holds the block in the air."""
         block = self._arm.block
         near = float(np.linalg.norm(block - self._arm.tool.p)) < 0.03
         holds = near and block[2] > 0.03
@@ -176,7 +176,7 @@ class RobotArm:
             self._holding = holds
             events.append(Happening("lifted" if holds else "put_down", {"at": block.tolist()}))
 
-    # --- what it looks like
+    # --- drawing
 
     def _drawing(self) -> Drawing:
         assert self._place is not None
@@ -199,7 +199,7 @@ class RobotArm:
         out.append(Line("table", TABLE + place, "#808890", 1.0))
         if self._marks:
             out.append(Points("marks", np.array(self._marks) + place, 0.006, "#009E73"))
-        words = "stopped: thumb up to go on" if self._stopped else ""
-        words = words or ("follows" if self._clutched else "waits: grasp to move it")
-        out.append(Text("state", words, place + tool + [0.0, 0.0, 0.12]))
+        state = "stopped: thumb up to continue" if self._stopped else ""
+        state = state or ("following" if self._clutched else "waiting: grasp to move the arm")
+        out.append(Text("state", state, place + tool + [0.0, 0.0, 0.12]))
         return tuple(out)

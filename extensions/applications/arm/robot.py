@@ -1,7 +1,7 @@
-"""The arm behind its commands: a six-axis one in MuJoCo, with a gripper, before a block.
+"""Simulated six-axis arm in MuJoCo with a gripper and a block.
 
-It knows `JointCommand` and `PoseCommand` alone, as a real one would; poses are turned into angles
-by damped least squares (Buss 2004, Introduction to inverse kinematics, section 6).
+Like a real arm, it only receives `JointCommand` and `PoseCommand`; poses are converted to angles by
+damped least squares (Buss 2004, Introduction to inverse kinematics, section 6).
 """
 
 from __future__ import annotations
@@ -20,22 +20,22 @@ from tracker.messages import Array
 AXES = ("yaw", "shoulder", "elbow", "forearm_roll", "wrist_pitch", "wrist_roll")
 FINGERS = ("left", "right")
 REST = np.array([0.0, 0.05, 1.75, 0.0, 1.34, 0.0])  # rad: the gripper looks down before the base
-OPEN = 0.03  # m that each finger stands out
+OPEN = 0.03  # m of each finger from the centre when open
 DAMPING = 0.03  # of the least squares
-ROUNDS = 4  # a step that the inverse kinematics takes
+ROUNDS = 4  # iterations of the inverse kinematics per step
 FASTEST = 2.5  # rad/s of any joint
-RAD_PER_M = 4.0  # how much of turning counts as much as a metre of moving
+RAD_PER_M = 4.0  # weight of rotation relative to translation
 
 
 class ToolPose(NamedTuple):
-    """Where the gripper is: R (3, 3), p (3,) m, in the base's frame."""
+    """Pose of the gripper: R (3, 3), p (3,) m, in the base's frame."""
 
     R: Array
     p: Array
 
 
 class Part(NamedTuple):
-    """One solid of the arm or what is before it, and where it stands in the base's frame."""
+    """One solid of the arm or the scene, and its pose in the base's frame."""
 
     name: str
     solid: Solid
@@ -44,7 +44,7 @@ class Part(NamedTuple):
 
 
 class SixAxisArm:
-    """Stands at the origin of its own frame, x away from the wearer, z up."""
+    """The arm at the origin of its frame, x away from the wearer, z up."""
 
     def __init__(self) -> None:
         text = (folder("arms") / "six-axis.xml").read_text("utf-8")
@@ -68,7 +68,7 @@ class SixAxisArm:
     # --- commands
 
     def take(self, command: JointCommand | PoseCommand) -> None:
-        """Go there from now on; ``stop``: stay where it is."""
+        """Set the target; ``stop``: hold the current pose."""
         if command.stop:
             self._goal = self.angles
             self._wanted = self.angles
@@ -83,7 +83,7 @@ class SixAxisArm:
             self._goal = np.clip(wanted, *self._limits.T)
 
     def advance(self, dt: float) -> None:
-        """``dt`` s further, in whole steps; what is left over counts next time."""
+        """Simulate ``dt`` s in whole steps; the remainder is added to the next call."""
         self._left += dt
         step = self._model.opt.timestep
         most = FASTEST * step
@@ -98,7 +98,7 @@ class SixAxisArm:
         self._data.ctrl[self._motors] = [*self._wanted, finger, finger]
 
     def solve(self, pose: ToolPose, start: Array) -> Array:
-        """(6,) rad: angles that bring the tool to a pose, or as near as they may from ``start``."""
+        """Angles (6,) rad that bring the tool to a pose, or as near as possible from ``start``."""
         q = np.array(start)
         J_p, J_r = np.empty((3, self._model.nv)), np.empty((3, self._model.nv))
         for _ in range(ROUNDS):
@@ -111,26 +111,26 @@ class SixAxisArm:
             q = np.clip(q + J.T @ np.linalg.solve(damped, error), *self._limits.T)
         return q
 
-    # --- what there is to see
+    # --- state
 
     @property
     def angles(self) -> Array:
-        """(6,) rad, as they are."""
+        """Current angles (6,) rad."""
         return np.array(self._data.qpos[self._rows])
 
     @property
     def tool(self) -> ToolPose:
-        """Where the gripper is."""
+        """Current pose of the gripper."""
         R = np.array(self._data.site_xmat[self._tool]).reshape(3, 3)
         return ToolPose(R, np.array(self._data.site_xpos[self._tool]))
 
     @property
     def block(self) -> Array:
-        """(3,) m: the block's middle."""
+        """Centre of the block (3,) m."""
         return np.array(self._data.body("block").xpos)
 
     def pose_of(self, angles: Array) -> ToolPose:
-        """Where the gripper is with other angles (6,) rad."""
+        """Pose of the gripper for other angles (6,) rad."""
         self._ghost.qpos[:] = self._data.qpos
         self._ghost.qpos[self._rows] = angles
         mujoco.mj_kinematics(self._model, self._ghost)
@@ -139,7 +139,7 @@ class SixAxisArm:
         return ToolPose(R, np.array(self._ghost.site_xpos[self._tool]))
 
     def parts(self) -> list[Part]:
-        """All solids but the floor."""
+        """All solids except the floor."""
         out = []
         for i, solid in self._solids.items():
             R = np.array(self._data.geom_xmat[i]).reshape(3, 3)

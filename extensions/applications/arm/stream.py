@@ -1,11 +1,11 @@
-"""Commands of the arm to a robot, as JSON in UDP datagrams.
+"""Sends commands of the arm to a robot, as JSON in UDP datagrams.
 
     {"schema": 1, "robot": "six-axis", "t": 12.34, "stop": false, "grip": 1.0,
      "joints": {"yaw": 0.1, ...}}                                              or
     {..., "position": [x, y, z], "orientation_xyzw": [x, y, z, w]}
 
 Angles in rad; position in m and orientation in the frame of the robot's base (x away from the
-wearer, z up); ``grip`` 0 open to 1 closed; ``stop``: stay where you are.
+wearer, z up); ``grip`` 0 open to 1 closed; ``stop``: hold the current pose.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def to_json(command: JointCommand | PoseCommand, t: float) -> str:
 
 
 def from_json(text: str | bytes) -> JointCommand | PoseCommand:
-    """What a robot reads. Raises GlovetrackError for anything else."""
+    """Parse a datagram. Raises GlovetrackError for invalid content."""
     try:
         data = json.loads(text)
         robot, grip, stop = str(data["robot"]), float(data["grip"]), bool(data["stop"])
@@ -52,7 +52,7 @@ def from_json(text: str | bytes) -> JointCommand | PoseCommand:
 
 
 class ArmSink:
-    """Sends each command to its robot."""
+    """Sends each command to the robot at its address."""
 
     def __init__(self) -> None:
         self._to = ""

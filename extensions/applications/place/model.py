@@ -1,7 +1,7 @@
-"""What stands in the place: a gate tower with a wall, its plan, and labels; shapes of our own.
+"""Objects of the virtual place: a gate tower with a wall, its plan, and labels; our own shapes.
 
 Lemak et al. 2020 show a reconstruction of a town, labels that lead to its objects, and a historical
-source that is laid over an object and faded (section 1.1, Fig. 1 to 3).
+source that is overlaid on an object and faded (section 1.1, Fig. 1 to 3).
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ MAP = 0.32  # m, the side of the map
 
 
 class Thing(NamedTuple):
-    """A reconstructed object: its solids, about the middle of its foot, and where its label is on
-    the map (3,) m from the map's middle."""
+    """A reconstructed object: its solids relative to the centre of its base, and the position (3,)
+    m of its label relative to the map's centre."""
 
     name: str
     solids: tuple[tuple[Solid, str], ...]
@@ -79,8 +79,8 @@ THINGS = (
 
 
 def plan_of(thing: Thing) -> list[Array]:
-    """The source laid over the object: a drawing of its edges as an old plan has them, polylines
-    (n, 3) m: the outline of each solid's foot and of its top."""
+    """The source overlaid on the object: a drawing of its edges like in an old plan, as polylines
+    (n, 3) m: the outlines of each solid's base and top."""
     out = []
     for solid, _ in thing.solids:
         low, high = solid.points.min(axis=0), solid.points.max(axis=0)

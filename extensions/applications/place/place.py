@@ -1,10 +1,10 @@
-"""A map with labels to point at, and an object to grasp, turn, scale and compare with its source.
+"""A map with labels to point at, and an object to grasp, rotate, scale and compare with its source.
 
-Lemak et al. 2020, section 1.1: a label chosen on the map opens its object; the object can be
-turned, and a historical source over it is faded by hand. Here a pointing finger chooses a label
-that it stays on; a grasp takes the object along, turned as the hand is; a pinch of the middle
-finger scales it, up and down; a pinch of the index finger, slid sideways, fades the source; an open
-palm that lasts goes back to the map. Each touch is felt as a short buzz (their Fig. 4).
+Lemak et al. 2020, section 1.1: selecting a label on the map opens its object; the object can be
+rotated, and a historical source overlaid on it is faded by hand. Here, a finger that keeps pointing
+at a label selects it; a grasp moves and rotates the object with the hand; a pinch of the middle
+finger, moved up and down, scales it; a pinch of the index finger, moved sideways, fades the source;
+a sustained open palm returns to the map. Each touch causes a short vibration (their Fig. 4).
 """
 
 from __future__ import annotations
@@ -20,34 +20,34 @@ from extensions.applications.interface import Command, Happening, MotorCommand, 
 from extensions.applications.place.model import MAP, THINGS, Thing, plan_of
 from tracker.messages import Array
 
-AHEAD = np.array([0.22, 0.0, -0.06])  # m of the map's middle before the palm that is first seen
-REACH = 1.5  # m that a finger points
-AIM = np.deg2rad(15.0)  # the label nearest to the finger's direction within this is pointed at
-LABEL = 0.03  # m about a label that count as it, which from near is more than `AIM`
-KEEPS = 1.5  # times as far off may the finger be while it points at one: a tremor leaves it there
+AHEAD = np.array([0.22, 0.0, -0.06])  # m of the map's centre from the first known palm
+REACH = 1.5  # m, range of a pointing finger
+AIM = np.deg2rad(15.0)  # largest angle between the finger and a label it points at
+LABEL = 0.03  # m, radius of a label, which at a short distance exceeds `AIM`
+KEEPS = 1.5  # factor on both while a label is pointed at: hysteresis against tremor
 BACK_AFTER = 0.8  # s of an open palm
 BUZZ, STRENGTH = 0.08, 0.7  # s
-SLIDE = 0.12  # m that a pinch is slid for the whole of a fade
-PULL = 0.10  # m that a pinch is raised to double the size
+SLIDE = 0.12  # m of sideways movement of a pinch for a complete fade
+PULL = 0.10  # m of upward movement of a pinch that doubles the size
 SMALLEST, LARGEST = 0.4, 5.0
 GRIPS = {"grasp": "middle", "pinch_index": "index", "pinch_middle": "middle"}
-NEAR = 0.14  # m from the object's middle to where a grip is at it
+NEAR = 0.14  # m from the object's centre within which a grip takes it
 INK, HIGHLIGHT, PAPER = "#56B4E9", "#E69F00", "#F0E442"
 
 
 @dataclass(frozen=True)
 class PlaceSettings:
-    """``place`` of the map's middle, m in G; empty: before the hand, where it is first seen.
-    ``dwell``: s that a finger stays on a label to choose it."""
+    """``place``: the map's centre, m in G; empty: in front of the hand when first known.
+    ``dwell``: s of pointing at a label that select it."""
 
     place: tuple[float, ...] = ()
     dwell: float = 0.6
-    size: float = 2.0  # times that of the map's models, at which an object opens
+    size: float = 2.0  # of an opened object relative to the map's models
 
 
 @dataclass(eq=False)
 class _OpenObject:
-    """The open one: which, R (3, 3), p (3,) m, its size and how much of the source is shown."""
+    """The opened object: R (3, 3), p (3,) m, its size and the opacity of the source."""
 
     thing: Thing
     R: Array
@@ -58,7 +58,7 @@ class _OpenObject:
 
 @dataclass(frozen=True, eq=False)
 class _Grip:
-    """What the hand was, and the object, as a gesture began."""
+    """State of the hand and the object at the beginning of a gesture."""
 
     gesture: str
     R_palm: Array
@@ -109,7 +109,7 @@ class VirtualPlace:
     # --- the map
 
     def _point(self, hand: HandSample, events: list[Happening]) -> None:
-        """A label that is pointed at for long enough is chosen."""
+        """Select a label that is pointed at for long enough."""
         thing = self._pointed_at(hand)
         if thing is not self._aimed:
             self._aimed, self._aimed_since = thing, hand.t
@@ -124,12 +124,12 @@ class VirtualPlace:
         tip, root = hand.point("index_tip"), hand.point("index_mcp")
         if not hand.shows("point") or tip is None or root is None or self._middle is None:
             return None
-        way = (tip - root) / max(float(np.linalg.norm(tip - root)), 1e-6)
+        ray = (tip - root) / max(float(np.linalg.norm(tip - root)), 1e-6)
         best, least = None, 1.0
         for thing in THINGS:
             to = self._middle + thing.label + [0.0, 0.0, 0.04] - tip
             distance = float(np.linalg.norm(to))
-            off = float(np.arccos(np.clip(to @ way / max(distance, 1e-6), -1.0, 1.0)))
+            off = float(np.arccos(np.clip(to @ ray / max(distance, 1e-6), -1.0, 1.0)))
             off /= max(AIM, np.arctan2(LABEL, distance)) * (KEEPS if thing is self._aimed else 1.0)
             if off < least and distance < REACH:
                 best, least = thing, off
@@ -143,7 +143,7 @@ class VirtualPlace:
         self._feel("index_tip", t)
 
     def _go_back(self, hand: HandSample, events: list[Happening]) -> None:
-        """To the map, when an open palm lasts."""
+        """Return to the map after a sustained open palm."""
         if not hand.shows("open_palm"):
             self._palm_since = np.nan
         elif np.isnan(self._palm_since):
@@ -182,7 +182,7 @@ class VirtualPlace:
             return None
         return _Grip(gesture, hand.palm[0], point, thing.R, thing.p, thing.size, thing.fade)
 
-    # --- what is felt and seen
+    # --- feedback and drawing
 
     def _feel(self, tip: str, t: float) -> None:
         self._buzz[tip] = t + BUZZ
@@ -199,8 +199,8 @@ class VirtualPlace:
             out += _object(self._open)
         tip, root = hand.point("index_tip"), hand.point("index_mcp")
         if self._open is None and hand.shows("point") and tip is not None and root is not None:
-            way = (tip - root) / max(float(np.linalg.norm(tip - root)), 1e-6)
-            out.append(Line("ray", np.array([tip, tip + 0.3 * way]), HIGHLIGHT, 1.5))
+            ray = (tip - root) / max(float(np.linalg.norm(tip - root)), 1e-6)
+            out.append(Line("ray", np.array([tip, tip + 0.3 * ray]), HIGHLIGHT, 1.5))
         return tuple(out)
 
     def _map(self, middle: Array) -> list[Primitive]:
@@ -222,7 +222,7 @@ class VirtualPlace:
 
 
 def _move(grip: _Grip, thing: _OpenObject, R_palm: Array, point: Array) -> None:
-    """The object as the hand has it since the grip."""
+    """Move the object with the hand since the grip."""
     moved = point - grip.point
     if grip.gesture == "grasp":
         turn = R_palm @ grip.R_palm.T
@@ -231,8 +231,8 @@ def _move(grip: _Grip, thing: _OpenObject, R_palm: Array, point: Array) -> None:
     elif grip.gesture == "pinch_middle":
         thing.size = float(np.clip(grip.size * 2 ** (moved[2] / PULL), SMALLEST, LARGEST))
     else:
-        aside = -float(moved[1])  # to the right
-        thing.fade = float(np.clip(grip.fade + aside / SLIDE, 0.0, 1.0))
+        right = -float(moved[1])
+        thing.fade = float(np.clip(grip.fade + right / SLIDE, 0.0, 1.0))
 
 
 def _let_go(grip: _Grip, thing: _OpenObject) -> Happening:
@@ -246,7 +246,7 @@ def _let_go(grip: _Grip, thing: _OpenObject) -> Happening:
 
 
 def _object(thing: _OpenObject) -> list[Primitive]:
-    """The object, and its source over it: the one fades as the other comes."""
+    """The object and the overlaid source, cross-faded."""
     R = thing.size * thing.R
     out: list[Primitive] = []
     for k, (solid, colour) in enumerate(thing.thing.solids):

@@ -1,6 +1,6 @@
-"""How drones fly: each to its slot, apart from its neighbours, away from fingers, through no wall.
+"""Flight of the drones: each to its slot, away from neighbours, fingers and walls.
 
-All lengths are those of the model in front of the hand, m; a drone is a point that accelerates.
+All lengths are in m of the model in front of the hand; a drone is a point mass.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tracker.kernels.arrays import Matrix, Stack, Vector, Written
 from tracker.messages import Array
 
 GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
-DENSITY = 0.74  # of balls packed as closely as can be
+DENSITY = 0.74  # of the densest packing of balls
 
 
 class FlightParams(NamedTuple):
@@ -38,7 +38,7 @@ class Drones(NamedTuple):
 
 
 def ball(count: int, spacing: float) -> Array:
-    """(N, 3) m: slots about the origin, ``spacing`` apart or so: shells of a ball."""
+    """Slots (N, 3) m about the origin, approximately ``spacing`` apart, on shells of a ball."""
     i = np.arange(count) + 0.5
     radius = spacing * np.cbrt(3 * i / (4 * np.pi * DENSITY))
     z = 1 - 2 * np.mod(i * 0.7548776662466927, 1.0)  # of the plastic number: evenly spread
@@ -52,7 +52,7 @@ def ball(count: int, spacing: float) -> Array:
 def fly(
     drones: Drones, slots: Array, fingers: Array, walls: Array, dt: float, params: FlightParams
 ) -> tuple[Drones, Array]:
-    """The drones ``dt`` s later, and how far (N, 3) m each was pushed by ``fingers`` (F, 3).
+    """The drones ``dt`` s later, and the displacement (N, 3) m of each by ``fingers`` (F, 3).
 
     slots (N, 3) m; walls (W, 3, 3) m are triangles that no drone crosses.
     """
@@ -73,7 +73,7 @@ def _steer(
     after: Written[Drones],
     pushed: Written[Matrix],
 ) -> None:
-    """Without walls."""
+    """Accelerate the drones, ignoring walls."""
     n = len(slots)
     force = np.zeros(3)
     for i in range(n):
@@ -113,7 +113,8 @@ def _steer(
 
 @kernel
 def _hold(before: Matrix, walls: Stack, clear: float, after: Written[Drones]) -> None:
-    """A way that meets a wall, or comes within ``clear`` of it, goes along it, or not at all."""
+    """Deflect steps that cross a wall or come within ``clear`` of it along the wall, or cancel
+    them."""
     step, wall = np.zeros(3), np.zeros(3)
     for i in range(len(before)):
         for attempt in range(3):
@@ -136,8 +137,8 @@ def _hold(before: Matrix, walls: Stack, clear: float, after: Written[Drones]) ->
 def meets(
     before: Matrix, i: int, step: Vector, reach: float, walls: Stack, wall: Written[Vector]
 ) -> bool:
-    """Whether the way from row ``i`` of ``before``, ``reach`` times ``step``, meets a triangle;
-    ``wall`` (3,) becomes the normal of the nearest that it meets.
+    """Whether the segment from row ``i`` of ``before``, ``reach`` times ``step``, intersects a
+    triangle; ``wall`` (3,) receives the normal of the nearest one.
 
     Möller & Trumbore (1997), doi:10.1080/10867651.1997.10487468.
     """

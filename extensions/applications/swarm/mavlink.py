@@ -1,7 +1,7 @@
-"""Three messages of MAVLink 2 (mavlink.io, common.xml), many at once: no package is needed.
+"""Encodes and decodes three messages of MAVLink 2 (mavlink.io, common.xml) in bulk.
 
-SET_POSITION_TARGET_LOCAL_NED tells a vehicle where to be, HEARTBEAT and LOCAL_POSITION_NED are what
-it answers. Local frames are north, east, down: of G's x, y, z (z up) that is x, -y, -z.
+SET_POSITION_TARGET_LOCAL_NED sets a vehicle's target; HEARTBEAT and LOCAL_POSITION_NED are its
+replies. Local frames are north, east, down, which are x, -y, -z of G (z up).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ MAGIC = 0xFD
 HEAD, TAIL = 10, 2  # bytes around a payload
 HEARTBEAT, POSITION, TARGET = 0, 32, 84  # message ids
 EXTRA = {HEARTBEAT: 50, POSITION: 185, TARGET: 143}
-"""CRC_EXTRA of each, which tells other definitions apart."""
+"""CRC_EXTRA of each message, which distinguishes different definitions."""
 LENGTH = {HEARTBEAT: 9, POSITION: 28, TARGET: 53}
 LOCAL_NED = 1  # MAV_FRAME
 POSITION_AND_VELOCITY = 0b110111000000  # POSITION_TARGET_TYPEMASK: ignore the rest
@@ -34,8 +34,8 @@ TARGET_ROW = np.dtype(
 POSITION_ROW = np.dtype([("ms", "<u4"), ("p", "<f4", 3), ("v", "<f4", 3)])
 
 
-class Heard(NamedTuple):
-    """A whole message: its id, who sent it, its payload with the zeros that were left out."""
+class Received(NamedTuple):
+    """A complete message: its id, its sender, and its payload including omitted zeros."""
 
     message: int
     system: int
@@ -43,7 +43,7 @@ class Heard(NamedTuple):
 
 
 def to_ned(p_G: Array) -> Array:
-    """(..., 3) of G in north, east, down; its own inverse."""
+    """Vectors (..., 3) of G in north, east, down; its own inverse."""
     return np.asarray(p_G * np.array([1.0, -1.0, -1.0]))
 
 
@@ -69,7 +69,7 @@ def crc(rows: Bytes) -> NDArray[np.uint16]:
 
 
 def targets(p: Array, v: Array, systems: NDArray[np.uint8], t: float, sequence: int) -> list[bytes]:
-    """Packets that tell n vehicles where to be, p (n, 3) m, and how fast, v (n, 3) m/s, in G."""
+    """Packets with the targets of n vehicles: p (n, 3) m and v (n, 3) m/s in G."""
     rows = np.zeros(len(p), TARGET_ROW)
     rows["ms"] = int(1e3 * t) % 2**32
     rows["p"], rows["v"] = to_ned(p), to_ned(v)
@@ -81,7 +81,7 @@ def targets(p: Array, v: Array, systems: NDArray[np.uint8], t: float, sequence: 
 def positions(
     p: Array, v: Array, systems: NDArray[np.uint8], t: float, sequence: int
 ) -> list[bytes]:
-    """What n vehicles answer: where they are and how fast, in G."""
+    """Packets with the positions and velocities of n vehicles in G."""
     rows = np.zeros(len(p), POSITION_ROW)
     rows["ms"] = int(1e3 * t) % 2**32
     rows["p"], rows["v"] = to_ned(p), to_ned(v)
@@ -89,7 +89,7 @@ def positions(
 
 
 def heartbeats(systems: NDArray[np.uint8], sequence: int) -> list[bytes]:
-    """That n vehicles are there."""
+    """Heartbeat packets of n vehicles."""
     payload = struct.pack("<IBBBBB", 0, QUADROTOR, NO_AUTOPILOT, 0, ACTIVE, VERSION)
     rows = np.tile(np.frombuffer(payload, np.uint8), (len(systems), 1))
     return packets(HEARTBEAT, rows, systems, sequence)
@@ -100,7 +100,7 @@ def _bytes(rows: NDArray[np.void]) -> Bytes:
 
 
 def packets(message: int, payload: Bytes, systems: NDArray[np.uint8], sequence: int) -> list[bytes]:
-    """Whole packets of n payloads (n, LENGTH), without the zeros that they end in."""
+    """Packets of n payloads (n, LENGTH), without trailing zeros."""
     n, width = payload.shape
     size = width - np.argmax(payload[:, ::-1] != 0, axis=1)
     size[~payload.any(axis=1)] = 1
@@ -120,13 +120,13 @@ def packets(message: int, payload: Bytes, systems: NDArray[np.uint8], sequence: 
     return out
 
 
-def heard(datagrams: Sequence[bytes]) -> list[Heard]:
-    """The whole messages, of those known here, in datagrams; damaged ones are passed over.
+def received(datagrams: Sequence[bytes]) -> list[Received]:
+    """The complete messages of known types in datagrams; damaged ones are ignored.
 
-    Checked together, by their length: a swarm says hundreds of messages at a time.
+    Messages of equal length are checked together, since a swarm sends hundreds at a time.
     """
     found = [piece for data in datagrams for piece in _pieces(data)]
-    out: list[Heard] = []
+    out: list[Received] = []
     for size in sorted({len(piece) for piece in found}):
         same = [piece for piece in found if len(piece) == size]
         rows = np.frombuffer(b"".join(same), np.uint8).reshape(-1, size)
@@ -136,12 +136,12 @@ def heard(datagrams: Sequence[bytes]) -> list[Heard]:
         for piece in (piece for piece, good in zip(same, right, strict=True) if good):
             message = _message(piece)
             payload = piece[HEAD:-TAIL].ljust(LENGTH[message], b"\0")
-            out.append(Heard(message, piece[5], payload))
+            out.append(Received(message, piece[5], payload))
     return out
 
 
 def _pieces(data: bytes) -> Iterator[bytes]:
-    """What looks like a packet of a message that is known here."""
+    """Candidate packets of known messages."""
     at = 0
     while at + HEAD + TAIL <= len(data):
         end = at + HEAD + data[at + 1] + TAIL
@@ -156,13 +156,13 @@ def _message(packet: bytes) -> int:
     return int.from_bytes(packet[7:10], "little")
 
 
-def position_of(message: Heard) -> tuple[Array, Array]:
-    """p and v (3,) m and m/s in G of a LOCAL_POSITION_NED."""
+def position_of(message: Received) -> tuple[Array, Array]:
+    """Position p (3,) m and velocity v (3,) m/s in G of a LOCAL_POSITION_NED."""
     row = np.frombuffer(message.payload, POSITION_ROW, 1)[0]
     return to_ned(row["p"].astype(float)), to_ned(row["v"].astype(float))
 
 
-def target_of(message: Heard) -> tuple[int, Array, Array]:
-    """The system asked, and p and v (3,) in G, of a SET_POSITION_TARGET_LOCAL_NED."""
+def target_of(message: Received) -> tuple[int, Array, Array]:
+    """Target system, and p and v (3,) in G, of a SET_POSITION_TARGET_LOCAL_NED."""
     row = np.frombuffer(message.payload, TARGET_ROW, 1)[0]
     return int(row["system"]), to_ned(row["p"].astype(float)), to_ned(row["v"].astype(float))

@@ -1,4 +1,4 @@
-"""Simulated vehicles that take targets as MAVLink over UDP and answer where they are."""
+"""Simulated vehicles that receive targets as MAVLink over UDP and report their positions."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from extensions.applications.swarm.mavlink import TARGET, heard, heartbeats, positions, target_of
-from extensions.applications.swarm.vehicles import MOST_HEARD, PER_PORT, systems
+from extensions.applications.swarm.mavlink import TARGET, heartbeats, positions, received, target_of
+from extensions.applications.swarm.vehicles import MOST_RECEIVED, PER_PORT, systems
 from tracker.base.clock import monotonic
 from tracker.streaming.publisher import LOOPBACK
 
@@ -20,40 +20,40 @@ FASTEST, STRONGEST = 15.0, 12.0  # m/s, m/s²
 
 
 class Fleet:
-    """``count`` multicopters as points with bounded speed and acceleration; no thread, no clock.
+    """``count`` multicopters as points with bounded speed and acceleration.
 
-    p, v (N, 3) m and m/s in G; they begin at the origin and stay where they are until asked.
+    p (N, 3) m and v (N, 3) m/s in G; they start at the origin and wait for targets.
     """
 
     def __init__(self, count: int) -> None:
         self.p, self.v = np.zeros((count, 3)), np.zeros((count, 3))
         self.wanted_p, self.wanted_v = self.p.copy(), self.v.copy()
-        self._told = np.zeros(count, bool)
+        self._has_target = np.zeros(count, bool)
 
     @property
     def asked(self) -> int:
-        """How many have been told where to be."""
-        return int(self._told.sum())
+        """Number of vehicles that have received a target."""
+        return int(self._has_target.sum())
 
-    def hear(self, datagrams: Sequence[bytes], first: int) -> None:
-        """Datagrams on the port of the vehicles from ``first`` on."""
-        for message in heard(datagrams):
+    def receive(self, datagrams: Sequence[bytes], first: int) -> None:
+        """Process datagrams on the port of the vehicles from ``first`` on."""
+        for message in received(datagrams):
             if message.message == TARGET:
                 system, p, v = target_of(message)
                 row = first + system - 1
                 if system > 0 and row < len(self.p) and np.isfinite([*p, *v]).all():
                     self.wanted_p[row], self.wanted_v[row] = p, v
-                    self._told[row] = True
+                    self._has_target[row] = True
 
     def fly(self, dt: float) -> None:
-        """``dt`` s further."""
+        """Simulate ``dt`` s."""
         pull = STIFFNESS * (self.wanted_p - self.p) + DAMPING * (self.wanted_v - self.v)
         self.v = _bounded(self.v + dt * _bounded(pull, STRONGEST), FASTEST)
         self.p = self.p + dt * self.v
 
 
 class VehicleSimulator:
-    """A fleet on ports from ``port`` on, 250 a port, in a thread of its own, until `close`."""
+    """Runs a fleet in its own thread until `close`; 250 vehicles per port from ``port`` on."""
 
     def __init__(
         self,
@@ -77,7 +77,7 @@ class VehicleSimulator:
         self._thread.start()
 
     def wait(self, seconds: float) -> None:
-        """Until so much time has passed, or something interrupts."""
+        """Wait for ``seconds`` or until interrupted."""
         until = self._clock() + seconds
         while self._clock() < until:
             self._ending.wait(min(1.0, until - self._clock()))
@@ -106,16 +106,16 @@ class VehicleSimulator:
 
     def _listen(self, k: int, listener: socket.socket) -> None:
         datagrams: list[bytes] = []
-        while len(datagrams) < MOST_HEARD:
+        while len(datagrams) < MOST_RECEIVED:
             try:
                 data, self._peers[k] = listener.recvfrom(65536)
             except (BlockingIOError, ConnectionRefusedError):
                 break
             datagrams.append(data)
-        self.fleet.hear(datagrams, k * PER_PORT)
+        self.fleet.receive(datagrams, k * PER_PORT)
 
     def _answer(self, t: float, alive: bool) -> None:
-        """Tell whoever asks where all are, and now and then that they are there."""
+        """Send positions and, occasionally, heartbeats to the sender of targets."""
         self._sequence += 1
         for k, peer in self._peers.items():
             rows = slice(k * PER_PORT, (k + 1) * PER_PORT)
@@ -131,6 +131,6 @@ class VehicleSimulator:
 
 
 def _bounded(rows: np.ndarray, most: float) -> np.ndarray:
-    """Rows (n, 3) no longer than ``most``."""
+    """Rows (n, 3), shortened to ``most``."""
     length = np.linalg.norm(rows, axis=1, keepdims=True)
     return np.asarray(rows * np.minimum(1.0, most / np.maximum(length, 1e-9)))

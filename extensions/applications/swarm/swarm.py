@@ -1,10 +1,10 @@
-"""Drones in front of the hand: nudged by fingers, dragged, stretched and split; walls to fly round.
+"""A drone swarm in front of the hand: fingers push, drag, stretch and split it, and draw walls.
 
-Lee et al. 2021, movie 2: complex behaviour of a swarm by nudging its formation, and by defining
-virtual walls quickly. A pointing finger pushes drones, and the formation gives way; a pinch drags
-the group it is at; a grasp at a group stretches it along the way of the hand; an open palm that
-cuts through a group splits it, and one that sweeps elsewhere leaves a wall; a fist makes one
-formation again, a thumb up takes the walls away.
+Lee et al. 2021, movie 2: complex behaviour of a swarm by nudging its formation and by quickly
+defining virtual walls. A pointing finger pushes drones, and the formation yields; a pinch drags the
+nearest group; a grasp at a group stretches it along the motion of the hand; an open palm that moves
+through a group splits it, and elsewhere draws a wall; a fist restores one formation, a thumb up
+removes the walls.
 """
 
 from __future__ import annotations
@@ -23,22 +23,23 @@ from tracker.messages import Array, IntArray
 
 COLOURS = ("#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#F0E442", "#D55E00")
 WALL = "#8888AA"
-AHEAD = np.array([0.16, 0.0, 0.0])  # m of the formation before the palm that is first seen
+AHEAD = np.array([0.16, 0.0, 0.0])  # m of the formation from the first known palm
 LONGEST_STEP = 0.03  # s
-NEAR = 1.3  # of a group's radius: a hand nearer than this is at it
-APART = 0.5  # of a group's radius that each half moves aside when it is split
+NEAR = 1.3  # of a group's radius: distance within which a hand acts on it
+APART = 0.5  # of a group's radius: displacement of each half when it is split
 MOST_GROUPS = len(COLOURS)
-LEAST_ARM = 0.01  # m from a group's middle to what stretches it
+LEAST_ARM = 0.01  # m, minimum distance from a group's centre to the grasp
+
 STRETCH = 0.3, 3.0  # times
 SMALLEST = 4  # drones of a group
 GRIPS = {"pinch_index": "index", "grasp": "middle"}
-"""What grips a group, and the finger that, with the thumb, says where."""
+"""Gestures that grip a group, and the finger that, with the thumb, defines the position."""
 
 
 @dataclass(frozen=True)
 class SwarmSettings:
-    """``place`` m in G; empty: before the hand, where it is first seen. ``scale``: m of the drones'
-    world for each of the model's. ``vehicles``: host:port that MAVLink goes to; empty: nowhere."""
+    """``place`` m in G; empty: in front of the hand when first known. ``scale``: m in the drones'
+    world per m of the model. ``vehicles``: host:port that receives MAVLink; empty: none."""
 
     drones: int = 200
     spacing: float = 0.02  # m
@@ -49,7 +50,7 @@ class SwarmSettings:
 
 @dataclass(eq=False)
 class _Group:
-    """Of drones ``rows`` (n,): its middle (3,) m, the slots (n, 3) m about it, its stretch."""
+    """A group of drones ``rows`` (n,): its centre (3,) m, slots (n, 3) m about it, and stretch."""
 
     rows: IntArray
     middle: Array
@@ -67,7 +68,7 @@ class _Group:
 
 @dataclass(eq=False)
 class _Held:
-    """What the hand has in its grip since ``start`` (3,) m."""
+    """The gripped group, and the position ``start`` (3,) m of the hand at the grip."""
 
     gesture: str
     group: _Group
@@ -94,7 +95,7 @@ class Swarm:
 
     @property
     def walls(self) -> Array:
-        """(W, 3, 3) m in G: triangles that no drone crosses."""
+        """Wall triangles (W, 3, 3) m in G, which drones do not cross."""
         return self._walls.triangles
 
     # --- one sample
@@ -128,7 +129,7 @@ class Swarm:
         return True
 
     def _fly(self, hand: HandSample, events: list[Happening]) -> None:
-        """All drones, to the time of this sample."""
+        """Move all drones to the time of this sample."""
         passed = hand.t - self._t if np.isfinite(self._t) else 0.0
         self._t = hand.t
         dt = min(max(passed, 0.0), LONGEST_STEP)
@@ -153,10 +154,10 @@ class Swarm:
             events.append(Happening("nudge"))
         self._nudging = now
 
-    # --- what a hand does
+    # --- gestures
 
     def _at(self, point: Array, slack: float = NEAR) -> _Group | None:
-        """The group that a point is at, the nearest of several."""
+        """The nearest group at a point."""
         away = [np.linalg.norm(point - g.middle) / (slack * g.radius) for g in self._groups]
         nearest = int(np.argmin(away))
         return self._groups[nearest] if away[nearest] < 1 else None
@@ -168,7 +169,7 @@ class Swarm:
         return _Held(gesture, group, point, group.middle, group.stretch)
 
     def _hold(self, hand: HandSample, events: list[Happening]) -> None:
-        """A pinch takes a group along; a grasp pulls it longer, or presses it flat."""
+        """Drag a group with a pinch; stretch or compress it with a grasp."""
         for gesture, finger in GRIPS.items():
             if hand.begins(gesture):
                 self._held = self._grip(gesture, hand.pinch_point(finger))
@@ -186,7 +187,7 @@ class Swarm:
             held.group.middle = held.middle + point - held.start
 
     def _palm(self, hand: HandSample, events: list[Happening]) -> None:
-        """An open palm cuts a group that it is in, and elsewhere leaves a wall."""
+        """Cut a group with an open palm inside it; elsewhere draw a wall."""
         tip, palm = hand.point("middle_tip"), hand.palm
         if not hand.shows("open_palm") or tip is None or palm is None:
             self._finish_palm(events, palm)
@@ -203,7 +204,7 @@ class Swarm:
             self._walls.sweep(np.array([wrist, tip]))
 
     def _finish_palm(self, events: list[Happening], palm: tuple[Array, Array] | None) -> None:
-        """The wall that it drew is whole; what it was in is cut."""
+        """Finish the wall, or split the group."""
         self._tell_wall(events)
         group, self._cut = self._cut, None
         if group is not None and palm is not None and len(self._groups) < MOST_GROUPS:
@@ -216,23 +217,23 @@ class Swarm:
             events.append(Happening("wall", {"number": walls, "area_cm2": 1e4 * area}))
 
     def _split(self, group: _Group, normal: Array, events: list[Happening]) -> None:
-        """In halves along the palm's plane, which step aside."""
+        """Split a group along the palm's plane and move the halves apart."""
         side = group.slots @ group.stretch.T @ normal >= 0
         if min(side.sum(), (~side).sum()) < SMALLEST:
             return
-        aside = APART * group.radius
+        shift = APART * group.radius
         halves = []
-        for half, way in ((side, normal), (~side, -normal)):
+        for half, direction in ((side, normal), (~side, -normal)):
             slots = group.slots[half]
             middle = slots.mean(axis=0)
-            at = group.middle + group.stretch @ middle + aside * way
+            at = group.middle + group.stretch @ middle + shift * direction
             halves.append(_Group(group.rows[half], at, slots - middle, group.stretch))
         self._groups.remove(group)
         self._groups += halves
         events.append(Happening("split", {"drones": [float(len(h.rows)) for h in halves]}))
 
     def _signs(self, hand: HandSample, events: list[Happening]) -> None:
-        """A fist: one formation. A thumb up: no walls."""
+        """Restore one formation (fist); remove the walls (thumb up)."""
         if hand.begins("fist") and (len(self._groups) > 1 or self._stretched):
             rows = np.concatenate([g.rows for g in self._groups])
             middles = np.array([g.middle for g in self._groups])
@@ -249,7 +250,7 @@ class Swarm:
     def _stretched(self) -> bool:
         return any(not np.array_equal(g.stretch, np.eye(3)) for g in self._groups)
 
-    # --- what comes of it
+    # --- geometry
 
     def _drawing(self) -> Drawing:
         flocks = [
@@ -276,7 +277,7 @@ class Swarm:
 
 
 def _stretched(held: _Held, point: Array) -> Array:
-    """(3, 3): as the hand has gone along the line from the group's middle."""
+    """Stretch (3, 3) by the hand's displacement along the line from the group's centre."""
     line = held.start - held.middle
     length = float(np.linalg.norm(line))
     if length < LEAST_ARM:
@@ -294,5 +295,5 @@ def _let_go(held: _Held) -> Happening:
 
 
 def _fence(strip: list[Array]) -> Array:
-    """(2N, 3): along one edge of a wall and back along the next, so that one sees through it."""
+    """Polyline (2N, 3) along alternating edges of a wall, so that it is transparent."""
     return np.concatenate([edge if i % 2 else edge[::-1] for i, edge in enumerate(strip)])

@@ -1,4 +1,4 @@
-"""Vehicles over UDP: the commands of a swarm as MAVLink, and what answers."""
+"""Sends a swarm's commands to vehicles as MAVLink over UDP, and receives their positions."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from extensions.applications.interface import Command, VehicleCommand
-from extensions.applications.swarm.mavlink import POSITION, heard, position_of, targets
+from extensions.applications.swarm.mavlink import POSITION, position_of, received, targets
 from tracker.base.errors import DeviceError
 from tracker.base.notices import notice
 from tracker.messages import Array
 
-PER_PORT = 250  # a MAVLink network has room for 255 systems: the next 250 have the next port
-RATE_HZ = 20.0  # of targets to each vehicle: setpoints of autopilots come at 2 to 50
-MOST_HEARD = 1000  # datagrams taken at once
+PER_PORT = 250  # a MAVLink network has at most 255 systems, so each 250 use another port
+RATE_HZ = 20.0  # of targets per vehicle; autopilots accept setpoints at 2 to 50
+MOST_RECEIVED = 1000  # datagrams per call
 
 
 def systems(count: int) -> NDArray[np.uint8]:
-    """(n,) system numbers of vehicles on one port, from 1."""
+    """System numbers (n,) of the vehicles on one port, from 1."""
     return np.arange(1, count + 1).astype(np.uint8)
 
 
 def address_of(text: str) -> tuple[str, int]:
-    """``host:port``. Raises DeviceError in words."""
+    """Parse ``host:port``. Raises DeviceError."""
     host, _, port = text.rpartition(":")
     if not host or not port.isdecimal() or not 1 <= int(port) <= 65535:
         raise DeviceError(notice("swarm.address", address=text))
@@ -33,9 +33,9 @@ def address_of(text: str) -> tuple[str, int]:
 
 
 class VehicleSink:
-    """Sends targets, `RATE_HZ` a vehicle on average, and hears where the vehicles are.
+    """Sends targets to each vehicle at `RATE_HZ` on average, and receives positions.
 
-    ``answered`` (n,) is whether a vehicle ever did, ``p`` (n, 3) m in G where it was last.
+    ``answered`` (n,): whether a vehicle has replied; ``p`` (n, 3) m in G: its last position.
     """
 
     def __init__(self) -> None:
@@ -85,7 +85,7 @@ class VehicleSink:
                 self._put(packet, (host, port + k))
 
     def _put(self, packet: bytes, to: tuple[str, int]) -> None:
-        """What a full buffer does not take is sent anew with the next targets."""
+        """Send a packet; if the buffer is full, the next targets replace it."""
         assert self._socket is not None
         try:
             self._socket.sendto(packet, to)
@@ -94,7 +94,7 @@ class VehicleSink:
 
     def _hear(self) -> None:
         by_port: dict[int, list[bytes]] = {}
-        for _ in range(MOST_HEARD if self._socket is not None else 0):
+        for _ in range(MOST_RECEIVED if self._socket is not None else 0):
             assert self._socket is not None
             try:
                 data, (_, port) = self._socket.recvfrom(65536)
@@ -102,7 +102,7 @@ class VehicleSink:
                 break
             by_port.setdefault(port, []).append(data)
         for port, datagrams in by_port.items():
-            for message in heard(datagrams):
+            for message in received(datagrams):
                 row = message.system - 1 + PER_PORT * (port - self._port)
                 if message.message == POSITION and 0 <= row < len(self.p):
                     self.p[row], _ = position_of(message)
@@ -110,7 +110,7 @@ class VehicleSink:
 
     @property
     def error(self) -> float:
-        """m between where vehicles are and where they are asked to be, the median; NaN at first."""
+        """Median distance in m of the vehicles from their targets; NaN without replies."""
         if not self.answered.any():
             return float("nan")
         away = np.linalg.norm(self.p - self.asked, axis=1)

@@ -1,4 +1,4 @@
-"""Walls in the air: what a flat hand sweeps, as triangles."""
+"""Virtual walls drawn by a flat hand, as triangles."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import numpy as np
 
 from tracker.messages import Array
 
-SPACING = 0.012  # m that the hand goes between two edges of a wall
-FLATTEST = 0.3  # sine between the hand's way and its length, below which it sweeps nothing
+SPACING = 0.012  # m of movement between two edges of a wall
+FLATTEST = 0.3  # sine between the hand's step and its length, below which it sweeps nothing
 MOST = 400  # edges of all walls
 
 
 class Walls:
-    """Grown edge by edge; an edge is a line along the hand, from its wrist to its fingertips."""
+    """Walls built edge by edge; an edge is the line from the wrist to the fingertips."""
 
     def __init__(self) -> None:
         self.strips: list[list[Array]] = []  # each: edges (2, 3) m
@@ -24,18 +24,18 @@ class Walls:
         return sum(len(s) for s in self.strips)
 
     def sweep(self, edge: Array) -> None:
-        """The hand's edge (2, 3) m is here now."""
+        """Add the hand's current edge (2, 3) m."""
         if not self._drawing:
             self.strips.append([edge])
             self._drawing = True
             return
         last = self.strips[-1][-1]
-        way = edge.mean(axis=0) - last.mean(axis=0)
-        length = float(np.linalg.norm(way))
+        step = edge.mean(axis=0) - last.mean(axis=0)
+        length = float(np.linalg.norm(step))
         if length < SPACING or self.edges >= MOST:
             return
         along = last[1] - last[0]
-        across = np.linalg.norm(np.cross(way, along)) / (length * np.linalg.norm(along))
+        across = np.linalg.norm(np.cross(step, along)) / (length * np.linalg.norm(along))
         if across < FLATTEST:
             return
         self.strips[-1].append(edge)
@@ -43,7 +43,7 @@ class Walls:
         self.triangles = np.concatenate([self.triangles, quad])
 
     def finish(self) -> float:
-        """The hand sweeps no more: the area (m²) of the wall it has drawn, 0 where it is none."""
+        """Finish the wall and return its area in m², 0 if there is none."""
         if not self._drawing:
             return 0.0
         self._drawing = False
@@ -55,7 +55,7 @@ class Walls:
         return float(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
 
     def clear(self) -> None:
-        """Without walls."""
+        """Remove all walls."""
         self.strips.clear()
         self.triangles = np.empty((0, 3, 3))
         self._drawing = False

@@ -158,9 +158,9 @@ def test_a_robot_reads_what_is_sent_over_udp() -> None:
         pose = PoseCommand("six-axis", (0.3, 0.0, 0.2), (0.0, 1.0, 0.0, 0.0), 0.5, True, to)
         sink = ArmSink()
         sink.take([joints, pose], 1.5)
-        heard = [from_json(robot.recv(65536)) for _ in range(2)]
+        received = [from_json(robot.recv(65536)) for _ in range(2)]
         sink.close()
-    assert heard == [joints._replace(to=""), pose._replace(to="")]
+    assert received == [joints._replace(to=""), pose._replace(to="")]
     with raises(GlovetrackError, "arm.not_command"):
         from_json('{"schema": 1, "robot": "r", "grip": 0, "stop": false}')
     with raises(GlovetrackError, "arm.address"):

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from extensions.applications.drawing import Line, Points
-from extensions.applications.hand import HandReader, foretold
+from extensions.applications.hand import HandReader, predicted
 from extensions.applications.registry import APPLICATIONS, kind, make, titles
 from extensions.applications.runner import ApplicationRunner
 from extensions.applications.session_run import Into, difference, replay, run_into
@@ -187,7 +187,7 @@ def test_a_stage_tells_that_one_ended_and_begins_anew_for_a_recording(installed:
 
     stage.show("air-drawing")
     feed(0)
-    stage.begin_anew()
+    stage.restart()
     feed(5)
     stage.show("")
     feed(10)
@@ -209,14 +209,14 @@ def test_each_application_that_began_ends_however_quickly_others_are_shown(insta
 def test_a_hand_between_two_samples_goes_on_as_it_went() -> None:
     reader = HandReader(HAND, GLOVE)
     before, now, after = (reader.read(e) for e in estimates(LINE)[140:143])
-    middle = foretold(before, now, 0.005)
+    middle = predicted(before, now, 0.005)
     assert middle.t == pytest.approx((now.t + after.t) / 2)
     truth = (now.p + after.p) / 2
     assert np.abs(middle.p - truth).max() < 2e-4  # m: 10 m/s² of acceleration over 5 ms
     assert middle.between
     assert not middle.phases
     late = [replace(hand, t=31148.44 + hand.t) for hand in (before, now)]
-    t = foretold(*late, 0.005).t
+    t = predicted(*late, 0.005).t
     assert t == seconds(nanoseconds(t)), "a session would not keep it"
 
 

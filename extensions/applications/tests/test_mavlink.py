@@ -10,10 +10,10 @@ from extensions.applications.swarm.mavlink import (
     POSITION,
     TARGET,
     crc,
-    heard,
     heartbeats,
     position_of,
     positions,
+    received,
     target_of,
     targets,
 )
@@ -56,7 +56,7 @@ def test_pymavlink_reads_positions_and_heartbeats() -> None:
 
 def test_what_pymavlink_says_is_heard() -> None:
     message = mavlink.MAVLink_local_position_ned_message(1, 4.0, 5.0, 6.0, 0.0, 0.0, 0.0)
-    (one,) = heard([message.pack(sender(9, 0))])
+    (one,) = received([message.pack(sender(9, 0))])
     assert (one.message, one.system) == (POSITION, 9)
     p, v = position_of(one)
     assert p == pytest.approx([4.0, -5.0, -6.0])
@@ -68,7 +68,7 @@ def test_what_is_damaged_or_strange_is_passed_over() -> None:
     bad = bytearray(good)
     bad[20] ^= 1
     strange = mavlink.MAVLink_ping_message(1, 2, 3, 4).pack(sender(1, 0))
-    found = heard([b"\xfd\xff noise", bytes(bad) + strange + good, good[:-3]])
+    found = received([b"\xfd\xff noise", bytes(bad) + strange + good, good[:-3]])
     assert [m.message for m in found] == [TARGET]
     system, p, v = target_of(found[0])
     assert system == 1

@@ -22,22 +22,22 @@ STL_ROW = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "
 
 
 class MeshFile(NamedTuple):
-    """points (V, 3) about the middle of their box, whose longest side is 1; faces (F, 3)."""
+    """points (V, 3) relative to the centre of their box, whose longest side is 1; faces (F, 3)."""
 
     points: Array
     faces: IntArray
 
 
 class TouchableSolid(NamedTuple):
-    """A mesh, and what it takes to be felt."""
+    """A mesh with its data for contact computations."""
 
     file: MeshFile
     triangles: Triangles
 
 
 def solid(name: str) -> TouchableSolid:
-    """As `load_mesh`, which takes some tenths of a second of a large mesh, but at once where the
-    file was read before and has not changed. Raises FileError."""
+    """Like `load_mesh`, which takes up to half a second, but cached while the file is unchanged.
+    Raises FileError."""
     path = Path(name)
     return _solid(name, path.stat().st_mtime_ns if path.is_file() else 0)
 
@@ -49,9 +49,9 @@ def _solid(name: str, _written_ns: int) -> TouchableSolid:
 
 
 def load_mesh(name: str) -> MeshFile:
-    """By the name of one that travels with the program, or by path.
+    """Load a mesh by the name of a bundled one or by path.
 
-    Raises FileError where there is none, or it is no mesh.
+    Raises FileError if it does not exist or is not a mesh.
     """
     path = Path(name)
     if not path.suffix and len(path.parts) == 1:
@@ -71,7 +71,7 @@ def load_mesh(name: str) -> MeshFile:
 
 
 def _obj(lines: list[str], name: str) -> tuple[Array, IntArray]:
-    """Corners beyond the third make a fan."""
+    """Points and faces of an OBJ file; polygons become triangle fans."""
     points: list[list[float]] = []
     faces: list[tuple[int, int, int]] = []
     try:
@@ -88,7 +88,7 @@ def _obj(lines: list[str], name: str) -> tuple[Array, IntArray]:
 
 
 def _stl(data: bytes, name: str) -> tuple[Array, IntArray]:
-    """Points that are the same in the file are one."""
+    """Points and faces of an STL file; equal points are merged."""
     count = int.from_bytes(data[STL_HEAD - 4 : STL_HEAD], "little")
     if len(data) == STL_HEAD + count * STL_ROW.itemsize:
         corners = np.frombuffer(data, STL_ROW, count, STL_HEAD)["corners"].astype(float)

@@ -1,7 +1,7 @@
-"""An object in the air that each fingertip feels: how deep it presses, and from where.
+"""A virtual object whose contact each fingertip feels, with depth and direction.
 
-Lee et al. 2021 let people explore a virtual rabbit with fingertip devices of one and three axes
-(Fig. 8): the force is along the surface's normal and grows with the depth of penetration.
+In Lee et al. 2021, people explore a virtual rabbit with fingertip devices with one and three axes
+(Fig. 8): the force is along the surface normal and grows with the depth of penetration.
 """
 
 from __future__ import annotations
@@ -19,18 +19,19 @@ from tracker.geometry import so3
 from tracker.geometry.triangles import Triangles, nearest
 from tracker.messages import Array, Validity
 
-LEAVE = 0.001  # m beyond the surface at which a touch ends: a tremor is felt once
-ARROW = 0.03  # m of the arrow of the greatest strength
-AHEAD = np.array([0.10, 0.0, -0.07])  # m of the object's middle before the palm that is first seen
+LEAVE = 0.001  # m outside the surface at which a touch ends: hysteresis against tremor
+ARROW = 0.03  # m, length of the arrow at full strength
+AHEAD = np.array([0.10, 0.0, -0.07])  # m of the object's centre from the first known palm
 QUIET, FELT = "#8FA8B8", "#D55E00"
 LOST = int(Validity.LOST)
 
 
 class Contact(NamedTuple):
-    """A fingertip's pad, a ball of ``radius`` (m) around ``centre`` (3,), against an object.
+    """Contact of a fingertip's pad, a ball of ``radius`` (m) around ``centre`` (3,), with an
+    object.
 
-    depth m, negative where it does not touch; point (3,) on the surface and normal (3,) there,
-    outwards; all in G. push (3,): the normal in the distal segment's frame B.
+    depth m, negative without contact; nearest point (3,) of the surface and its outward normal
+    (3,), all in G. push (3,): the normal in the distal segment's frame B.
     """
 
     tip: str
@@ -41,7 +42,7 @@ class Contact(NamedTuple):
 
 
 class Pads(NamedTuple):
-    """Of the fingertips that are known: names, R_GB (n, 3, 3), centres (n, 3), radius (n,)."""
+    """Pads of the known fingertips: names, R_GB (n, 3, 3), centres (n, 3), radius (n,)."""
 
     tips: list[str]
     R_GB: Array
@@ -50,7 +51,7 @@ class Pads(NamedTuple):
 
 
 def pads(hand: HandSample) -> Pads:
-    """The last bone's end, as far inside its tip as it is thick."""
+    """Pads at the fingertips, one radius inside the tip."""
     names = [n for n in TIPS if n in hand.names]
     rows = np.array([hand.names[n] for n in names], np.int64)
     there = hand.state[rows] != LOST
@@ -62,7 +63,7 @@ def pads(hand: HandSample) -> Pads:
 
 
 class PlacedMesh(NamedTuple):
-    """A mesh in its own units, which stands in G turned by R (3, 3), ``size`` m large, at p."""
+    """A mesh with its pose in G: rotation R (3, 3), ``size`` m, position p."""
 
     mesh: Triangles
     R: Array
@@ -71,7 +72,7 @@ class PlacedMesh(NamedTuple):
 
 
 def contacts(fingers: Pads, thing: PlacedMesh) -> list[Contact]:
-    """Of each pad."""
+    """The contact of each pad."""
     local = (fingers.centre - thing.p) @ thing.R / thing.size
     found = nearest(thing.mesh, local)
     point = thing.size * found.point @ thing.R.T + thing.p
@@ -86,8 +87,8 @@ def contacts(fingers: Pads, thing: PlacedMesh) -> list[Contact]:
 
 @dataclass(frozen=True)
 class TouchSettings:
-    """``place`` m in G; empty: before the hand, where it is first seen. ``turn`` in degrees about
-    z. ``least`` strength at the surface, 1 at ``full_depth`` m. ``axes`` of the motors: 1 or 3."""
+    """``place`` m in G; empty: in front of the hand when first known. ``turn``: degrees about z.
+    ``least``: strength at the surface, 1 at ``full_depth`` m. ``axes`` of the motors: 1 or 3."""
 
     mesh: str = "rabbit"
     size: float = 0.12  # m, the longest side
@@ -101,7 +102,7 @@ class TouchSettings:
 class Touch:
     name: ClassVar[str] = "touch"
     title: ClassVar[str] = "Virtual object to touch"
-    between: ClassVar[int] = 1  # packets come at 100 Hz, and touch is to be felt at 200
+    between: ClassVar[int] = 1  # packets arrive at 100 Hz; touch is rendered at 200
 
     def __init__(self, settings: TouchSettings) -> None:
         self.settings = settings
@@ -133,7 +134,7 @@ class Touch:
         return Step(self._drawing(thing, felt), events, [self._command(c) for c in felt])
 
     def _placed(self, hand: HandSample, events: list[Happening]) -> Array | None:
-        """Where the object stands; None before the hand is seen."""
+        """Position of the object; None before the hand is known."""
         if len(self.settings.place) == 3:
             self._place = np.array(self.settings.place)
         elif self._place is None and hand.palm is not None:
@@ -142,13 +143,14 @@ class Touch:
         return self._place
 
     def _let_go(self, events: list[Happening]) -> list[Happening]:
-        """A hand that is lost touches nothing."""
+        """End all touches of a lost hand."""
         events += [Happening("release", {"tip": tip}) for tip in sorted(self._touching)]
         self._touching.clear()
         return events
 
     def _feels(self, contact: Contact, events: list[Happening]) -> bool:
-        """Whether a tip touches; tells of its beginning and end."""
+        """Whether a tip touches the object; reports the beginning and end."""
+
         tip, before = contact.tip, contact.tip in self._touching
         now = contact.depth > (-LEAVE if before else 0.0)
         if now and not before:

@@ -94,7 +94,7 @@ class ApplicationsPanel(Panel):
     def _connect(self) -> None:
         row = self.controls
         row.choice.currentIndexChanged.connect(lambda _i: self._run(row.chosen, self._usual()))
-        row.again.clicked.connect(self._begin_anew)
+        row.again.clicked.connect(self._restart)
         row.fit.clicked.connect(self._fit_next)
         row.settings.toggled.connect(self.form.setVisible)
         row.page.toggled.connect(self._show_page)
@@ -132,9 +132,9 @@ class ApplicationsPanel(Panel):
         name, settings = self.model.expected if self.model is not None else ("", {})
         return settings if name == self.controls.chosen else None
 
-    def _begin_anew(self) -> None:
+    def _restart(self) -> None:
         if self.model is not None and self.model.stage is not None:
-            self.model.stage.begin_anew()
+            self.model.stage.restart()
 
     def _set(self, key: str, value: object) -> None:
         self._say(self.model.set(key, value) if self.model is not None else "")
