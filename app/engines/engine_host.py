@@ -185,7 +185,7 @@ class EngineHost(QObject):
         try:
             self.record(ask())
         except GlovetrackError as error:
-            self.error.emit(error_text(error))
+            self.recording.refuse(error.notice)
 
     def toggle_pause(self) -> None:
         self.recording.pause(not self.recording.paused)

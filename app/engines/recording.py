@@ -14,9 +14,10 @@ from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import LivePart
 from app.engines.protocols import RecordingRequest
-from app.words import error_text, tr
+from app.words import error_text, notice_text, tr
 from tracker.base.clock import monotonic
-from tracker.base.errors import GlovetrackError
+from tracker.base.errors import GlovetrackError, notice_of
+from tracker.base.notices import Notice
 from tracker.engine.kinds import settings_text
 from tracker.live.recording import Recorder
 from tracker.messages import Calibration, EngineState, Event, Message, Status
@@ -103,6 +104,7 @@ class Recording(QObject):
         self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is behind
         self._left = False  # its engine is gone and tells nothing of it any more
         self.request: RecordingRequest | None = None
+        self.refusal: Notice | None = None  # why the last one could not begin
         self.ended_by = ""  # what has ended the last one, where the user has not
 
     @property
@@ -133,6 +135,7 @@ class Recording(QObject):
         """Begin a file; False, with `failed`, where that is impossible."""
         if self.request is not None:
             return False
+        self.refusal = None
         self.look()
         if self._closing is not None:
             self.failed.emit(
@@ -144,7 +147,7 @@ class Recording(QObject):
         try:
             self._recorder = PausableRecorder(live.make_recorder(request))
         except (GlovetrackError, OSError) as error:
-            self.failed.emit(error_text(error))
+            self.refuse(notice_of(error))
             return False
         self._live, self.request, self._began = live, request, self._clock()
         self.ended_by = ""
@@ -152,6 +155,11 @@ class Recording(QObject):
         self.changed.emit(True)
         self.begun.emit()
         return True
+
+    def refuse(self, why: Notice) -> None:
+        """Report that a recording could not begin."""
+        self.refusal = why
+        self.failed.emit(notice_text(why))
 
     def pause(self, on: bool) -> None:
         """Hold the file back or let it go on."""

@@ -76,7 +76,7 @@ class RemoteAnswers(QObject):
         try:
             request = parse(line, monotonic())
         except RequestError as error:
-            return Reply(False, "", str(error)).as_json()
+            return Reply.refused("", error.notice).as_json()
         if request is None:
             return Reply(False, "", "That is an answer, not a request.").as_json()
         do = self._felt.get(request.do, self._do)
@@ -115,6 +115,8 @@ class RemoteAnswers(QObject):
         finally:
             self._host.error.disconnect(listen)
         begun = recording.request
+        if begun is None and recording.refusal is not None:
+            return Reply.refused(request.do, recording.refusal)
         if begun is None:
             return Reply(False, request.do, " ".join(problems) or "The recording did not begin.")
         return Reply(True, request.do, f"Recording {begun.path.name}.", begun.path)

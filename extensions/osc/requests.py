@@ -9,6 +9,7 @@ from __future__ import annotations
 from extensions.osc import decode as osc_decode
 from extensions.osc import encode as osc_encode
 from extensions.osc.decode import OscError
+from tracker.base.notices import notice
 from tracker.streaming.remote.request import (
     FIELDS,
     MOST_BYTES,
@@ -25,7 +26,7 @@ REPLY = f"{ROOT}reply"
 def parse(data: bytes, t: float) -> Request | None:
     """None for an answer, which is not answered again. Raises RequestError in words."""
     if len(data) > MOST_BYTES:
-        raise RequestError(f"A request has at most {MOST_BYTES} bytes.")
+        raise RequestError(notice("request.too_long", most=MOST_BYTES))
     try:
         address, values = osc_decode.message(data)
     except OscError as error:

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.notices import raises
 from tracker.hand.names import CHAINS
 from tracker.messages import Event
 from tracker.streaming.remote.contacts import LASTS, MOST_CONTACTS, ContactBook, motor_of
@@ -28,18 +29,18 @@ def test_json_and_words_tell_the_same_contact() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "why"),
+    ("said", "code"),
     [
-        ('{"do": "contact"}', "needs a finger"),
-        ('{"do": "contact", "finger": "index", "strength": 2}', "from 0, no contact, to 1"),
-        ('{"do": "contact", "finger": "index", "strength": NaN}', "from 0, no contact, to 1"),
-        ('{"do": "contact", "finger": "index", "strength": true}', "from 0, no contact, to 1"),
-        ('{"do": "contact", "finger": "index", "object": 3}', "text"),
-        ('{"do": "contact", "finger": "index", "object": "' + "x" * 65 + '"}', "at most 64"),
+        ('{"do": "contact"}', "request.finger_missing"),
+        ('{"do": "contact", "finger": "index", "strength": 2}', "request.strength"),
+        ('{"do": "contact", "finger": "index", "strength": NaN}', "request.strength"),
+        ('{"do": "contact", "finger": "index", "strength": true}', "request.strength"),
+        ('{"do": "contact", "finger": "index", "object": 3}', "request.text"),
+        ('{"do": "contact", "finger": "index", "object": "' + "x" * 65 + '"}', "request.object"),
     ],
 )
-def test_what_is_no_contact_is_refused_in_words(said: str, why: str) -> None:
-    with pytest.raises(RequestError, match=why):
+def test_what_is_no_contact_is_refused_in_words(said: str, code: str) -> None:
+    with raises(RequestError, code):
         parse(said, 0.0)
 
 

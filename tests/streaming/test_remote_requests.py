@@ -12,7 +12,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.notices import raises
 from tracker.base.errors import ConfigError
+from tracker.base.notices import failure
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.remote.reception import (
     ACTS_HZ,
@@ -28,6 +30,7 @@ from tracker.streaming.remote.request import (
     Reply,
     Request,
     RequestError,
+    is_reply,
     parse,
 )
 
@@ -54,30 +57,30 @@ def test_only_this_computers_user_is_told_the_folder() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "why"),
+    ("said", "code"),
     [
-        (b"", "can be asked is start, stop"),
-        (b"explode", "can be asked"),
-        (b"start now", "start knows no field 'text'"),
-        (b"note", "needs a text"),
-        (b'{"do": "note", "text": "  "}', "needs a text"),
-        (b'{"do": "note", "text": 3}', "text is a text"),
-        (b'{"do": ["note"]}', "can be asked"),
-        (b"vibrate toe", "finger is one of thumb"),
-        (b"vibrate", "needs a finger"),
-        (b'{"do": "vibrate", "finger": "index", "amplitude": 256}', "from 0 to 255"),
-        (b'{"do": "vibrate", "finger": "index", "amplitude": NaN}', "whole number"),
-        (b'{"do": "vibrate", "finger": "index", "duration_ms": true}', "whole number"),
-        (b'{"do": "start", "id": {}}', "id is"),
-        (b'{"do": "start", "id": ' + b"9" * 500 + b"}", "id is"),
-        (b'{"do": "note", "text": "' + b"x" * (MOST_TEXT + 1) + b'"}', "at most 500"),
-        (b"x" * (MOST_BYTES + 1), "at most 2048 bytes"),
-        (b"{" * 2000, "JSON or plain words"),
-        (b"\xff\xfe", "JSON or plain words"),
+        (b"", "request.unknown"),
+        (b"explode", "request.unknown"),
+        (b"start now", "request.unknown_field"),
+        (b"note", "request.note_empty"),
+        (b'{"do": "note", "text": "  "}', "request.note_empty"),
+        (b'{"do": "note", "text": 3}', "request.text"),
+        (b'{"do": ["note"]}', "request.unknown"),
+        (b"vibrate toe", "request.finger"),
+        (b"vibrate", "request.finger_missing"),
+        (b'{"do": "vibrate", "finger": "index", "amplitude": 256}', "request.integer"),
+        (b'{"do": "vibrate", "finger": "index", "amplitude": NaN}', "request.integer"),
+        (b'{"do": "vibrate", "finger": "index", "duration_ms": true}', "request.integer"),
+        (b'{"do": "start", "id": {}}', "request.id"),
+        (b'{"do": "start", "id": ' + b"9" * 500 + b"}", "request.id"),
+        (b'{"do": "note", "text": "' + b"x" * (MOST_TEXT + 1) + b'"}', "request.note_too_long"),
+        (b"x" * (MOST_BYTES + 1), "request.too_long"),
+        (b"{" * 2000, "request.not_readable"),
+        (b"\xff\xfe", "request.not_readable"),
     ],
 )
-def test_what_cannot_be_meant_is_refused_in_words(said: bytes, why: str) -> None:
-    with pytest.raises(RequestError, match=why):
+def test_what_cannot_be_meant_is_refused_in_words(said: bytes, code: str) -> None:
+    with raises(RequestError, code):
         parse(said, 0.0)
 
 
@@ -135,7 +138,11 @@ def test_notes_are_taken_slower_and_the_rest_is_told_why() -> None:
     answers = [desk.say("note hello") for _ in range(100)]
     taken = [a for a in answers if a is not None and a.ok]
     assert len(taken) == len(desk.asked) == 2 * ACTS_HZ
-    assert answers[-1] is not None and "At most 10 requests a second" in answers[-1].text
+    refused = answers[-1]
+    assert refused is not None and refused.notice == failure("request.too_many", rate_hz=10)
+    said = json.loads(refused.as_json())
+    assert (said["code"], said["values"]) == ("request.too_many", {"rate_hz": 10})
+    assert is_reply(refused.as_json())
     counts = desk.reception.counts("x", None)
     assert (counts.asked, counts.refused) == (20, 80)
 

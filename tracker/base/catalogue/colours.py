@@ -31,7 +31,6 @@ TEXTS = {
     ),
     "colours.fitted_themselves": "The colours showed no hand, so they were fitted automatically.",
     "colours.no_hand": "No hand is visible. {why}",
-    "colours.image_bad": "The {hue:word} markers are not usable.",
     "light.too_bright": (
         "The {hues:words} markers are too bright. Shorten the exposure, or move the lamp away."
     ),

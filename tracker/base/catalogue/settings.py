@@ -46,4 +46,19 @@ TEXTS = {
         "The system has less than {needed_mb:.0f} MB of shared memory left, which is "
         "required to pass images between processes. Close other programs."
     ),
+    "request.too_long": "A request has at most {most} bytes.",
+    "request.not_readable": "A request is JSON or plain text, in UTF-8.",
+    "request.unknown": "The field do must be {known:or}.",
+    "request.unknown_field": '{do} has no field "{field}".',
+    "request.text": "The field text must be a text.",
+    "request.note_empty": "A note requires a text.",
+    "request.note_too_long": "A note has at most {most} characters.",
+    "request.finger": "finger must be {fingers:or}.",
+    "request.finger_missing": "{do} requires a finger: {fingers:or}.",
+    "request.integer": "{field} must be an integer from {least} to {most}.",
+    "request.strength": "strength is a number from 0 (no contact) to 1.",
+    "request.object": "object is a name of at most {most} characters.",
+    "request.id": "id is an integer or a text of at most {most} characters.",
+    "request.too_many": "At most {rate_hz:.0f} requests per second are accepted.",
+    "request.busy": "The window is loaded: too many requests are waiting. Try again later.",
 }

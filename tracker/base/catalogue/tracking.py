@@ -94,7 +94,6 @@ TEXTS = {
     "still.imu_gravity": "measures {gravity:.1f} m/s² of gravity, so its accelerometer is off",
     "still.imu": "{imu:word} {what}",
     "still.imus": "{imus:list}.",
-    "wiggle.rest": "Rest the forearm and tip the whole hand up and down, fingers stretched.",
     "wiggle.hand": (
         "Rest your forearm and tip your whole hand up and down, with the fingers stretched."
     ),

@@ -16,7 +16,7 @@ from concurrent.futures import Future
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from tracker.base.notices import notice
+from tracker.base.notices import failure, notice
 from tracker.streaming.connection import StreamError
 from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_BYTES, Reply, Request, parse
@@ -159,7 +159,7 @@ async def _reply(future: Future[Reply]) -> Reply:
     try:
         return await asyncio.wait_for(asyncio.wrap_future(future), ANSWER_WAIT)
     except TimeoutError:
-        return Reply(False, "", "The window did not answer, so nothing was done.")
+        return Reply.refused("", failure("remote.no_answer"))
 
 
 def udp_door(answer: Answer, host: str, port: int) -> Door:

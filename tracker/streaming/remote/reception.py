@@ -13,6 +13,7 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 
 from tracker.base.clock import monotonic
+from tracker.base.notices import failure
 from tracker.streaming.remote.request import Reply, Request, RequestError
 
 PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors 20 times a second are the most that is of use
@@ -83,15 +84,14 @@ class Reception:
         try:
             request = read()
         except RequestError as error:
-            return self._refuse(Reply(False, "", str(error)))
+            return self._refuse(Reply.refused("", error.notice))
         if request is None:
             return None
         if request.do not in UNHURRIED and not self._acts.take(request.t):
-            sentence = f"At most {self._acts_hz:.0f} requests a second are taken."
-            return self._refuse(Reply(False, request.do, sentence, id=request.id))
+            limit = failure("request.too_many", rate_hz=self._acts_hz)
+            return self._refuse(Reply.refused(request.do, limit, request.id))
         if not self._places.acquire(blocking=False):
-            sentence = "The window is busy: requests wait for their answers already."
-            return self._refuse(Reply(False, request.do, sentence, id=request.id))
+            return self._refuse(Reply.refused(request.do, failure("request.busy"), request.id))
         self.asked += 1
         future = self._answer(request)
         future.add_done_callback(lambda _done: self._places.release())

@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from tracker.base.errors import GlovetrackError
+from tracker.base.notices import Notice, notice, to_json
 from tracker.hand.names import CHAINS
 
 MOST_BYTES = 2048  # of a request
@@ -79,6 +80,13 @@ class Reply:
     file: Path | None = None
     more: Mapping[str, Any] = field(default_factory=dict)
     id: str | int | None = None
+    notice: Notice | None = None
+    """What prevented it, by code and values, which programs should compare rather than ``text``."""
+
+    @staticmethod
+    def refused(do: str, why: Notice, id: str | int | None = None) -> Reply:
+        """Nothing was done, for this reason."""
+        return Reply(False, do, str(why), id=id, notice=why)
 
     def as_json(self, with_folder: bool = False) -> str:
         """One line. Where the file lies is told to this computer's own user alone."""
@@ -86,6 +94,9 @@ class Reply:
         out["text" if self.ok else "error"] = self.text
         if self.file is not None:
             out["file"] = str(self.file) if with_folder else self.file.name
+        if self.notice is not None:
+            report = to_json(self.notice)
+            out |= {"code": report["code"], "values": report["values"]}
         out |= self.more
         if self.id is not None:
             out["id"] = self.id
@@ -98,12 +109,12 @@ def parse(data: bytes | str, t: float) -> Request | None:
     Raises RequestError in words.
     """
     if len(data) > MOST_BYTES:
-        raise RequestError(f"A request has at most {MOST_BYTES} bytes.")
+        raise RequestError(notice("request.too_long", most=MOST_BYTES))
     try:
         text = data.decode("utf-8") if isinstance(data, bytes) else data
         said = json.loads(text) if text.lstrip().startswith("{") else _words(text)
     except (ValueError, RecursionError) as error:
-        raise RequestError("A request is JSON or plain words, in UTF-8.") from error
+        raise RequestError(notice("request.not_readable")) from error
     return None if "ok" in said else from_fields(said, t)
 
 
@@ -122,7 +133,8 @@ def is_reply(data: bytes | str) -> bool:
         and (said.get("do") == "" or said.get("do") in FIELDS)
         and isinstance(said.get("text" if ok else "error"), str)
         and all(isinstance(said.get(key, ""), str) for key in ("text", "error", "file"))
-        and all(isinstance(value, _REPLY_VALUES) for value in said.values())
+        and isinstance(said.get("values", {}), dict)
+        and all(isinstance(v, _REPLY_VALUES) for key, v in said.items() if key != "values")
     )
 
 
@@ -140,37 +152,33 @@ def from_fields(said: Mapping[str, Any], t: float) -> Request:
     """A request that holds nothing but what may be said. Raises RequestError in words."""
     do = said.get("do")
     if not isinstance(do, str) or do not in FIELDS:
-        raise RequestError(f"What can be asked is {', '.join(FIELDS)}, as the field do.")
+        raise RequestError(notice("request.unknown", known=FIELDS))
     known = (*FIELDS[do], "do", "id")
     strange = [key for key in said if key not in known]
     if strange:
-        raise RequestError(f"{do} knows no field {_shown(strange[0])}.")
+        raise RequestError(notice("request.unknown_field", do=do, field=str(strange[0])[:40]))
     values = {key: _CHECKS[key](value) for key, value in said.items() if key != "do"}
     request = Request(do, t, **values)
     if do == "note" and not request.text:
-        raise RequestError("A note needs a text.")
+        raise RequestError(notice("request.note_empty"))
     if do in ("vibrate", "contact") and not request.finger:
-        raise RequestError(f"{do} needs a finger: {', '.join(CHAINS)}.")
+        raise RequestError(notice("request.finger_missing", do=do, fingers=CHAINS))
     return request
-
-
-def _shown(text: str) -> str:
-    return repr(text[:40])
 
 
 def _text(value: object) -> str:
     """One line that steers no terminal. Raises RequestError."""
     if not isinstance(value, str):
-        raise RequestError("text is a text.")
+        raise RequestError(notice("request.text"))
     clean = "".join(c if c.isprintable() else " " for c in value).strip()
     if len(clean) > MOST_TEXT:
-        raise RequestError(f"A note has at most {MOST_TEXT} characters.")
+        raise RequestError(notice("request.note_too_long", most=MOST_TEXT))
     return clean
 
 
 def _finger(value: object) -> str:
     if not isinstance(value, str) or value not in CHAINS:
-        raise RequestError(f"finger is one of {', '.join(CHAINS)}.")
+        raise RequestError(notice("request.finger", fingers=CHAINS))
     return value
 
 
@@ -179,7 +187,7 @@ def _whole(name: str, low: int, high: int) -> Callable[[object], int]:
         if isinstance(value, float) and value.is_integer():
             value = int(value)  # surfaces of OSC send floats
         if type(value) is not int or not low <= value <= high:
-            raise RequestError(f"{name} is a whole number from {low} to {high}.")
+            raise RequestError(notice("request.integer", field=name, least=low, most=high))
         return value
 
     return check
@@ -188,14 +196,14 @@ def _whole(name: str, low: int, high: int) -> Callable[[object], int]:
 def _share(value: object) -> float:
     if isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value <= 1:
         return float(value)
-    raise RequestError("strength is a number from 0, no contact, to 1.")
+    raise RequestError(notice("request.strength"))
 
 
 def _object(value: object) -> str:
     """Of a thing that is touched."""
     name = _text(value)
     if len(name) > MOST_NAME:
-        raise RequestError(f"object is a name of at most {MOST_NAME} characters.")
+        raise RequestError(notice("request.object", most=MOST_NAME))
     return name
 
 
@@ -205,7 +213,7 @@ def _id(value: object) -> str | int | None:
         return value
     if type(value) is int and abs(value) < 2**63:
         return value
-    raise RequestError(f"id is a whole number or a text of at most {MOST_ID} characters.")
+    raise RequestError(notice("request.id", most=MOST_ID))
 
 
 _CHECKS: Mapping[str, Callable[[object], Any]] = {
