@@ -249,6 +249,7 @@ CLOCKS = {
     "tracker/streaming/streams.py": "how many a second were sent, for display",
     "extensions/lsl/outlet.py": "the default of a clock that is handed over",
     "extensions/openxr/publisher.py": "the default of a clock that is handed over",
+    "extensions/openxr/window/panel.py": "how long a test took",
     "extensions/openxr/readers.py": "when an application last read the hand",
     "tracker/base/workers.py": "how long is left",
 }

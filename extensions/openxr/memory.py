@@ -5,6 +5,7 @@ from __future__ import annotations
 import mmap
 import os
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,6 +16,7 @@ ELSEWHERE = "GLOVETRACK_OPENXR_MEMORY"
 """Environment variable with another path (on Windows: another name) of the memory."""
 FOLDER = Path("/dev/shm")
 TRIES = 10
+LOCK_TRIES, LOCK_PAUSE = 20, 0.05  # s
 
 
 def memory_name() -> str:
@@ -97,14 +99,12 @@ def _locked(path: Path) -> int:
 def _opened(path: Path) -> int:
     if sys.platform == "win32" or not hasattr(os, "posix_fallocate"):
         raise StreamError("The OpenXR layer needs Linux or Windows.")
-    import fcntl
-
     handle = -1
     try:
         handle = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
         if os.fstat(handle).st_uid != os.getuid():
             raise StreamError(f"{path} belongs to another user.")
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        _lock(handle)
         os.ftruncate(handle, SIZE)
         os.posix_fallocate(handle, 0, SIZE)
     except BlockingIOError as error:
@@ -117,6 +117,21 @@ def _opened(path: Path) -> int:
             raise
         raise StreamError(f"{path} cannot be created: {error.strerror}.") from error
     return handle
+
+
+def _lock(handle: int) -> None:
+    """Wait a second at most: a stream that is opened again with other options may find the one
+    before still open. Raises BlockingIOError."""
+    import fcntl
+
+    for k in range(LOCK_TRIES):
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
+        except BlockingIOError:
+            if k == LOCK_TRIES - 1:
+                raise
+            time.sleep(LOCK_PAUSE)
 
 
 def _is_at(path: Path, handle: int) -> bool:

@@ -14,6 +14,7 @@ PARTS = {
     "applications": {"panel applications"},
     "conformance": {"command conformance"},
     "movement": {"recordings report"},
+    "openxr": {"panel openxr"},
     "robot": {"panel robot"},
 }
 """What the window loses with each folder; nothing with the others."""

@@ -1,0 +1,188 @@
+"""The panel *OpenXR*: registers the layer, places the hand, and shows who reads it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from functools import partial
+from html import escape
+
+from PySide6.QtCore import QSignalBlocker, Qt, QTimer
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
+from app.jobs.outputs import Outputs
+from app.panels.panel import Panel
+from app.widgets.measures import NEAR
+from extensions.openxr.extension import STREAM
+from extensions.openxr.readers import read_link
+from extensions.openxr.registration import Registered, Registration, user_registration
+from extensions.openxr.window.view_model import StateText, layer_text, stream_text, test_result
+from tracker.base.errors import FileError
+
+TEST_S = 1.0
+REACH = 10.0  # m
+LOOK_AGAIN = 5.0  # s after which the registration's files are read again
+
+
+class OpenXrPanel(Panel):
+    period = 0.5
+
+    def __init__(
+        self,
+        host: EngineHost,
+        outputs: Outputs,
+        registration: Callable[[], Registration] = user_registration,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(host, parent)
+        self._outputs, self._registration = outputs, registration
+        self._looked, self._layer = float("-inf"), Registered.NO
+        self.layer, self.stream, self.result = QLabel(), QLabel(), QLabel()
+        for label in (self.layer, self.stream, self.result):
+            label.setWordWrap(True)
+        self.result.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(NEAR)
+        column.addWidget(self.layer)
+        column.addLayout(self._layer_buttons())
+        column.addWidget(self._switch())
+        column.addWidget(self.stream)
+        column.addLayout(self._placement())
+        column.addLayout(self._test())
+        column.addWidget(self.result)
+        column.addStretch(1)
+        outputs.changed.connect(self._show)
+        self._show()
+
+    # --- what it contains
+
+    def _layer_buttons(self) -> QHBoxLayout:
+        self.register = QPushButton(self.tr("Register"))
+        self.register.setToolTip(
+            self.tr("Adds hand tracking to every OpenXR application of this user")
+        )
+        self.register.clicked.connect(lambda: self._change(Registration.register))
+        self.unregister = QPushButton(self.tr("Unregister"))
+        self.unregister.clicked.connect(lambda: self._change(Registration.unregister))
+        row = QHBoxLayout()
+        row.addWidget(self.register)
+        row.addWidget(self.unregister)
+        row.addStretch(1)
+        return row
+
+    def _switch(self) -> QCheckBox:
+        self.box = QCheckBox(self.tr("Send the hand to OpenXR applications"))
+        self.box.toggled.connect(partial(self._outputs.switch, STREAM.name))
+        return self.box
+
+    def _placement(self) -> QFormLayout:
+        """Where Glovetrack's origin is in the application's space."""
+        self.space = QComboBox()
+        self.space.addItem(self.tr("Local: where the headset was at the start"), "local")
+        self.space.addItem(self.tr("Stage: the middle of the floor"), "stage")
+        self.space.activated.connect(lambda _i: self._set("space", self.space.currentData()))
+        form = QFormLayout()
+        form.addRow(self.tr("Reference space"), self.space)
+        self.numbers: dict[str, QDoubleSpinBox] = {}
+        for option, label, limit, suffix in (
+            ("x", self.tr("To the right"), REACH, self.tr(" m")),
+            ("y", self.tr("Up"), REACH, self.tr(" m")),
+            ("z", self.tr("Backwards"), REACH, self.tr(" m")),
+            ("yaw", self.tr("Turned to the left"), 180.0, "°"),
+        ):
+            number = self.numbers[option] = QDoubleSpinBox()
+            number.setRange(-limit, limit)
+            number.setDecimals(0 if option == "yaw" else 2)
+            number.setSingleStep(5.0 if option == "yaw" else 0.05)
+            number.setSuffix(suffix)
+            number.setKeyboardTracking(False)
+            number.valueChanged.connect(partial(self._set, option))
+            form.addRow(label, number)
+        return form
+
+    def _test(self) -> QHBoxLayout:
+        self.test = QPushButton(self.tr("Test"))
+        self.test.setToolTip(self.tr("Whether an application reads the hand"))
+        self.test.clicked.connect(self._begin_test)
+        row = QHBoxLayout()
+        row.addWidget(self.test)
+        row.addStretch(1)
+        return row
+
+    # --- what it does
+
+    def _change(self, do: Callable[[Registration], None]) -> None:
+        """Register or unregister."""
+        try:
+            do(self._registration())
+        except FileError as error:
+            self.host.error.emit(str(error))
+        self._looked = float("-inf")
+        self._show()
+
+    def _set(self, option: str, value: object) -> None:
+        self._outputs.set_option(STREAM.name, option, value)
+
+    def _begin_test(self) -> None:
+        before, began = read_link(), time.monotonic()
+        self.test.setEnabled(False)
+        self.result.setText(self.tr("Testing…"))
+
+        def end() -> None:
+            self.test.setEnabled(True)
+            on = self._outputs.is_on(STREAM.name)
+            elapsed = time.monotonic() - began
+            shown = test_result(self._state(), on, before, read_link(), elapsed)
+            _show_on(self.result, shown)
+
+        QTimer.singleShot(round(1000 * TEST_S), self, end)
+
+    # --- what it shows
+
+    def _state(self) -> Registered:
+        now = time.monotonic()
+        if now - self._looked > LOOK_AGAIN:
+            self._looked = now
+            try:
+                self._layer = self._registration().state()
+            except FileError:  # the system has no layers; Register reports it
+                self._layer = Registered.NO
+        return self._layer
+
+    def _show(self) -> None:
+        state, on = self._state(), self._outputs.is_on(STREAM.name)
+        _show_on(self.layer, layer_text(state))
+        self.register.setEnabled(state != Registered.YES)
+        self.unregister.setEnabled(state != Registered.NO)
+        _show_on(self.stream, stream_text(on, read_link()))
+        options = self._outputs.settings.options(STREAM)
+        with QSignalBlocker(self.box):
+            self.box.setChecked(on)
+        self.space.setCurrentIndex(max(self.space.findData(options.space), 0))
+        for option, number in self.numbers.items():
+            if not number.hasFocus():
+                with QSignalBlocker(number):
+                    number.setValue(float(getattr(options, option)))
+
+    def refresh(self, view: Snapshot | None) -> None:
+        self._show()
+
+
+def _show_on(label: QLabel, shown: StateText) -> None:
+    lines = "<br>".join(escape(line) for line in shown.text.splitlines())
+    text = f'<span style="color:{shown.look.colour}">{shown.look.sign}</span> {lines}'
+    if label.text() != text:
+        label.setText(text)
