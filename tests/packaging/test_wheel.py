@@ -1,4 +1,4 @@
-"""The wheel that `pip install .` makes: the program and its resources under one name."""
+"""The source distribution, and the wheel: the program and its resources under one name."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import runpy
 import shutil
 import subprocess
 import sys
+import tarfile
 import tomllib
 import zipfile
 from pathlib import Path
@@ -18,12 +19,15 @@ from types import SimpleNamespace
 import pytest
 
 import tracker.engine.pipeline  # noqa: F401  (its kernels are to be known)
+from tests.packaging.local_index import build
 from tracker.kernels import parts
 from tracker.kernels.decorator import are_compiled
 
 ROOT = Path(__file__).parents[2]
 KINDS = (".toml", ".svg", ".png")
 """Resources that the program reads."""
+NOT_PUBLISHED = (".ci/", ".git")
+"""What git tracks and the source distribution lacks: parts of the repository's own set-up."""
 USE = (
     ("simulate", "-o", "made.mcap", "--duration", "1", "--blobs-only"),
     ("track", "made.mcap", "-o", "tracked.mcap"),
@@ -41,29 +45,39 @@ def tracked(*folders: str) -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
-    source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("wheel")
-    for name in tracked(
-        *(
-            "app",
-            "extensions",
-            "glovetrack",
-            "tracker",
-            "resources",
-            "docs/guide",
-            "packaging/backend.py",
-        ),
-        *("pyproject.toml", "README.md", "LICENSE"),
-    ):
-        (source / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(ROOT / name, source / name)
-    build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
-    build += "print(backend.build_wheel(sys.argv[1]))"
-    made = subprocess.run(
-        [sys.executable, "-c", build, str(target)], cwd=source, capture_output=True, text=True
-    )
-    assert made.returncode == 0, made.stderr
-    return zipfile.ZipFile(next(target.glob("*.whl")))
+def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The unpacked source distribution of what git tracks."""
+    folder = tmp_path_factory.mktemp("sdist")
+    for name in tracked():
+        (folder / "tree" / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, folder / "tree" / name)
+    with tarfile.open(build("build_sdist", folder / "tree", folder / "made")) as archive:
+        archive.extractall(folder, filter="data")
+    (made,) = folder.glob("glovetrack-*")
+    return made
+
+
+@pytest.fixture(scope="module")
+def wheel(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
+    """Built from the source distribution, as by an installer that has no wheel for its system."""
+    return zipfile.ZipFile(build("build_wheel", sources, tmp_path_factory.mktemp("wheel")))
+
+
+def test_the_source_distribution_is_the_tree(sources: Path) -> None:
+    """Packagers of a system run the tests and build the documentation from it."""
+    found = {p.relative_to(sources).as_posix() for p in sources.rglob("*") if p.is_file()}
+    wanted = {name for name in tracked() if not name.startswith(NOT_PUBLISHED)}
+    assert {n for n in found if ".egg-info/" not in n} == wanted | {"PKG-INFO", "setup.cfg"}
+
+
+def test_the_metadata_are_in_the_wheel(wheel: zipfile.ZipFile) -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    (name,) = (n for n in wheel.namelist() if n.endswith(".dist-info/METADATA"))
+    lines = wheel.read(name).decode().splitlines()
+    for line in ("Author: The Glovetrack maintainers", "License-Expression: Apache-2.0"):
+        assert line in lines
+    assert sum(line.startswith("Classifier: ") for line in lines) == len(project["classifiers"])
+    assert sum(line.startswith("Project-URL: ") for line in lines) == len(project["urls"])
 
 
 def test_it_has_every_module_and_every_resource(wheel: zipfile.ZipFile) -> None:
