@@ -23,7 +23,7 @@ def learning_part(engine: Engine) -> LearnsWearer:
     if (learner := learner_of(engine)) is not None:
         return learner
     raise ConfigError(
-        tr("Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.")
+        tr("Only the engine chain has a wearer's calibration. Choose it in the Tracking menu.")
     )
 
 

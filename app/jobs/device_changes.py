@@ -44,7 +44,9 @@ def _set_rate(setup: EngineSetup, rate_hz: int) -> None:
     try:
         setup.connection.device.want_rate(rate_hz)
     except ValueError as error:
-        raise DeviceError(tr("The glove cannot be set: {}.").format(error)) from error
+        raise DeviceError(
+            tr("The glove's settings cannot be changed: {}.").format(error)
+        ) from error
 
 
 def save_settings(text: str, path: Path) -> None:

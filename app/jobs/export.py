@@ -19,7 +19,7 @@ from tracker.session.export.options import ExportOptions
 from tracker.session.reader import SessionReader
 
 WAITING = StateLook(IDLE.colour, "◌", mark("waiting"))
-RUNNING = StateLook(SKY, "▶", mark("under way"))
+RUNNING = StateLook(SKY, "▶", mark("running"))
 DONE = StateLook(GOOD.colour, GOOD.sign, mark("done"))
 FAILED = StateLook(BAD.colour, BAD.sign, mark("failed"))
 CANCELLED = StateLook(IDLE.colour, IDLE.sign, mark("cancelled"))

@@ -77,7 +77,7 @@ class LibraryScan(QObject):
             look_inside(rows, found, progress)
 
         self._looking = self._tasks.run(
-            self.tr("Looking into sessions"),
+            self.tr("Reading session details"),
             job,
             ended=lambda: self._tell(rows),
             progressed=lambda _share, _name: self._tell(rows),

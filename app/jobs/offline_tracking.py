@@ -88,5 +88,5 @@ def free_name(source: Path, engine: str) -> Path:
     """
 
     if not source.parent.is_dir():
-        raise FileError(tr("The folder {} is not there any more.").format(source.parent))
+        raise FileError(tr("The folder {} no longer exists.").format(source.parent))
     return free_path(source.with_name(f"{source.stem}_{engine or 'again'}{source.suffix}"))

@@ -123,7 +123,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
             rule = replace(rule, center=self.fingertip())
         if rule.on and not rule.center:
             rule = replace(rule, on=False)
-            self._host.error.emit(self.tr("The index fingertip is not seen: there is no place."))
+            self._host.error.emit(
+                self.tr("The sphere was not placed: the index fingertip is not visible.")
+            )
         self.rule = rule
         self._store.update(haptics={**asdict(rule), "center": list(rule.center)})
         self._apply(HAPTICS)

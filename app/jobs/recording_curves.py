@@ -150,7 +150,9 @@ def two_takes_job(first: Path, second: Path) -> Job:
             progress(i / 2, path.name)
             takes.append(read_take(path))
             if not len(takes[-1].t):
-                raise FileError(tr("{} is not tracked: track it again first.").format(path.name))
+                raise FileError(
+                    tr("{} has not been tracked. Choose Track again first.").format(path.name)
+                )
         return TwoTakes(*takes)
 
     return run

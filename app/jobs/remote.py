@@ -245,11 +245,11 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
     def _apply(self, name: str) -> None:
         kind = self.kinds[name]
         make = partial(open_door, kind, self.settings.options(kind), self.answers.answer)
-        title = self.tr("Remote control by {}").format(name)
+        title = self.tr("Remote control over {}").format(name)
         self._openings.renew(name, title, make if self.is_on(name) else None, self._take)
 
     def _take(self, door: Door) -> bool:
-        words = self.tr("Remote control by {} is open.").format(door.counts().name)
+        words = self.tr("Remote control over {} is open.").format(door.counts().name)
         self._host.happened.emit(Event(0.0, "device", words))
         return True
 

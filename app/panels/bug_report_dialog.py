@@ -73,7 +73,7 @@ class BugReportDialog(QDialog):
     def _describe(self) -> None:
         self.boxes["images"].setEnabled(self.boxes["session"].isChecked())
         lines = "".join(f"<li>{line}</li>" for line in contents(self.choice()))
-        about = self.tr("The file stays on this computer until you send it. It will hold:")
+        about = self.tr("The file stays on this computer until you send it. It will contain:")
         self.inside.setText(f"{about}<ul>{lines}</ul>")
 
     def _choose(self) -> None:

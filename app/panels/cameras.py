@@ -63,19 +63,35 @@ class CamerasPanel(Panel):
     def _add_layers(self) -> None:
         """A box for each layer of the overlay, behind one button."""
         self.more = MoreButton(self.tr("Layers"), "layers")
-        self.more.setToolTip(self.tr("What is drawn over the images"))
+        self.more.setToolTip(self.tr("Choose what is drawn over the images"))
         self._controls.add(self.more)
         names = (
-            ("blobs", self.tr("Blobs"), self.tr("A ring round each blob; dashed: of no marker")),
+            (
+                "blobs",
+                self.tr("Blobs"),
+                self.tr("A ring around each blob; dashed if no marker is assigned to it"),
+            ),
             (
                 "pairs",
                 self.tr("Pairs"),
-                self.tr("Filled rings: the marker is seen by both cameras"),
+                self.tr("Filled rings: markers matched in both images"),
             ),
-            ("rejected", self.tr("Rejected"), self.tr("Right colour, wrong shape, and why")),
-            ("predicted", self.tr("Expected"), self.tr("Markers where they should be, ids and 2σ")),
-            ("residuals", self.tr("Residuals"), self.tr("From the expected place to the blob")),
-            ("skeleton", self.tr("Skeleton"), self.tr("The hand as it is tracked")),
+            (
+                "rejected",
+                self.tr("Rejected"),
+                self.tr("Regions of the right colour but the wrong shape, with the reason"),
+            ),
+            (
+                "predicted",
+                self.tr("Predicted"),
+                self.tr("Predicted marker positions, with ids and 2σ ellipses"),
+            ),
+            (
+                "residuals",
+                self.tr("Residuals"),
+                self.tr("Lines from the predicted positions to the blobs"),
+            ),
+            ("skeleton", self.tr("Skeleton"), self.tr("The tracked hand")),
         )
         self._layer_boxes: dict[str, QCheckBox] = {}
         for name, text, tip in names:
@@ -89,17 +105,17 @@ class CamerasPanel(Panel):
         """What is shown of the images."""
         self.masks = QCheckBox(self.tr("Masks"))
         self.masks.setToolTip(
-            self.tr("Show what has the colours of the markers, each switched alone")
+            self.tr("Show the pixels of each marker colour; each colour has its own switch")
         )
         self.masks.toggled.connect(self._toggle_masks)
         self.follow = QCheckBox(self.tr("Follow hand"))
         self.follow.setChecked(True)
-        self.follow.setToolTip(self.tr("Keep the hand large in both images"))
+        self.follow.setToolTip(self.tr("Zoom both images to the hand"))
         self.follow.toggled.connect(self._fit_unless)
         self.freeze = QCheckBox(self.tr("Freeze"))
-        self.freeze.setToolTip(self.tr("Hold the images; tracking goes on"))
+        self.freeze.setToolTip(self.tr("Freeze the images; tracking continues"))
         self.sides = QComboBox()
-        self.sides.setAccessibleName(self.tr("Which cameras"))
+        self.sides.setAccessibleName(self.tr("Cameras shown"))
         self.sides.addItems([self.tr("Both cameras"), self.tr("Left only"), self.tr("Right only")])
         self.sides.currentIndexChanged.connect(self._choose_sides)
         self.set_up = QToolButton()
@@ -128,9 +144,7 @@ class CamerasPanel(Panel):
             box.toggled.connect(self._redraw)
             self._controls.add(box)
         self._toggle_masks(self.masks.isChecked())
-        self._waiting = (
-            self.tr("No image yet") if setup.camera.present else self.tr("There is no camera")
-        )
+        self._waiting = self.tr("No image yet") if setup.camera.present else self.tr("No camera")
         self._show_sides(setup.camera.is_single() or not setup.camera.present)
 
     def _toggle_masks(self, on: bool) -> None:

@@ -33,7 +33,7 @@ class ChecklistPanel(Panel):
         self._store = store
         self._rows: list[_Row] = []
         self.light, self._settled = LightWatch(), SettledSteps()
-        self._light_job = LatestJob(self.tr("Reading the light"), self)
+        self._light_job = LatestJob(self.tr("Measuring the light"), self)
         self._hue_seen: dict[str, float] = {}  # when each was found last, s
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(APART)

@@ -28,7 +28,7 @@ class HandChoice(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self._segments)
-        self.setAccessibleName(self.tr("Which hand"))
+        self.setAccessibleName(self.tr("Hand"))
         self.hide()
         host.opened.connect(self._show)
         host.hand_changed.connect(self._show)

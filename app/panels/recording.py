@@ -63,7 +63,7 @@ class NoteList(QTableWidget):
         self.setMinimumHeight(LEAST_HEIGHT)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setAccessibleName(self.tr("Notes of this recording"))
-        self.setToolTip(self.tr("Double-click to change a note, Delete to take it back"))
+        self.setToolTip(self.tr("Double-click a note to edit it; press Delete to remove it"))
         self.itemChanged.connect(self._edited)
         notes.changed.connect(self._show)
         self._show()
@@ -140,7 +140,9 @@ class RecordingPanel(Panel):
         self.task.setPlaceholderText(self.tr("for example pinch"))
         self.name_template = QLineEdit(plan.template)
         self.name_template.setToolTip(
-            self.tr("May hold {participant}, {task}, {date}, {time} and a counter: {n} or {n:03}")
+            self.tr(
+                "May contain {participant}, {task}, {date}, {time} and a counter: {n} or {n:03}"
+            )
         )
         self.name_template.editingFinished.connect(self._name_edited)
         self.folder = QLineEdit(str(plan.folder))
@@ -302,7 +304,7 @@ class RecordingPanel(Panel):
         self.warning.setText(room.warning)
         self.warning.setVisible(bool(room.warning))
         if room.full and request is not None:
-            self.host.recording.end(self.tr("The recording was ended: the disk is nearly full."))
+            self.host.recording.end(self.tr("Recording stopped: the disk is nearly full."))
 
     def _show_growth(self, path: Path) -> float:
         """Name, time, size and messages of the file being written; returns its bytes per second."""

@@ -22,14 +22,16 @@ class RemoteBox(QGroupBox):
 
     def __init__(self, remote: RemoteControl, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setTitle(self.tr("Remote control: start, stop and note from other programs"))
+        self.setTitle(
+            self.tr("Remote control: other programs start and stop recordings and add notes")
+        )
         self._remote = remote
         column = QVBoxLayout(self)
         column.addLayout(self._address())
         column.addLayout(self._table())
         self.opened = QLabel(
             self.tr(
-                "Others in the network can start and stop recordings at this address: there is no "
+                "Anyone on the network can start and stop recordings at this address. There is no "
                 "password."
             )
         )
@@ -42,10 +44,10 @@ class RemoteBox(QGroupBox):
     def _address(self) -> QHBoxLayout:
         self.address = QLineEdit()
         self.address.setToolTip(
-            self.tr("127.0.0.1: this computer alone. 0.0.0.0: all networks it is in")
+            self.tr("127.0.0.1: this computer only. 0.0.0.0: all networks of this computer")
         )
         self.address.editingFinished.connect(self._move)
-        label = QLabel(self.tr("Listens at"))
+        label = QLabel(self.tr("Listen on"))
         label.setBuddy(self.address)
         row = QHBoxLayout()
         row.addWidget(label)
@@ -60,12 +62,12 @@ class RemoteBox(QGroupBox):
     def _table(self) -> ConnectionTable:
         table = ConnectionTable(
             (
-                self.tr("By"),
+                self.tr("Protocol"),
                 self.tr("Port"),
                 self.tr("State"),
                 self.tr("Clients"),
                 self.tr("Requests"),
-                self.tr("Refused"),
+                self.tr("Rejected"),
             )
         )
         for name, kind in self._remote.kinds.items():

@@ -82,7 +82,7 @@ class SensorsPanel(Panel):
         self.choice.currentIndexChanged.connect(self._choose)
         self.choice.activated.connect(self._remember)
         self.hold = QCheckBox(self.tr("Pause"))
-        self.hold.setToolTip(self.tr("Hold the curves; tracking goes on"))
+        self.hold.setToolTip(self.tr("Pause the curves; tracking continues"))
         self._head = OneLine()
         self._head.add(self.choice)
         self._head.add(self.hold)

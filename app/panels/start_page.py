@@ -67,17 +67,17 @@ class StartPage(QWidget):
         cards = (
             (
                 self.tr("Demo"),
-                self.tr("A simulated glove and camera: see everything move, no hardware needed."),
+                self.tr("Try Glovetrack with a simulated glove and camera. No hardware needed."),
                 self.demo,
             ),
             (
                 self.tr("Glove and camera"),
-                self.tr("Find your devices and go through the set-up, step by step."),
+                self.tr("Connect your devices and set them up step by step."),
                 self.connect_devices,
             ),
             (
                 self.tr("Recorded session"),
-                self.tr("Replay a session file, look at it frame by frame, export it."),
+                self.tr("Replay a session file, review it frame by frame, and export it."),
                 self.open_session,
             ),
         )
@@ -148,10 +148,10 @@ class StartPage(QWidget):
         self.recover_button.setEnabled(bool(paths))
         if not paths:
             return
-        text = self.tr("The recording {} was cut off. What it holds can be recovered.")
+        text = self.tr("The recording {} was interrupted. Its contents can be recovered.")
         text = text.format(paths[0].name)
         if len(paths) > 1:
-            text += " " + self.tr("{} more stand in the library.").format(len(paths) - 1)
+            text += " " + self.tr("{} more are in the library.").format(len(paths) - 1)
         self.unfinished_text.setText(text)
 
     # --- what the user does

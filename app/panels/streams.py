@@ -73,7 +73,7 @@ class RecordFile(QPushButton):
         path = self._outputs.file(self._name)
         middle = Qt.TextElideMode.ElideMiddle
         self.setText(self.fontMetrics().elidedText(path.name, middle, WIDTH))
-        self.setToolTip(self.tr("{}; where that is there already a number is added").format(path))
+        self.setToolTip(self.tr("{}; a number is added if the file exists").format(path))
 
 
 class StreamsPanel(Panel):
@@ -116,7 +116,9 @@ class StreamsPanel(Panel):
         self.address = QLineEdit(self._outputs.settings.host)
         self.address.setToolTip(
             self.tr(
-                "127.0.0.1 is this computer alone; UDP and VMC send there, servers listen there"
+                "UDP and VMC send to this address, servers listen on it; 127.0.0.1 is this "
+                "computer "
+                "only"
             )
         )
         self.address.editingFinished.connect(self._move)
@@ -133,9 +135,12 @@ class StreamsPanel(Panel):
         self.joints = QComboBox()
         self.joints.setAccessibleName(self.tr("Joints"))
         self.joints.setToolTip(
-            self.tr("What streams carry: our 21 joints, or the 26 joints of OpenXR in its axes")
+            self.tr("The joints in the streams: Glovetrack's 21, or the 26 of OpenXR in its axes")
         )
-        for text, value in ((self.tr("Our joints"), OWN), (self.tr("OpenXR joints"), OPENXR)):
+        for text, value in (
+            (self.tr("Glovetrack joints"), OWN),
+            (self.tr("OpenXR joints"), OPENXR),
+        ):
             self.joints.addItem(text, value)
         self.joints.setCurrentIndex(max(self.joints.findData(self._outputs.settings.joints), 0))
         self.joints.activated.connect(
@@ -185,7 +190,7 @@ class StreamsPanel(Panel):
     # --- haptics
 
     def _haptics(self) -> QGroupBox:
-        group = QGroupBox(self.tr("Vibration motors: press one to feel it"))
+        group = QGroupBox(self.tr("Vibration motors: press one to test it"))
         tests = QHBoxLayout()
         self.motors = [QPushButton(finger.title()) for finger in MOTORS]
         for channel, button in enumerate(self.motors):
@@ -222,7 +227,7 @@ class StreamsPanel(Panel):
         self.radius.setValue(round(1000 * self._outputs.rule.radius))
         self.radius.setKeyboardTracking(False)
         self.radius.valueChanged.connect(self._set_rule)
-        self.place = QPushButton(self.tr("Put it at the index fingertip"))
+        self.place = QPushButton(self.tr("Place it at the index fingertip"))
         self.place.clicked.connect(self._put)
         grid = QGridLayout()
         grid.addWidget(self.rule, 0, 0)
@@ -248,7 +253,9 @@ class StreamsPanel(Panel):
         if center:
             self._outputs.set_rule(replace(self._outputs.rule, center=center))
         else:
-            self.host.error.emit(self.tr("The index fingertip is not seen: there is no place."))
+            self.host.error.emit(
+                self.tr("The sphere was not placed: the index fingertip is not visible.")
+            )
 
     # --- what it shows
 
@@ -273,9 +280,9 @@ class StreamsPanel(Panel):
     def _contact_text(self) -> str:
         rule = self._outputs.rule
         if not rule.center:
-            return self.tr("The sphere has no place yet.")
+            return self.tr("The sphere has not been placed yet.")
         x, y, z = (1000 * v for v in rule.center)
-        return self.tr("The sphere stands at {:.0f}, {:.0f}, {:.0f} mm.").format(x, y, z)
+        return self.tr("The sphere is at {:.0f}, {:.0f}, {:.0f} mm.").format(x, y, z)
 
     def refresh(self, view: Snapshot | None) -> None:
         self._show()

@@ -43,7 +43,7 @@ def _follow(pipe: Connection, progress: JobProgress) -> Any:
                 pipe.send(True)
         except (EOFError, OSError) as error:
             raise GlovetrackError(
-                tr("It ended in the middle: was there too little memory?")
+                tr("The process ended unexpectedly. The computer may be out of memory.")
             ) from error
         if kind == "left out":
             pass_on(value)

@@ -70,13 +70,12 @@ def contents(choice: Choice) -> list[str]:
         tr("the window's settings")
         if choice.personal
         else tr("the window's settings, without participant, task and folders"),
-        tr("rates, latencies and losses of now"),
+        tr("current rates, latencies and losses"),
     ]
     if choice.screenshot:
-        whole = tr("an image of the window as it is now")
+        whole = tr("an image of the window")
         masked = tr(
-            "an image of the window as it is now, with the library, the recording panel and the "
-            "log blacked out"
+            "an image of the window, with the library, the recording panel and the log blacked out"
         )
         out.append(whole if choice.personal else masked)
     if choice.session:
@@ -149,7 +148,7 @@ def write_bundle(path: Path, material: Material, choice: Choice) -> list[str]:
 
 
 def _readme(choice: Choice, troubles: Sequence[str]) -> str:
-    lines = [tr("A bug report of Glovetrack. It holds:"), *(f"- {c}" for c in contents(choice))]
+    lines = [tr("Glovetrack bug report. Contents:"), *(f"- {c}" for c in contents(choice))]
     if troubles:
         lines += ["", "Not in it:", *(f"- {t}" for t in troubles)]
     return "\n".join(lines) + "\n"

@@ -35,7 +35,8 @@ class CompilingWindow(QWidget):
         self.later = QPushButton(self.tr("Start without waiting"))
         self.later.setToolTip(
             self.tr(
-                "What is not compiled yet is compiled when it is first needed: the window pauses."
+                "Kernels that are not compiled yet are compiled on first use, and the "
+                "window pauses."
             )
         )
         self.later.clicked.connect(self.close)

@@ -60,7 +60,7 @@ def as_bound(settings: AppSettings, glove_id: int | None) -> tuple[AppSettings, 
     known = bound(settings, glove_id)
     if known is None or (known.glove, known.hand) == (settings.glove, settings.hand):
         return settings, ""
-    words = tr("This is glove {} of the {} hand: its own files {} and {} are used.")
+    words = tr("Glove {} ({} hand) was recognized. Its own files {} and {} are used.")
     side = tr("left") if known.side == "left" else tr("right")
     said = words.format(glove_id, side, known.glove, known.hand)
     return replace(settings, glove=known.glove, hand=known.hand), said

@@ -36,7 +36,7 @@ def read_image(path: Path) -> KeptImage:
     """
     image = cv2.imread(str(path), cv2.IMREAD_COLOR)
     if image is None:
-        raise FileError(tr("{} is no image that can be read.").format(path.name))
+        raise FileError(tr("{} is not a readable image.").format(path.name))
     pixels = np.asarray(image, np.uint8)
     height, width = pixels.shape[:2]
     if width < 2 * height:
@@ -51,7 +51,7 @@ def write_image(path: Path, shot: KeptImage) -> None:
     sides = [shot.left] if shot.right is None else [shot.left, shot.right]
     ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
     if not ok:
-        raise FileError(tr("{}: the image could not be packed.").format(path.name))
+        raise FileError(tr("{}: the image could not be encoded.").format(path.name))
     write_kept(path, data.tobytes())
 
 

@@ -67,5 +67,5 @@ def move_tags(before: Path, after: Path) -> None:
     except OSError as error:
         reason = error.strerror or str(error)
         raise FileError(
-            tr("The tags of {} were left behind: {}.").format(before.name, reason)
+            tr("The tags of {} were not moved with it: {}.").format(before.name, reason)
         ) from error

@@ -146,8 +146,8 @@ class SettingsStore:
         aside = free_path(self.path.with_suffix(".unreadable.json"))
         self.path.replace(aside)
         self.notice = tr(
-            "The window's settings could not be used ({}), so it starts with its own. "
-            "They are kept in {}."
+            "The settings could not be read: {}. The window uses its defaults; the old settings "
+            "are saved in {}."
         ).format(error, aside)
         _log.warning("%s", self.notice)
 
@@ -155,9 +155,9 @@ class SettingsStore:
 def _version_of(data: Any) -> int:
     version = data.get("version") if isinstance(data, dict) else None
     if type(version) is not int or version < 1:
-        raise ValueError(tr("they do not say which version they are of"))
+        raise ValueError(tr("they have no version number"))
     if version > VERSION:
-        raise ValueError(tr("a later version of Glovetrack wrote them"))
+        raise ValueError(tr("they were written by a later version of Glovetrack"))
     return version
 
 

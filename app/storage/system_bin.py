@@ -55,7 +55,9 @@ def restore(binned: Sequence[Binned]) -> None:
     for session in binned:
         if session.path.exists():
             raise FileError(
-                tr("{} exists again, so the one in the bin stays there.").format(session.path.name)
+                tr("{} exists again, so the file was not restored from the bin.").format(
+                    session.path.name
+                )
             )
         for path, there in session.moved:
             if there is not None:

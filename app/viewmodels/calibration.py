@@ -33,12 +33,12 @@ ADVICE = {
         "Hold the hand still for three seconds so that gyro biases settle (least certain: {})."
     ),
     "accel_bias": mark(
-        "Hold the hand at several slants so that accelerometer biases settle (least certain: {})."
+        "Hold the hand at several tilts so that accelerometer biases settle (least certain: {})."
     ),
 }
 MEASURE = mark(
-    "One camera cannot tell how large the hand is: measure it with a ruler and enter it under "
-    "Hand length…"
+    "A single camera cannot determine the size of the hand. Measure it with a ruler and "
+    "enter it under Hand length…"
 )
 SETTLED = 0.9
 MEASURED = 0.02  # of the hand's length: as sure as a ruler makes it
@@ -225,7 +225,7 @@ def camera_time(status: Status | None) -> str:
     v = status.values if status is not None else {}
     late_ms, sd_ms = v.get("camera_offset_ms"), v.get("camera_offset_sd_ms")
     if late_ms is None or sd_ms is None:
-        return tr("not known yet: turn the hand")
+        return tr("not known yet; turn the hand")
     word = tr("late") if late_ms >= 0 else tr("early")
     taken_off = v.get("camera_offset_applied_ms", 0.0)
     if not taken_off and abs(late_ms) <= 2 * sd_ms:
@@ -243,6 +243,6 @@ def right_camera_time(status: Status | None) -> str:
     if late_ms is None or not applied_ms:
         return ""
     word = tr("later") if late_ms >= 0 else tr("earlier")
-    return tr("both images arrive, the right one {:.1f} ms {}, which is taken off").format(
+    return tr("both images arrive, the right one {:.1f} ms {} (corrected)").format(
         local(abs(late_ms)), word
     )

@@ -96,16 +96,16 @@ def _glove(view: Snapshot | None) -> SetUpStep:
         reason = tr("The glove does not respond. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Search again"))
     if view is None:
-        return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
-    reason = tr("No glove answers. Plug it in, or try the demo.")
+        return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Search"))
+    reason = tr("No glove found. Plug it in, or try the demo.")
     return SetUpStep(name, False, reason, "hardware", tr("Search again"))
 
 
 def _samples(view: Snapshot | None) -> SetUpStep:
-    name = tr("All IMUs answer")
+    name = tr("All IMUs respond")
     if view is None or not packets_arrive(view):
         return SetUpStep(
-            name, False, tr("Waits for the glove."), "glove_setup", tr("Set up the glove")
+            name, False, tr("Waiting for the glove."), "glove_setup", tr("Set up the glove")
         )
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
     names = [spoken(n) for n in view.setup.glove.imu_names]
@@ -126,13 +126,15 @@ def _still(view: Snapshot | None, most_dps: float) -> SetUpStep:
     their standard deviations are at most ``most_dps`` (°/s)."""
     name = tr("Measured at rest")
     if view is None or view.calibration is None or not packets_arrive(view):
-        return SetUpStep(name, False, tr("Waits for the glove."), waits=True)
+        return SetUpStep(name, False, tr("Waiting for the glove."), waits=True)
     sd = view.calibration.gyro_bias_sd
     if np.all(np.isnan(sd)):
-        return SetUpStep(name, True, tr("this engine estimates no biases"))
+        return SetUpStep(name, True, tr("this engine does not estimate biases"))
     worst_dps = float(np.rad2deg(np.nanmax(sd)))
     if worst_dps <= most_dps:
-        return SetUpStep(name, True, tr("gyros known to {:.1f} °/s").format(local(worst_dps)))
+        return SetUpStep(
+            name, True, tr("gyroscope biases known to {:.1f} °/s").format(local(worst_dps))
+        )
     reason = tr("Lay the hand flat on the table for two seconds.")
     return SetUpStep(name, False, reason, "glove_setup", tr("Measure"))
 
@@ -153,7 +155,7 @@ def _camera(view: Snapshot | None) -> SetUpStep:
             reason = tr("The right image is missing.")
         return SetUpStep(name, False, reason, "hardware", tr("Search again"))
     if view is None:
-        return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
+        return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Search"))
     if view.unfit is not None:
         return SetUpStep(name, False, notice_text(view.unfit.why), "stereo", tr("Calibrate"))
     return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Search again"))
@@ -171,7 +173,9 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
         reason = tr("Show a printed board to the camera.")
         return SetUpStep(name, False, reason, "stereo", tr("Calibrate"))
     if view.setup.camera.rig.one_camera:
-        return SetUpStep(name, True, tr("one camera: distances are as sure as the hand's size"))
+        return SetUpStep(
+            name, True, tr("one camera: distances are only as accurate as the hand size")
+        )
     baseline = view.setup.camera.rig.baseline * 1000
     return SetUpStep(name, True, tr("baseline {:.1f} mm").format(local(baseline)))
 
@@ -181,9 +185,9 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     where the camera confirms it."""
     name = tr("Exposure locked")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, tr("Waits for images."), waits=True)
+        return SetUpStep(name, False, tr("Waiting for images."), waits=True)
     if view.setup.simulated or view.setup.player is not None:
-        return SetUpStep(name, True, tr("it does not change here"))
+        return SetUpStep(name, True, tr("fixed"))
     if view.setup.camera.controls is None:
         words = tr(
             "Cannot be verified: this source has no exposure control. Fix the exposure at the "
@@ -197,7 +201,7 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
         words = tr("Cannot be verified: this camera has no controls. Keep the light constant.")
         return SetUpStep(name, False, words, check=True)
     if open_ones:
-        words = tr("The camera changes {} by itself.").format(", ".join(open_ones))
+        words = tr("The camera changes {} automatically.").format(", ".join(open_ones))
         return SetUpStep(name, False, words, "lock_camera", tr("Lock it now"))
     if unsure:
         words = tr("Cannot be verified: the camera does not confirm {}.").format(", ".join(unsure))
@@ -210,14 +214,14 @@ def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
     """Lamp and exposure must be good; colours of the room and missed markers are to be checked."""
     name = tr("Light")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, tr("Waits for images."), waits=True)
+        return SetUpStep(name, False, tr("Waiting for images."), waits=True)
     if light is None or light.reading is None:
-        return SetUpStep(name, False, tr("Reading the light…"), waits=True)
+        return SetUpStep(name, False, tr("Measuring the light…"), waits=True)
     reading = light.reading
     few = _missed(light) <= FEW_MISSED
     advice = [a for a in reading.advice if not (few and a.kind == "missed")]
     if not advice:
-        return SetUpStep(name, True, tr("the markers are clear"))
+        return SetUpStep(name, True, tr("the markers are clearly visible"))
     hand = [a for a in advice if a.kind == "hand"]
     if hand and reading.good:
         return SetUpStep(name, False, notice_text(hand[0].notice), waits=True)
@@ -247,20 +251,20 @@ def _colours(
     """Done when every hue of the glove is found, and most markers are."""
     name = tr("Colours tuned")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, tr("Waits for images."), waits=True)
+        return SetUpStep(name, False, tr("Waiting for images."), waits=True)
     if view.blobs is None:
         return SetUpStep(name, False, tr("Searching for markers…"), waits=True)
     tune = ("show_colours", tr("Tune colours"))
     rows = seen_rows(view, view.setup.profile)
     clashing = [spoken(r.name) for r in rows if r.clash]
     if clashing:
-        reason = tr("The intervals of {} overlap.").format(", ".join(clashing))
+        reason = tr("The ranges of {} overlap.").format(", ".join(clashing))
         return SetUpStep(name, False, reason, *tune)
     found = hues_seen(view) if lately is None else set(lately)
     unseen = [spoken(n) for n in view.setup.glove.hues if n not in found]
     away = _tracking(view) != Tracking.TRACKING  # nothing can be seen of a hand out of view
     if not found:
-        return SetUpStep(name, False, tr("No marker is found."), *tune, waits=away)
+        return SetUpStep(name, False, tr("No markers found."), *tune, waits=away)
     if unseen:
         reason = tr("Not seen: {}. Turn the hand, or tune the colours.").format(", ".join(unseen))
         return SetUpStep(name, False, reason, *tune, waits=away)
@@ -281,15 +285,15 @@ def _hand(view: Snapshot | None, before: bool) -> SetUpStep:
     """``before``: it was tracked since its devices are there."""
     name = tr("Hand in view")
     if not (packets_arrive(view) or images_arrive(view)):
-        return SetUpStep(name, False, tr("Waits for glove and camera."), waits=True)
+        return SetUpStep(name, False, tr("Waiting for glove and camera."), waits=True)
     if _tracking(view) == Tracking.TRACKING:
         return SetUpStep(name, True, tr("tracking"))
     if view is not None and not view.setup.whole:
         return SetUpStep(name, False, tr("Needs glove and calibrated camera."))
     if before:
-        return SetUpStep(name, False, tr("It was tracked and is not in view now."))
+        return SetUpStep(name, False, tr("The hand was tracked but is not in view now."))
     return SetUpStep(
-        name, False, tr("Hold the hand flat, about 35 cm before the camera, for two seconds.")
+        name, False, tr("Hold the hand flat, about 35 cm in front of the camera, for two seconds.")
     )
 
 
@@ -297,9 +301,9 @@ def _calibration(view: Snapshot | None, least: float) -> SetUpStep:
     """``least``: convergence from which on it has settled."""
     name = tr("Calibration settled")
     if view is None or view.calibration is None:
-        return SetUpStep(name, False, tr("Waits for tracking."))
+        return SetUpStep(name, False, tr("Waiting for tracking."))
     if view.status is not None and images_alone(view.status):
-        return SetUpStep(name, False, tr("Waits for the glove."), waits=True)
+        return SetUpStep(name, False, tr("Waiting for the glove."), waits=True)
     alone = by_one_camera(view)
     shown = calibration_view(view.calibration, one_camera=alone)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence

@@ -90,4 +90,6 @@ def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
     kept = [spoken(h.name) for h in profile.hues if h.name not in {f.range.name for f in found}]
     if not kept:
         return tr("Fitted {}.").format(fitted)
-    return tr("Fitted {}. Kept {}: too few are seen.").format(fitted, ", ".join(kept))
+    return tr("Fitted {}. Not changed: {} (too few patches visible).").format(
+        fitted, ", ".join(kept)
+    )

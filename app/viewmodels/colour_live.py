@@ -50,8 +50,9 @@ class LiveImages:
         if not self._setup.whole:
             raise ConfigError(
                 tr(
-                    "Fitting to what is seen needs the glove and its camera, calibrated. "
-                    "Fit to one image instead."
+                    "Fitting to live images needs the glove and a calibrated camera. Fit "
+                    "to one image "
+                    "instead."
                 )
             )
         self.wanted = True

@@ -97,13 +97,13 @@ class PickCheck:
         ):
             return ""
         self._questioned = chosen.name, u, v
-        words = tr("This looks like {0}, not {1}. Choose {0} first, or click again to take it.")
+        words = tr("This looks like {0}, not {1}. Select {0} first, or click again to accept it.")
         return words.format(spoken(other), spoken(chosen.name))
 
 
 def missing_picks(hues: Collection[str], picked: Collection[str]) -> str:
     """Which hues still need a click before the colours are learned; empty if none does."""
     missing = [spoken(h) for h in hues if h not in picked]
-    words = tr("Clicked: {}. Still to be clicked before the colours are learned: {}.")
+    words = tr("Clicked: {}. To learn the colours, also click: {}.")
     there = ", ".join(spoken(h) for h in hues if h in picked)
     return words.format(there, ", ".join(missing)) if missing else ""

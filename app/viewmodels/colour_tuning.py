@@ -197,7 +197,7 @@ class ColourTuning:
         What is changed from now on are these. A marker that was pointed at stays so.
         """
         live, before = self.setup.player is None, self._history.now
-        words = tr("The colours follow the light.") if live else ""
+        words = tr("The light has changed; the colours were adapted.") if live else ""
         if before.picks or self.live.wanted:
             words = self.last_words  # it still says what is waited for
         self._history.follow(Tuned(profile, words, before.picks, followed=True), live)
@@ -234,7 +234,9 @@ class ColourTuning:
     def check_room(self, image: Image) -> None:
         """Measure the colours of the room in an image without the glove."""
         self.room.measure(image, self.profile)
-        self.last_words = "" if self.room.shares else tr("The room has none of the colours.")
+        self.last_words = (
+            "" if self.room.shares else tr("The background has none of these colours.")
+        )
 
     def search_work(self, shown: ShownImage) -> Callable[[], Blobs] | None:
         """A search of an image with the current profile; see `ImageSearch.work`."""

@@ -134,5 +134,7 @@ def _room(name: str, room: Mapping[str, float]) -> str:
     return (
         ""
         if share is None
-        else tr("the room has this colour too ({:.2g} % of it)").format(local(100 * share))
+        else tr("the background has this colour, too ({:.2g} % of the image)").format(
+            local(100 * share)
+        )
     )

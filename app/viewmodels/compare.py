@@ -79,14 +79,14 @@ def summary(c: Comparison) -> str:
 def _in_common(c: Comparison) -> str:
     f = c.figures
     if f["identical"]:
-        return tr("Both are the same to the last bit ({} instants).").format(f["compared"])
+        return tr("Both are bit-identical ({} instants).").format(f["compared"])
     text = tr(
         "{} instants in common; keypoints differ by {} on average, joints by {} (rms)."
     ).format(f["compared"], _mm(f["mean_mm"]), _deg(f["rms_deg"]))
     first, second = (_mean(e) for e in c.errors_mm)
     if abs(first - second) >= SHOWN:  # never of one that is not known
         better = c.names[second < first]
-        nearer = tr("{} is nearer to the truth: {} on average.")
+        nearer = tr("{} is closer to the truth: {} on average.")
         text = f"{text} {nearer.format(better, _mm(min(first, second)))}"
     return text
 

@@ -209,7 +209,7 @@ def _imu(
     group, word = tr("IMUs"), spoken(name)
     answers = report.imu_ok[j] if report is not None and j < len(report.imu_ok) else None
     rows: list[tuple[str, str, Value, str, Confirmed | None]] = [
-        ("answers", tr("Answers"), answers, "", None),
+        ("answers", tr("Responding"), answers, "", None),
         ("gyro_bias", tr("Bias of angular rate"), _bias(calibration, name, "gyro"), "°/s", None),
         ("accel_bias", tr("Bias of acceleration"), _bias(calibration, name, "accel"), "m/s²", None),
     ]
@@ -255,7 +255,7 @@ def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
     measured = Confirmed.MEASURED if rate is not None else Confirmed.UNKNOWN
     out += [
         _entry(prefix, device, "", "image_size", tr("Size of one image"), size, unit="px"),
-        _entry(prefix, device, "", "granted_fps", tr("Rate granted"), asked_rate, unit="Hz"),
+        _entry(prefix, device, "", "granted_fps", tr("Negotiated rate"), asked_rate, unit="Hz"),
         _entry(prefix, device, "", "fps", tr("Rate measured"), rate, unit="Hz", confirmed=measured),
         _entry(
             prefix, device, "", "calibration", tr("Calibration"), calibration,
@@ -268,7 +268,7 @@ def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
             ("path", tr("Path"), report.path),
             ("serial_number", tr("Serial number"), report.serial_number),
             ("pixel_format", tr("Pixel format"), report.pixel_format),
-            ("size", tr("Size granted"), f"{report.width} × {report.height}"),
+            ("size", tr("Negotiated size"), f"{report.width} × {report.height}"),
             ("driver", tr("Driver"), report.backend),
         ]
         out += [_entry(prefix, device, group, own + n, w, v) for n, w, v in rows]
@@ -385,7 +385,7 @@ def motor_of(key: str) -> tuple[str, int]:
 def report_of(found: Sequence[DeviceDifference], name: str) -> str:
     """The differences of a file as sentences."""
     if not found:
-        return tr("{} has the values that the devices have.").format(name)
+        return tr("{} matches the current device settings.").format(name)
     changed = [d for d in found if d.can_apply]
     lines = [tr("{}: {} differences, {} to be applied.").format(name, len(found), len(changed))]
     for d in found:

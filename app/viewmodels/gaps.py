@@ -38,8 +38,8 @@ CAUSES = {
     NOT_SEARCHED: mark("images not searched"),
     NO_IMAGES: mark("no images"),
     NO_PACKETS: mark("packets missing"),
-    NO_IMU: mark("an IMU did not answer"),
-    NO_SENSOR: mark("no sensor on it"),
+    NO_IMU: mark("an IMU did not respond"),
+    NO_SENSOR: mark("no sensor on this part"),
     PAUSED: mark("nothing was recorded"),
     NOT_COMPUTED: mark("no estimate was computed"),
     UNKNOWN: mark("unknown"),
@@ -132,7 +132,7 @@ def tip_of(gap: Gap) -> str:
     text = ", ".join(spoken(name) for name in gap.keypoints)
     if gap.fillable:
         return text
-    reason = tr("It cannot be filled: nothing is known on one of its sides.")
+    reason = tr("It cannot be filled: there is no data on one side of the gap.")
     return f"{text}\n{reason}"
 
 

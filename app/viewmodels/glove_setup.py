@@ -56,7 +56,7 @@ class WiggleRun:
             return notice_text(self.test.result().summary)
         asked = notice_text(self._hint or self.test.steps[self.step].instruction)
         if self.phase == SetUpPhase.RECORDING:
-            asked = tr("go on…")
+            asked = tr("continue…")
         return tr("{} of {}: {}").format(self.step + 1, len(self.test.steps), asked)
 
     def look(self, recent: Sequence[ImuSample]) -> None:

@@ -80,7 +80,7 @@ def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> LearnedWord
         name = tr(DIGITS[digit])
         bent = np.deg2rad(BENT_DEG.get(digit, FINGER_BENT_DEG))
         for form, source in (
-            (tr("End joint of the {}, stretched"), 0.0),
+            (tr("End joint of the {}, straight"), 0.0),
             (tr("End joint of the {}, bent"), bent),
         ):
             old, new = (_bend_deg(now, digit, link, source) for now in (before, after))
@@ -114,8 +114,8 @@ def _bend_words(name: str, old: Figure, new: Figure) -> list[str]:
     if not _is_clear(old, new, CLEAR_DEG):
         return []
     change_deg = new.value - old.value
-    more = tr("The end joint of your {} bends {:.0f}° more than was thought.")
-    less = tr("The end joint of your {} bends {:.0f}° less than was thought.")
+    more = tr("The end joint of your {} bends {:.0f}° more than estimated before.")
+    less = tr("The end joint of your {} bends {:.0f}° less than estimated before.")
     return [(more if change_deg > 0 else less).format(name, abs(change_deg))]
 
 
@@ -147,8 +147,8 @@ def _size_words(before: Calibration, after: Calibration) -> list[str]:
     if not _is_clear(old, new, CLEAR_MM):
         return []
     change_mm = new.value - old.value
-    longer = tr("Your hand is {:.1f} mm longer than was thought.")
-    shorter = tr("Your hand is {:.1f} mm shorter than was thought.")
+    longer = tr("Your hand is {:.1f} mm longer than estimated before.")
+    shorter = tr("Your hand is {:.1f} mm shorter than estimated before.")
     return [(longer if change_mm > 0 else shorter).format(local(abs(change_mm)))]
 
 

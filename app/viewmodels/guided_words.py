@@ -49,7 +49,7 @@ BEND = {
     "ring": mark("Bend the ring finger more"),
     "little": mark("Bend the little finger more"),
 }
-NOT_JUDGED = mark("Hold it: no sensor tells of this finger")
+NOT_JUDGED = mark("Hold it: this finger has no sensor")
 
 
 class LiveJudge:
@@ -78,7 +78,7 @@ def amiss(holding: Holding) -> str:
     if holding.is_held:
         return ""
     if holding.joint == NOTHING_ARRIVES:
-        return tr("Nothing arrives from the glove")
+        return tr("No data from the glove")
     digit = holding.joint.split("_")[0]
     if not digit:
         return tr("Show the hand to the camera")

@@ -230,14 +230,14 @@ class HandSceneModel:
 
     def _caption(self, view: Snapshot, estimate: Estimate, located: bool) -> str:
         if len(view.imu) > 0 and not (view.packets_arrive or view.images_arrive):
-            return tr("Nothing arrives: the hand stands as it was last")
+            return tr("No data. Showing the last pose.")
         if located:
             return ""
         if view.setup.player is not None and not np.isfinite(estimate.angles).any():
-            return tr("No estimates here: showing the last pose")
+            return tr("No estimates here. Showing the last pose.")
         if self._setup.whole:
-            return tr("Position lost: the hand stands where it was last seen")
-        return tr("Place unknown: orientation and finger angles by the IMUs alone")
+            return tr("Position lost. Showing the last known position.")
+        return tr("Position unknown. Orientation and finger angles from the IMUs only.")
 
     def _markers(self, R: Array, p: Array, scale: Array) -> Array:
         """(M, 3) m in G."""

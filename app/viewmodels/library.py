@@ -70,7 +70,7 @@ def session_row(path: Path, recording: Path | None = None) -> SessionRow:
             with SessionReader(path) as reader:
                 duration = duration_text(reader.duration)
                 whole = reader.source.contents.finished
-                look, integrity = (GOOD, tr("whole")) if whole else (WARN, tr("cut off"))
+                look, integrity = (GOOD, tr("complete")) if whole else (WARN, tr("interrupted"))
         except GlovetrackError as error:
             problem = error_text(error)
     return SessionRow(
@@ -129,7 +129,7 @@ def quality_text(q: Quality) -> tuple[str, StateLook | None]:
         return tr("not tracked"), None
     if q.by_imus:
         lost = q.packets_lost or 0
-        return f"{tr('by its IMUs alone')}, {packets_lost(lost)}", WARN if lost else GOOD
+        return f"{tr('IMUs only')}, {packets_lost(lost)}", WARN if lost else GOOD
     share = f"{100 * q.tracked:.0f}"
     text = tr("tracked {} %").format(share)
     if q.hands:

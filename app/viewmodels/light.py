@@ -23,8 +23,8 @@ SHORT = {
     "noisy": mark("noisy"),
     "warm": mark("too warm"),
     "cold": mark("too cold"),
-    "near": mark("hues alike"),
-    "room": mark("colours in the room"),
+    "near": mark("hues too similar"),
+    "room": mark("colours in background"),
     "missed": mark("markers missed"),
 }
 
@@ -109,7 +109,7 @@ class LightWatch:
                 *figures,
             ]
         if np.isfinite(r.warmth):
-            figures.append(tr("red to blue on the cloth {:.1f}").format(local(r.warmth)))
+            figures.append(tr("red-to-blue ratio on the cloth {:.1f}").format(local(r.warmth)))
         return [*words, ", ".join(figures) + "."]
 
     def rings(self, step: int) -> list[Ring]:

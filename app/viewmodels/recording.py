@@ -78,9 +78,7 @@ class RecordingPlan:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             reason = error.strerror or str(error)
-            raise FileError(
-                tr("Nothing can be recorded to {}: {}.").format(self.folder, reason)
-            ) from error
+            raise FileError(tr("Cannot record to {}: {}.").format(self.folder, reason)) from error
         path = take_path(self.folder, participant, task, datetime.now(), self.template)
         return RecordingRequest(path, participant, task)
 
@@ -120,7 +118,7 @@ def losses_text(values: Mapping[str, float]) -> str:
     overflow = round(values.get("imu_overflow", 0) + values.get("messages_unrecorded", 0))
     out = [tr("{} packets").format(lost), tr("{} images not recorded").format(thinned)]
     if overflow:
-        out.append(tr("{} messages that the computer had no time for").format(overflow))
+        out.append(tr("{} messages discarded (system overloaded)").format(overflow))
     return ", ".join(out)
 
 
@@ -163,11 +161,13 @@ def check_template(template: str) -> None:
     known = ", ".join(f"{{{name}}}" for name in FIELDS)
     for found in _FIELD.finditer(template):
         if found[1] not in FIELDS:
-            raise ConfigError(tr("A name can hold {}, not {}.").format(known, found[0]))
+            raise ConfigError(tr("A file name can contain {}, not {}.").format(known, found[0]))
     rest = _FIELD.sub("", template)
     if "{" in rest or "}" in rest or not template.strip():
         raise ConfigError(
-            tr("The name {!r} is not complete; it can hold text and {}.").format(template, known)
+            tr("The file name {!r} is incomplete; it can contain text and {}.").format(
+                template, known
+            )
         )
 
 

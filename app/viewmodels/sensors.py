@@ -14,16 +14,16 @@ from tracker.messages import ImuSample, Status
 from tracker.sensors.serial_line import GOOD_LATENCY_MS
 
 LINK_WORDS = {
-    "link_cobs_errors": mark("Frames whose stuffing was broken (COBS)"),
-    "link_crc_errors": mark("Frames whose check sum was wrong (CRC)"),
-    "link_length_errors": mark("Frames of a wrong length"),
-    "link_other_errors": mark("Frames of an unknown type, or far too long"),
-    "link_reopened": mark("Times that the port was opened again"),
+    "link_cobs_errors": mark("Frames with invalid byte stuffing (COBS)"),
+    "link_crc_errors": mark("Frames with a wrong checksum (CRC)"),
+    "link_length_errors": mark("Frames of the wrong length"),
+    "link_other_errors": mark("Frames of an unknown type or of excessive length"),
+    "link_reopened": mark("Times the port was reopened"),
     "glove_resets": mark("Restarts of the glove"),
     "glove_clock_jumps": mark("Jumps of the glove's clock"),
-    "glove_dropped": mark("Packets that the glove had no time to send"),
-    "glove_skew_ppm": mark("The host's time gained on the glove's clock, ppm"),
-    "link_latency_ms": mark("Time that the USB adapter holds bytes back, ms"),
+    "glove_dropped": mark("Packets the glove had no time to send"),
+    "glove_skew_ppm": mark("Skew of the host's clock against the glove's, ppm"),
+    "link_latency_ms": mark("Latency timer of the USB adapter, ms"),
 }
 """Counters of the status, as people call them."""
 LINK_ERRORS = tuple(key for key in LINK_WORDS if key.endswith("_errors"))
@@ -50,10 +50,10 @@ def imu_states(
 
 def _state(name: str, share: float) -> ImuState:
     if share > 0.99:
-        return ImuState(name, GOOD, tr("answers"))
+        return ImuState(name, GOOD, tr("responding"))
     if share > 0:
         return ImuState(name, WARN, tr("{:.0f} % missing").format(100 * (1 - share)))
-    return ImuState(name, BAD, tr("silent"))
+    return ImuState(name, BAD, tr("not responding"))
 
 
 def jitter_ms(samples: Sequence[ImuSample]) -> float:
@@ -102,14 +102,14 @@ def _link_figures(values: Mapping[str, float]) -> list[str]:
         (values.get("link_reopened", 0.0), tr("1 reconnection"), tr("{} reconnections")),
         (
             values.get("glove_clock_jumps", 0.0),
-            tr("1 jump of its clock"),
-            tr("{} jumps of its clock"),
+            tr("1 clock jump"),
+            tr("{} clock jumps"),
         ),
     )
     latency = values.get("link_latency_ms")
-    waits = tr("adapter waits {:.0f} ms")
+    waits = tr("adapter latency {:.0f} ms")
     if latency is not None and latency > GOOD_LATENCY_MS:
-        waits = tr("⚠ adapter waits {:.0f} ms")
+        waits = tr("⚠ adapter latency {:.0f} ms")
     return [
         *(_counted(*count) for count in counts if count[0]),
         _figure(values.get("glove_skew_ppm"), tr("clock {:+.0f} ppm")),

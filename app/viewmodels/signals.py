@@ -68,17 +68,17 @@ class Signal:
 
 
 STATUS_WORDS = {
-    "imu_rate_hz": mark("packets each second"),
-    "frame_rate_hz": mark("images each second"),
-    "estimate_rate_hz": mark("estimates each second"),
+    "imu_rate_hz": mark("packets per second"),
+    "frame_rate_hz": mark("images per second"),
+    "estimate_rate_hz": mark("estimates per second"),
     "latency_total_ms": mark("latency, image to estimate"),
     "latency_imu_ms": mark("latency, packet to estimate"),
     "latency_detect_ms": mark("search of both images"),
-    "latency_filter_ms": mark("engine's step"),
+    "latency_filter_ms": mark("engine step"),
     "imu_lost": mark("packets lost"),
     "frames_dropped": mark("images dropped"),
     "images_missed": mark("share of images missed"),
-    "load_shed": mark("degree of overload"),
+    "load_shed": mark("overload level"),
     "battery_v": mark("battery voltage"),
     "temperature_c": mark("temperature of the glove"),
     "camera_offset_ms": mark("delay of the camera"),
@@ -251,7 +251,7 @@ def _status(setup: EngineSetup, figures: Iterable[str]) -> list[Signal]:
     hand, group = _hand_word(setup), tr("Rates, latency and battery")
     known = [n for n in STATUS_WORDS if n in set(figures)]
     others = sorted(set(figures) - set(known))
-    tracking = tr("state of tracking (0 to 3)")
+    tracking = tr("tracking state (0 to 3)")
     out = [
         Signal(
             setup.side, SignalSource.HAND, "tracking", (hand, group, tracking), tracking, "state"

@@ -45,6 +45,6 @@ VALIDITY: dict[int, StateLook] = {
 TRACKING: dict[int, StateLook] = {
     Tracking.SEARCHING: StateLook(SKY, "◌", mark("Searching for the hand")),
     Tracking.TRACKING: StateLook(BLUISH_GREEN, "●", mark("Tracking")),
-    Tracking.COASTING: StateLook(ORANGE, "◐", mark("Coasting on the glove alone")),
+    Tracking.COASTING: StateLook(ORANGE, "◐", mark("Coasting on the IMUs only")),
     Tracking.LOST: StateLook(VERMILION, "▲", mark("Position lost")),
 }

@@ -16,9 +16,9 @@ LATENCY_BAD_MS = 120.0
 STALE = (Tracking.TRACKING, Tracking.COASTING)
 STAGES = {
     "detect": mark("Search of both images"),
-    "filter": mark("The engine's step for a message"),
-    "imu": mark("A packet's arrival to its estimate"),
-    "total": mark("An image's arrival to the estimate made of it"),
+    "filter": mark("Engine step for a message"),
+    "imu": mark("Arrival of a packet to its estimate"),
+    "total": mark("Arrival of an image to its estimate"),
 }
 SHED = {
     Shed.VIEW_RATE: mark("3D view slower"),
@@ -63,13 +63,13 @@ def tracking_look(
     if replayed:
         return StateLook(PURPLE, "▶", tr("Replay: {}").format(tr(TRACKING[status.tracking].word)))
     if nothing_arrives(status):
-        return StateLook(BAD.colour, BAD.sign, tr("Nothing arrives"))
+        return StateLook(BAD.colour, BAD.sign, tr("No data"))
     if images_alone(status):
-        return StateLook(IDLE.colour, IDLE.sign, tr("No glove sends"))
+        return StateLook(IDLE.colour, IDLE.sign, tr("No data from a glove"))
     look = TRACKING[status.tracking]
     if status.tracking != Tracking.LOST:
         return replace(look, word=tr(look.word))
-    word = tr(look.word) if has_place else tr("Place unknown")
+    word = tr(look.word) if has_place else tr("Position unknown")
     look = look if has_place else StateLook(WARN.colour, WARN.sign, word)
     heading_sd_deg = math.nan if brief else status.values.get("heading_sd_deg", math.nan)
     return replace(look, word=_drifting(word, heading_sd_deg))
@@ -108,7 +108,7 @@ def fields(status: Status | None, replayed: bool = False) -> list[Field]:
     found = _fields(status, v)
     if not replayed:
         return found
-    tip = tr("As it was recorded")
+    tip = tr("As recorded")
     shown = [replace(f, look=IDLE, tip=f"{f.tip}\n{tip}") for f in found if f.key != "shed"]
     return [*shown, _shed({})]
 
@@ -116,7 +116,7 @@ def fields(status: Status | None, replayed: bool = False) -> list[Field]:
 def _fields(status: Status | None, v: Mapping[str, float]) -> list[Field]:
     return [
         _glove(v),
-        _rate("frame_rate_hz", tr("Camera"), v, tr("Stereo images each second")),
+        _rate("frame_rate_hz", tr("Camera"), v, tr("Stereo images per second")),
         _hand(status),
         _latency(v),
         _losses(v),
@@ -136,11 +136,11 @@ def _shed(values: Mapping[str, float]) -> Field:
 
 def _glove(values: Mapping[str, float]) -> Field:
     """Its rate, and a warning while its battery is low."""
-    field = _rate("imu_rate_hz", tr("Glove"), values, tr("Packets of the glove each second"))
+    field = _rate("imu_rate_hz", tr("Glove"), values, tr("Packets of the glove per second"))
     if not values.get("battery_low") or field.look not in (GOOD, IDLE):
         return field
     volts = f"{local(values['battery_v']):.2f}"
-    low = tr("Its battery is low ({} V): charge it soon").format(volts)
+    low = tr("The glove's battery is low ({} V). Charge it soon.").format(volts)
     tip = f"{field.tip}\n{low}"
     return replace(field, text=tr("{}, battery low").format(field.text), look=WARN, tip=tip)
 
@@ -148,7 +148,7 @@ def _glove(values: Mapping[str, float]) -> Field:
 def _hand(status: Status | None) -> Field:
     """How often it is estimated; of a camera alone nothing is."""
     values = status.values if status is not None and not images_alone(status) else {}
-    tip = tr("Estimates of the hand each second")
+    tip = tr("Estimates of the hand per second")
     return _rate("estimate_rate_hz", tr("Hand"), values, tip)
 
 
@@ -185,7 +185,9 @@ def _ms(values: Mapping[str, float], key: str) -> str:
 
 
 def _losses(values: Mapping[str, float]) -> Field:
-    tip = tr("Packets of the glove that never arrived; images that came faster than they were read")
+    tip = tr(
+        "Lost packets of the glove; images dropped because they arrived faster than they were read"
+    )
     lost, dropped = values.get("imu_lost", math.nan), values.get("frames_dropped", math.nan)
     if not math.isfinite(lost) and not math.isfinite(dropped):
         return Field("losses", tr("Lost"), "–", IDLE, tip)

@@ -26,9 +26,9 @@ from tracker.geometry import so3
 from tracker.vision.rig import Camera, StereoRig
 
 ANSWERS = {
-    Answer.TAKEN: mark("Taken."),
+    Answer.TAKEN: mark("View taken."),
     Answer.MOVING: mark("Hold the board still."),
-    Answer.KNOWN: mark("There is a view like this already: move on."),
+    Answer.KNOWN: mark("There is already a similar view. Move the board."),
     Answer.FULL: mark("There are enough views."),
 }
 VERDICTS: dict[str, StateLook] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
@@ -104,7 +104,7 @@ def view_name(index: int, view: StereoView, error_px: float) -> str:
     if np.isnan(error_px):
         return words
     sign = BAD.sign if error_px > SUSPECT_PX else GOOD.sign
-    off = tr("{}, off by {:.2f} px").format(words, local(error_px))
+    off = tr("{}, error {:.2f} px").format(words, local(error_px))
     return f"{sign} {off}"
 
 
@@ -126,7 +126,7 @@ def view_rows(solution: Solution) -> list[ViewRow]:
             str(i + 1),
             tuple(f"{local(e):.2f}" for e in errors),
             GOOD if i in used else BAD,
-            tr("used") if i in used else tr("dropped: it does not fit the others"),
+            tr("used") if i in used else tr("rejected: inconsistent with the others"),
         )
         for i, errors in enumerate(solution.error.tolist())
     ]
@@ -148,18 +148,18 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
         f"{local(camera.K[0, 0]):.1f} px ± {local(100 * sd):.2f} %"
         for camera, sd in zip(solution.cameras, solution.focal_sd, strict=True)
     ]
-    views = tr("{} used, {} dropped").format(len(solution.used), len(solution.dropped))
-    corners = (tr("Error of all corners"), f"{local(solution.rms_px):.3f} px")
+    views = tr("{} used, {} rejected").format(len(solution.used), len(solution.dropped))
+    corners = (tr("Error over all corners"), f"{local(solution.rms_px):.3f} px")
     if solution.right is None:
         return [corners, (tr("Focal length"), focal[0]), (tr("Views"), views)]
     turn_deg = np.rad2deg(np.linalg.norm(so3.log(solution.R)))
     return [
         corners,
         (
-            tr("Distance of the lenses"),
+            tr("Baseline"),
             f"{local(1000 * float(np.linalg.norm(solution.T))):.2f} mm",
         ),
-        (tr("Turned against each other"), f"{local(turn_deg):.2f}°"),
+        (tr("Relative rotation"), f"{local(turn_deg):.2f}°"),
         (tr("Focal length, left"), focal[0]),
         (tr("Focal length, right"), focal[1]),
         (tr("Views"), views),
@@ -175,7 +175,7 @@ def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
         ]
     return [
         (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
-        (tr("Distance of the lenses"), f"{local(1000 * rig.baseline):.2f} mm"),
+        (tr("Baseline"), f"{local(1000 * rig.baseline):.2f} mm"),
         (tr("Focal length, left"), f"{local(rig.left.K[0, 0]):.1f} px"),
         (tr("Focal length, right"), f"{local(rig.right.K[0, 0]):.1f} px"),
     ]
@@ -186,10 +186,10 @@ def check_figures(found: Verification) -> list[tuple[str, str]]:
     if len(found.off_px) == 0:
         return []
     if found.one_camera:
-        return [(tr("Worst corner"), f"{local(found.worst_px):.2f} px")]
+        return [(tr("Largest corner error"), f"{local(found.worst_px):.2f} px")]
     return [
-        (tr("Worst corner"), f"{local(found.worst_px):.2f} px"),
-        (tr("All rows shifted by"), f"{local(found.offset_px):+.2f} px"),
+        (tr("Largest corner error"), f"{local(found.worst_px):.2f} px"),
+        (tr("Vertical offset"), f"{local(found.offset_px):+.2f} px"),
     ]
 
 

@@ -39,12 +39,12 @@ def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: st
     if not on:
         return StreamRow(IDLE, tr("off"), "–", "–", "–", "")
     if counts is None:
-        state = tr("opening") if running else tr("waits for tracking")
+        state = tr("opening") if running else tr("waiting for tracking")
         return StreamRow(IDLE, state, "–", "–", "–", "")
     clients = "–" if counts.clients is None else str(counts.clients)
     look, state = (WARN, tr("failing")) if counts.error else (GOOD, tr("sending"))
     if not counts.error and counts.clients == 0:
-        state = tr("nobody listens")
+        state = tr("no listeners")
     tip = "\n".join([counts.error or counts.name, *_missed(counts)])
     return StreamRow(look, state, clients, _sent(counts), str(counts.left_out), tip)
 
@@ -62,7 +62,7 @@ def _missed(counts: StreamCounts) -> list[str]:
         (counts.failed, tr("{} could not be sent").format(counts.failed)),
     ]
     for client, n in counts.missed.items():
-        who = client or tr("clients that have left")
+        who = client or tr("disconnected clients")
         lines.append((n, tr("{} missed by {}").format(n, who)))
     return [text for n, text in lines if n]
 
@@ -77,7 +77,7 @@ def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
         return StreamRow(IDLE, tr("opening"), "–", "–", "–", "")
     lately = [(peer, ago) for peer, ago in counts.peers if ago < LATELY]
     clients = len(lately) if counts.clients is None else counts.clients
-    state = tr("somebody is there") if clients else tr("nobody asks")
+    state = tr("connected") if clients else tr("no clients")
     told = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
     tip = "\n".join([counts.name, *told[:8]])
     return StreamRow(GOOD, state, str(clients), str(counts.asked), str(counts.refused), tip)

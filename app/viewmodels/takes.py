@@ -51,10 +51,10 @@ def report_text(report: TakeReport) -> str:
     """One line: whole, so long, so much lost, tracked so much of the time, of two hands each."""
     name = report.path.stem
     if report.cut_off:
-        text = tr("{} was cut off after {}. What it contains can be recovered.")
+        text = tr("{} was interrupted after {}. Its contents can be recovered.")
         return text.format(name, duration_text(report.duration))
     if report.problem:
-        return tr("{} is not whole: {}").format(name, report.problem)
+        return tr("{} is damaged: {}").format(name, report.problem)
     parts = [duration_text(report.duration)]
     if report.packets_lost is not None:
         parts.append(packets_lost(report.packets_lost))
@@ -65,7 +65,7 @@ def report_text(report: TakeReport) -> str:
         text = ", ".join([*parts, *said.values()])
     else:
         text = "; ".join([", ".join(parts), *(of_hand(*each) for each in said.items())])
-    return tr("{} is whole: {}.").format(name, text)
+    return tr("{} is complete: {}.").format(name, text)
 
 
 def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
@@ -74,7 +74,7 @@ def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
     if hand.glove_silent:
         parts.append(tr("nothing from the glove for {:.1f} s").format(local(hand.glove_silent)))
     if by_imus:
-        parts.append(tr("by its IMUs alone"))
+        parts.append(tr("IMUs only"))
     elif hand.tracked is None:
         parts.append(tr("not tracked"))
     else:
@@ -199,7 +199,7 @@ def rename(path: Path, name: str) -> Path:
         return path
     if target.exists():
         raise FileError(
-            tr("{} is there already, so {} keeps its name.").format(target.name, path.name)
+            tr("{} already exists, so {} was not renamed.").format(target.name, path.name)
         )
     try:
         path.rename(target)

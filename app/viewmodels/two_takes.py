@@ -171,7 +171,7 @@ def read_take(path: Path) -> TakeAngles:
 def figures_text(figures: AngleDifference | None) -> str:
     """One line."""
     if figures is None:
-        return tr("The takes have no tracked instant in common here.")
+        return tr("The recordings have no tracked instant in common here.")
     rms, largest = np.rad2deg([figures.rms, figures.largest])
     return tr("differ by {:.1f}° (rms), {:.1f}° at most, over {:.1f} s").format(
         local(rms), local(largest), local(figures.common)

@@ -103,7 +103,9 @@ class WornCalibration:
             words = tr("There is nothing to compare with yet: save a profile, or reset.")
             return replace(shown, advice=words)
         if frozen:
-            return replace(shown, advice=tr("Frozen: nothing is learned until you unfreeze it."))
+            return replace(
+                shown, advice=tr("Frozen: the calibration does not change until you unfreeze it.")
+            )
         return shown
 
 

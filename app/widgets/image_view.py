@@ -132,7 +132,7 @@ class ImageView(QWidget):
         self.setAccessibleName(title)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setToolTip(
-            self.tr("Wheel or + −: zoom. Drag or arrows: move. Double click or 0: all.")
+            self.tr("Wheel or + −: zoom. Drag or arrows: move. Double-click or 0: whole image.")
         )
 
     def sizeHint(self) -> QSize:

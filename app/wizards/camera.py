@@ -69,8 +69,10 @@ class CameraSetup(FormDialog):
         self.setWindowTitle(self.tr("Camera set-up"))
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
         self.other_right = QLineEdit()
-        self.exchanged = QCheckBox(self.tr("&Exchange left and right"))
-        self.exchanged.setToolTip(self.tr("Where a stereo calibration finds the cameras exchanged"))
+        self.exchanged = QCheckBox(self.tr("Swap l&eft and right"))
+        self.exchanged.setToolTip(
+            self.tr("If a stereo calibration reports that the cameras are swapped")
+        )
         self.exchanged.setChecked(store.value.camera_exchanged)
         self.arriving = QLabel()
         self.arriving.setProperty("role", "faint")
@@ -104,7 +106,7 @@ class CameraSetup(FormDialog):
             labelled(self.tr("&Or number, file"), self.other), beside(self.other, self.browse)
         )
         self.other_right.setPlaceholderText(
-            self.tr("nothing, or another number or address for the right images")
+            self.tr("empty, or the number or address of the right camera")
         )
         form.addRow(self.tr("&And from"), self.other_right)
         form.addRow("", self.exchanged)
@@ -136,10 +138,10 @@ class CameraSetup(FormDialog):
         chosen = self.choice() if edited else self._store.value.camera
         self._cameras = cameras
         self.left.clear()
-        self.left.addItem(self.tr("The first one found"), "")
+        self.left.addItem(self.tr("First camera found"), "")
         self.right.clear()
         self.right.addItem(self.tr("the same image, if it is wide enough for two"), "")
-        self.right.addItem(self.tr("none: this is one camera"), ONE)
+        self.right.addItem(self.tr("none (single camera)"), ONE)
         self.right.addItem(self.tr("the same image, side by side"), TWO)
         for camera in cameras:
             title = f"{camera.name} ({camera.path or camera.index})"
@@ -206,7 +208,7 @@ class CameraSetup(FormDialog):
         if setup is not None and setup.simulated:
             self.locks.show_nothing(self.tr("The simulated camera's exposure is fixed."))
         elif controls is None:
-            words = self.tr("Start glove and camera: what the camera can do is shown then.")
+            words = self.tr("Start glove and camera to see the camera's controls.")
             self.locks.show_nothing(words)
         else:
             self.locks.show_controls(controls.controls())
@@ -230,9 +232,9 @@ class CameraSetup(FormDialog):
         if image is None:
             return ""
         if alone:
-            words = self.tr("Arriving: {} by {} px of one camera, {} images a second")
+            words = self.tr("Receiving {} × {} px from one camera, {} images per second")
         else:
-            words = self.tr("Arriving: {} by {} px for each eye, {} images a second")
+            words = self.tr("Receiving {} × {} px from each camera, {} images per second")
         arriving = words.format(image.shape[1], image.shape[0], f"{rate:.0f}")
         if view.setup.simulated:
             return self.tr("{} (simulated camera)").format(arriving)
@@ -313,9 +315,7 @@ class LockBox(QGroupBox):
 
     def show_controls(self, controls: tuple[Control, ...]) -> None:
         """What the camera says."""
-        self.words.setText(
-            self.tr("A camera that exposes by itself changes the colours with every move.")
-        )
+        self.words.setText(self.tr("Automatic exposure changes the colours with every movement."))
         for control in controls:
             self._known[control.name] = control
             box, value = self.boxes[control.name], self.values[control.name]
@@ -349,14 +349,14 @@ class LockBox(QGroupBox):
 
 def _state(control: Control, wanted: bool) -> str:
     if not control.available:
-        return tr("this camera has none")
+        return tr("not available on this camera")
     if control.is_unverified:
         return tr("◐ cannot be verified: the camera reads {}").format(f"{local(control.value):g}")
     if control.locked:
         return tr("● locked at {}").format(f"{local(control.value):g}")
     if wanted:
-        return tr("▲ the camera does not take it")
-    return tr("○ by itself, now {}").format(f"{local(control.value):g}")
+        return tr("▲ rejected by the camera")
+    return tr("○ automatic, now {}").format(f"{local(control.value):g}")
 
 
 def _select(box: QComboBox, wanted: str) -> None:

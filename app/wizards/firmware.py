@@ -50,10 +50,10 @@ class FirmwareSetup(FormDialog):
         self.ports.setEditable(True)
         self.number = QSpinBox()
         self.number.setRange(1, LARGEST_NUMBER)
-        self.number.setToolTip(self.tr("Tells this glove from others: give each its own"))
+        self.number.setToolTip(self.tr("Identifies this glove; give each glove its own number"))
         for baud in BAUDS:
             self.speeds.addItem(self.tr("{} baud").format(baud), baud)
-        self.speeds.setToolTip(self.tr("115200 for USB adapters that know no better"))
+        self.speeds.setToolTip(self.tr("115200 for USB adapters without higher speeds"))
         self.boards.addItem(self.tr("Arduino, Optiboot"), BOOTLOADERS["Optiboot"])
         self.boards.addItem(self.tr("early Nano, old bootloader"), BOOTLOADERS["old Nano"])
         self.versions, self.words = QLabel(), QLabel()
@@ -105,23 +105,23 @@ class FirmwareSetup(FormDialog):
         self._found = {r.path: r for r in reports}
         self.ports.clear()
         self.ports.addItems([r.path for r in sorted(reports, key=lambda r: not r.is_glove)])
-        self.words.setText("" if reports else self.tr("No serial port is there. Plug it in."))
+        self.words.setText("" if reports else self.tr("No serial port found. Plug the glove in."))
         self._show_versions()
 
     def _show_versions(self) -> None:
         ours = version_text(shipped_image().version)
-        told = [self.tr("With this program comes firmware {}.").format(ours)]
+        told = [self.tr("Firmware {} is included in this program.").format(ours)]
         report = self._found.get(self.ports.currentText())
         if report is not None and report.hello is not None:
             theirs, number = version_text(report.hello.firmware), report.hello.glove_id
             told.append(
-                self.tr("The glove at this port is number {}, its firmware {}.").format(
+                self.tr("The glove at this port is number {} with firmware {}.").format(
                     number, theirs
                 )
             )
             self.number.setValue(min(max(number, 1), LARGEST_NUMBER))
             if not advice(report.hello.firmware):
-                told.append(self.tr("It needs no newer one."))
+                told.append(self.tr("Its firmware is up to date."))
         self.versions.setText(" ".join(told))
         self._allow()
 
@@ -138,7 +138,7 @@ class FirmwareSetup(FormDialog):
         if self._in_use:
             self._host.shut_down()
         self._set_busy(True)
-        self.words.setText(self.tr("Writing. Leave the cable plugged in, for about ten seconds."))
+        self.words.setText(self.tr("Writing for about ten seconds. Leave the cable plugged in."))
 
         def work(_progress: object) -> Hello | None:
             self._write_with(job)
@@ -156,11 +156,15 @@ class FirmwareSetup(FormDialog):
         self._found[port] = PortReport(port, hello)
         self._show_versions()
         if hello is None:
-            words = self.tr("Written and read back. It does not answer yet: plug it in again.")
-        else:
-            words = self.tr("Written and read back; glove {} answers with firmware {}.").format(
-                hello.glove_id, version_text(hello.firmware)
+            words = self.tr(
+                "Firmware written and verified. The glove does not respond yet: unplug it "
+                "and plug it "
+                "in again."
             )
+        else:
+            words = self.tr(
+                "Firmware written and verified. Glove {} responds with firmware {}."
+            ).format(hello.glove_id, version_text(hello.firmware))
         self.words.setText(words)
 
     def _set_busy(self, busy: bool) -> None:

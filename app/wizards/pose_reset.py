@@ -68,7 +68,7 @@ class PoseResetSettings(FormDialog):
         key = self.key.keySequence().toString()
         user = self._user_of(key) if key else ""
         if user:
-            words = self.tr("{} is the key of “{}”. Choose another one.")
+            words = self.tr("{} is already assigned to “{}”. Choose another key.")
             self.problem.setText(words.format(key, user))
             return
         self._store.update(

@@ -9,7 +9,7 @@ from tracker.messages import Status, Tracking
 @pytest.mark.parametrize(
     ("values", "shown"),
     [
-        ({}, "not known yet: turn the hand"),
+        ({}, "not known yet; turn the hand"),
         ((21.34, 1.5, 21.3), "21.3 ± 3.0 ms late, corrected"),
         ((-1.26, 2.0, 0.0), "none (± 4.0 ms)"),
         ((-5.26, 2.0, 0.0), "5.3 ± 4.0 ms early, not corrected"),
@@ -22,4 +22,4 @@ def test_words(values, shown: str) -> None:
 
 
 def test_without_an_engine() -> None:
-    assert camera_time(None) == "not known yet: turn the hand"
+    assert camera_time(None) == "not known yet; turn the hand"

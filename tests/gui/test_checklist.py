@@ -132,7 +132,7 @@ def test_a_hand_that_leaves_is_to_be_checked_and_colours_are_not_judged(listed, 
     listed.checklist._hue_seen.clear()
     refreshed(listed)
     hand = shown(listed, "Hand in view")
-    assert hand.look is WARN and hand.reason == "It was tracked and is not in view now."
+    assert hand.look is WARN and hand.reason == "The hand was tracked but is not in view now."
     assert shown(listed, "Colours tuned").look is GOOD
     assert listed.checklist.summary.text() == "Ready, 1 to check"
 
@@ -191,9 +191,9 @@ def test_colours_that_miss_most_markers_are_not_tuned_from_the_start(window, rig
 def test_the_light_of_a_camera_that_is_gone_is_forgotten(listed, rig, qtbot):
     pass_time(listed, rig, qtbot, 5.0)
     assert listed.checklist.light.reading is None
-    assert shown(listed, "Light").reason == "Waits for images."
+    assert shown(listed, "Light").reason == "Waiting for images."
     pass_time(listed, rig, qtbot, 0.0)
-    assert shown(listed, "Light").reason == "Reading the light…"
+    assert shown(listed, "Light").reason == "Measuring the light…"
 
 
 def test_a_reason_without_a_button_takes_the_whole_width(listed, rig, qtbot):

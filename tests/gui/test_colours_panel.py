@@ -132,14 +132,12 @@ def test_clicks_say_which_hues_are_missing_and_one_that_is_taken_back_does_not_c
     click(colours, qtbot, 0, other)
     click(colours, qtbot, 0, other)
     missing = ", ".join(names[1:])
-    assert said().startswith(
-        f"Clicked: {names[0]}. Still to be clicked before the colours are learned: {missing}."
-    )
+    assert said().startswith(f"Clicked: {names[0]}. To learn the colours, also click: {missing}.")
     colours.undo()
     assert not said().startswith("Clicked")
     for index in range(1, len(names)):
         click(colours, qtbot, index, first[index])
-    assert f"are learned: {names[0]}." in said()
+    assert f"also click: {names[0]}." in said()
     assert engine.profiles[-1].learned is None
     click(colours, qtbot, 0, first[0])
     qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None, timeout=30_000)
@@ -150,11 +148,11 @@ def test_what_is_said_of_colours_is_taken_back_with_them(colours):
     said = colours.ranges.words.text
     colours.ranges.rows["value"].low.setValue(33)
     colours.factory()
-    assert said().startswith("These are the factory colours.")
+    assert said().startswith("Restored the factory colours.")
     colours.undo()
     assert "factory" not in said()
     colours.redo()
-    assert said().startswith("These are the factory colours.")
+    assert said().startswith("Restored the factory colours.")
     colours.ranges.rows["value"].low.setValue(44)
     assert "factory" not in said()
 
@@ -288,7 +286,7 @@ class HeldDetector:
 
 @pytest.fixture
 def held(colours, qtbot, monkeypatch):
-    """A kept image is shown, and its search is under way and does not end by itself."""
+    """A kept image is shown, and its search is running and does not end by itself."""
     held = HeldDetector()
     monkeypatch.setattr(colour_search, "Detector", held.detector)
     colours.image.source.keep_button.click()
@@ -535,7 +533,9 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     assert "green: the room has this colour" in colours.ranges.words.text()
     colours.start_again()
     said = colours.ranges.words.text()
-    assert said.startswith("These are the colours from the start.\n▲ green: the room has this")
+    assert said.startswith(
+        "Restored the initial colours of this session.\n▲ green: the room has this"
+    )
     assert room_shares(room, models()[2])["green"] == pytest.approx(
         100 * 200 / (720 * 1280), rel=0.1
     )
@@ -656,7 +656,9 @@ def test_colours_that_follow_the_light_are_those_that_are_shown_kept_and_moved(
     assert row.values() == new.hues[colours.tuning.hue].hue != old.hues[colours.tuning.hue].hue
     assert colours.host.setup.profile == new  # overlays and the checklist go by it
     assert engine.profiles == []  # nobody has given the engine other colours
-    assert colours.ranges.words.text().startswith("The colours follow the light.")
+    assert colours.ranges.words.text().startswith(
+        "The light has changed; the colours were adapted."
+    )
     colours.keeper.write()
     assert colours.keeper.store.load(CAMERA, old) == new
     colours.files.save(tmp_path / "out.toml")

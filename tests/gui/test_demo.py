@@ -61,7 +61,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
 
     def is_whole() -> bool:
         row = demo.library.selected()
-        return row is not None and (row.path, row.integrity) == (path, "whole")
+        return row is not None and (row.path, row.integrity) == (path, "complete")
 
     qtbot.waitUntil(is_whole, timeout=60_000)
     demo.library.exporting.add(ExportRequest(path, "csv", tmp_path / "out.csv"))

@@ -203,7 +203,7 @@ def test_a_file_reports_what_differs_and_applies_what_can_be(devices, glove, tmp
     devices.save_as(path)
     assert parse_toml(path.read_text("utf-8"), path.name)["glove_right"]["rate_hz"] == 100
     devices.load_from(path)
-    assert devices.edits == {} and "has the values" in devices.report.toPlainText()
+    assert devices.edits == {} and "matches the current" in devices.report.toPlainText()
     text = path.read_text("utf-8")
     text = text.replace("rate_hz = 100", "rate_hz = 50", 1)
     text = text.replace('"1.2.0"', '"1.1.0"').replace('exposure = "automatic"', "exposure = 90")

@@ -80,7 +80,7 @@ def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
     qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
     assert board.jobs == [FlashJob(shipped_image(115_200).for_glove(12), PORT, 57_600)]
     assert "glove 12" in dialog.words.text()
-    assert "It needs no newer one" in dialog.versions.text()
+    assert "Its firmware is up to date" in dialog.versions.text()
 
 
 def test_nothing_is_written_while_gloves_are_looked_for(
@@ -105,7 +105,7 @@ def test_a_real_avrdude_writes_from_the_window_what_comes_with_the_program(windo
     )
     try:
         qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
-        assert "1.0.0" in dialog.versions.text() and "needs no newer" not in dialog.versions.text()
+        assert "1.0.0" in dialog.versions.text() and "up to date" not in dialog.versions.text()
         dialog.number.setValue(12)
         dialog.write.click()
         qtbot.waitUntil(dialog.write.isEnabled, timeout=60_000)

@@ -179,7 +179,7 @@ def test_a_list_without_rows_says_why(review, window):
     page.show_gaps(dataclasses.replace(found, gaps=()))
     assert page.empty.text() == "This recording has no gaps." and not page.table.isVisible()
     page.show_gaps(None)
-    assert "while it is replayed" in page.empty.text()
+    assert "Replay a recording" in page.empty.text()
     page.show_gaps(found)
     assert not page.empty.isVisible() and page.table.isVisible()
     page.part.addItem("no part", "no part")

@@ -224,7 +224,7 @@ def test_a_glove_that_is_silent_is_said(guided, clock, engine, monkeypatch):
     pass_time(guided, clock, 0.5)
     engine.silent = True
     pass_time(guided, clock, 3.0)
-    assert guided.lead.word.text() == "Nothing arrives from the glove"
+    assert guided.lead.word.text() == "No data from the glove"
     assert guided.run.phase == GuidedPhase.REACHING
 
 
@@ -375,7 +375,7 @@ def test_a_finger_that_nothing_measures_is_not_said_to_be_held_well(guided, cloc
         guided.run.skip(clock.now)
     pass_time(guided, clock, 2.0)
     assert guided.run.phase == GuidedPhase.HOLDING
-    assert guided.lead.word.text() == "Hold it: no sensor tells of this finger"
+    assert guided.lead.word.text() == "Hold it: this finger has no sensor"
 
 
 def test_who_is_not_seen_is_waited_for(guided, clock, engine):
@@ -384,7 +384,7 @@ def test_who_is_not_seen_is_waited_for(guided, clock, engine):
     engine.silent = True
     pass_time(guided, clock, 60.0, step=0.2)
     assert guided.run.pose == "flat" and guided.run.held == {}
-    assert guided.lead.word.text() == "Nothing arrives from the glove"
+    assert guided.lead.word.text() == "No data from the glove"
     engine.silent, engine.tracking = False, Tracking.SEARCHING
     pass_time(guided, clock, 60.0, step=0.2)
     assert guided.run.held == {}
@@ -402,7 +402,7 @@ def test_who_insists_must_be_seen(guided, clock, engine, qtbot):
     pass_time(guided, clock, 2.0)
     engine.unsensed = ("thumb", "index", "middle", "ring", "little", "wrist")
     pass_time(guided, clock, 0.2)
-    assert guided.lead.word.text() == "Nothing arrives from the glove"
+    assert guided.lead.word.text() == "No data from the glove"
     qtbot.keyClick(guided, Qt.Key.Key_Return)
     pass_time(guided, clock, 20.0, step=0.2)
     assert engine.told == [] and guided.run.held == {}

@@ -184,7 +184,7 @@ def test_a_card_that_ended_the_program_is_not_tried_again(chooser, store):
     store.update(card_trial=True)
     chooser.start()
     assert (store.value.card_trial, store.value.view_3d) == (False, "painted")
-    assert "ended the program last time" in chooser.said[0]
+    assert "crashed the program last time" in chooser.said[0]
 
 
 def test_a_card_is_trusted_after_some_images(chooser, store, monkeypatch):

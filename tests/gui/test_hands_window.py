@@ -216,7 +216,7 @@ def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, tw
 def test_two_gloves_without_a_camera_have_lost_no_place(window, qtbot, two_gloves):
     opened(window, qtbot)
     for chip in (window.bar.tracking, window.bar.other_hand):
-        qtbot.waitUntil(lambda chip=chip: "Place unknown" in chip.text(), timeout=60_000)
+        qtbot.waitUntil(lambda chip=chip: "Position unknown" in chip.text(), timeout=60_000)
 
 
 def test_the_other_hands_glove_is_taken_up_when_it_comes(window, qtbot, gloves, two_gloves, store):

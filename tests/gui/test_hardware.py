@@ -78,7 +78,7 @@ def _done(window, name: str) -> bool:
 
 def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     assert device.path in connected.windowTitle()
-    for name in ("All IMUs answer", "Camera found", "Camera calibrated"):
+    for name in ("All IMUs respond", "Camera found", "Camera calibrated"):
         qtbot.waitUntil(lambda n=name: _done(connected, n), timeout=30_000)
     exposure = next(
         s for s in steps(connected.host.snapshot()) if s.name == "Exposure locked"
@@ -123,10 +123,10 @@ def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
     assert "No camera was found" in window.banner.text()
     assert "The camera has no calibration" in window.banner.text()
-    for name in ("Glove found", "All IMUs answer"):
+    for name in ("Glove found", "All IMUs respond"):
         qtbot.waitUntil(lambda n=name: _done(window, n), timeout=30_000)
     assert not _done(window, "Camera found") and not _done(window, "Camera calibrated")
-    qtbot.waitUntil(lambda: "Place unknown" in window.hand._scene.caption, timeout=30_000)
+    qtbot.waitUntil(lambda: "Position unknown" in window.hand._scene.caption, timeout=30_000)
     scene, view = window.hand._scene, window.host.snapshot()
     assert np.isfinite(scene.segment_p).all()
     assert scene.segment_state[0] == Validity.LOST and Validity.MEASURED in scene.segment_state
@@ -148,7 +148,7 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     )
     window.host.setup.player.play(True)  # its first instants may be those of a search
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
-    assert "Place unknown" in window.hand._scene.caption
+    assert "Position unknown" in window.hand._scene.caption
     assert len(window.host.snapshot().imu) > 0
 
 
@@ -188,12 +188,12 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
 
 
 def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot, device):
-    qtbot.waitUntil(lambda: _done(connected, "All IMUs answer"), timeout=30_000)
+    qtbot.waitUntil(lambda: _done(connected, "All IMUs respond"), timeout=30_000)
     device.unplug()
     gone = time.monotonic()
     qtbot.waitUntil(lambda: not _done(connected, "Glove found"), timeout=10_000)
     assert time.monotonic() - gone < 1.5
-    assert not _done(connected, "All IMUs answer")
+    assert not _done(connected, "All IMUs respond")
     view = connected.host.snapshot()
     states = imu_states(view.setup.glove.imu_names, view.imu, view.packets_arrive)
     assert {s.look for s in states} == {IDLE}, "no green dot of an IMU that is gone"

@@ -79,8 +79,8 @@ def test_a_chip_without_room_ends_in_dots_and_never_in_half_a_letter(qtbot):
     ("placed", "values", "words"),
     [
         (True, {}, "Position lost"),
-        (False, {}, "Place unknown"),
-        (False, {"heading_sd_deg": 6.0}, "Place unknown, heading within 12°"),
+        (False, {}, "Position unknown"),
+        (False, {"heading_sd_deg": 6.0}, "Position unknown, heading within 12°"),
     ],
 )
 def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, values, words):

@@ -92,7 +92,7 @@ def test_a_row_tells_length_integrity_and_quality(library, qtbot):
         states = [m.tracking == 1 for m in reader.messages((Estimate,))]
     assert share == pytest.approx(100 * sum(states) / len(states), abs=6)
     assert library.table.item(0, 2).text() == "0:03"
-    assert "whole" in library.table.item(0, 4).text()
+    assert "complete" in library.table.item(0, 4).text()
     assert not library.buttons["recover"].isEnabled()
 
 
@@ -199,7 +199,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
     press(qtbot, dialog)
     qtbot.waitUntil(lambda: replayed.findChild(CompareDialog) is not None, timeout=90_000)
     table = replayed.findChild(CompareDialog)
-    assert "nearer to the truth" in table.summary.text()
+    assert "closer to the truth" in table.summary.text()
     first = [table.table.item(0, j).text() for j in range(4)]
     assert all(text.endswith("mm") for text in first[1:])
     table.close()
@@ -223,7 +223,7 @@ def test_a_cut_off_session_is_recovered_by_its_button(library, window, qtbot):
     library.rescan()
     recover = library.buttons["recover"]
     qtbot.waitUntil(recover.isEnabled, timeout=10_000)
-    assert "cut off" in library.table.item(0, 4).text()
+    assert "interrupted" in library.table.item(0, 4).text()
     qtbot.mouseClick(recover, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
     made = path.with_name("P01_pinch_recovered.mcap")

@@ -132,7 +132,7 @@ def test_a_session_gets_another_name_with_its_tags(library, window, folder, qtbo
     assert read_tags(folder / "P02-grasp.mcap") == ("keep",)
     assert not (folder / "P02_pinch.mcap").exists()
     library.files.rename(folder / "P01_fist.mcap", "P01_pinch")
-    assert "is there already" in window.banner.text()
+    assert "already exists" in window.banner.text()
 
 
 def test_who_gets_another_name_stays_chosen_and_who_goes_has_no_heir(library, folder, qtbot):
@@ -217,7 +217,7 @@ def test_what_is_open_is_neither_renamed_nor_binned(library, window, folder, qtb
         lambda: library.files.rename(folder / "P01_fist.mcap", "other"),
     ):
         work()
-        assert "is open: close it first" in window.banner.text()
+        assert "is open. Close it first" in window.banner.text()
     assert (folder / "P01_fist.mcap").exists()
 
 
@@ -378,7 +378,7 @@ def test_the_chosen_part_becomes_a_session(library, window, folder, qtbot):
     window.sources.open_session(folder / "P01_fist.mcap")
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
     window.run_command("crop")
-    assert "Mark the part first" in window.banner.text()
+    assert "Mark a range first" in window.banner.text()
     window.host.setup.player.set_range(0.4, 1.1)
     window.run_command("crop")
     made = folder / "P01_fist_crop.mcap"

@@ -67,13 +67,13 @@ def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advi
     assert step.command == ("show_colours" if advice else "")
     unread = next(s for s in steps(view) if s.name == "Light")
     assert not unread.done
-    assert unread.reason == "Reading the light…"  # images arrive already
+    assert unread.reason == "Measuring the light…"  # images arrive already
 
 
 def test_another_word_for_the_light_moves_nothing_beside_it(live, qtbot):
     live.show_panel("colours")
     chip, places = live.colours.light.chip, []
-    for word in ("good", "colours in the room, markers missed"):
+    for word in ("good", "colours in background, markers missed"):
         chip.show_state("", "●", word)
         qtbot.wait(20)
         places.append((live.colours.tools.geometry(), live.colours.light.geometry()))

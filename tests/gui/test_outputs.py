@@ -171,11 +171,11 @@ def test_the_servers_clients_are_counted(panel, window, qtbot):
     panel.ports["websocket"].setValue(_free_port())
     panel.boxes["websocket"].click()
     cells = panel.cells["websocket"]
-    qtbot.waitUntil(lambda: "nobody listens" in cells["state"].text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "no listeners" in cells["state"].text(), timeout=20_000)
     with client.connect(f"ws://127.0.0.1:{panel.ports['websocket'].value()}/"):
         qtbot.waitUntil(lambda: cells["clients"].text() == "1", timeout=20_000)
     window.host.stop()
-    qtbot.waitUntil(lambda: "waits for tracking" in cells["state"].text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "waiting for tracking" in cells["state"].text(), timeout=20_000)
 
 
 def _free_port() -> int:
@@ -215,7 +215,7 @@ def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, sto
 def test_without_an_engine_there_is_no_place_for_the_sphere(window):
     window.panels["streams"].rule.click()
     assert not window.panels["streams"].rule.isChecked()
-    assert "no place" in window.banner.text()
+    assert "not placed" in window.banner.text()
 
 
 def test_what_was_remembered_wrongly_is_the_default():

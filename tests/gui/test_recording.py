@@ -192,7 +192,7 @@ def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tm
     window.recording.set_folder(blocker / "inside")
     window.recording.toggle()
     assert window.host.recording.request is None
-    assert "Nothing can be recorded" in window.banner.text()
+    assert "Cannot record" in window.banner.text()
 
 
 def test_start_after_stop_builds_a_new_engine(window, qtbot):
@@ -341,7 +341,7 @@ def test_the_counter_goes_on_from_the_highest_number_there_is(tmp_path):
 
 def test_a_wrong_template_is_refused_in_words_and_the_last_one_kept(window, store):
     field = window.recording.name_template
-    for wrong, word in (("{who}_{n}", "{who}"), ("{participant", "not complete")):
+    for wrong, word in (("{who}_{n}", "{who}"), ("{participant", "incomplete")):
         field.setText(wrong)
         field.editingFinished.emit()
         assert word in window.banner.text()

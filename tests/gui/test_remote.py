@@ -116,8 +116,8 @@ def test_why_it_cannot_be_recorded_is_answered(window, engine, qtbot, tmp_path):
     (tmp_path / "file").write_text("no folder")
     window.store.update(sessions_folder=str(tmp_path / "file" / "below"))
     answer = start()
-    assert not answer["ok"] and "Nothing can be recorded to" in answer["error"]
-    assert "Nothing can be recorded to" in window.banner.text(), "as when the key is pressed"
+    assert not answer["ok"] and "Cannot record to" in answer["error"]
+    assert "Cannot record to" in window.banner.text(), "as when the key is pressed"
 
 
 def test_osc_and_web_socket_control_it_too(window, engine, qtbot):

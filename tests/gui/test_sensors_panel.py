@@ -124,6 +124,6 @@ def test_the_links_counters_are_shown_as_soon_as_there_is_something_to_show():
         "⚠ adapter waits 16 ms",
     ]
     tip = link_tip(status).splitlines()
-    assert "Frames whose check sum was wrong (CRC): 2" in tip
-    assert "Times that the port was opened again: 2" in tip
+    assert "Frames with a wrong checksum (CRC): 2" in tip
+    assert "Times the port was reopened: 2" in tip
     assert link_tip(None) == ""

@@ -115,7 +115,7 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     assert dialog.pages.currentIndex() == CHECK and not dialog.next.isEnabled()
     qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
     assert "Rows agree" in dialog.check.words.text()
-    assert "Worst corner" in dialog.check.figures.text()
+    assert "Largest corner error" in dialog.check.figures.text()
     dialog.next.click()
     ((path, real),) = done
     assert real and not dialog.isVisible()

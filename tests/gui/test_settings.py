@@ -27,10 +27,10 @@ def test_values_come_back(tmp_path):
     ("text", "reason"),
     [
         ("{", ""),
-        ("[]", "which version"),
+        ("[]", "no version number"),
         ('{"version": 99}', "later version"),
         ('{"version": 1, "theme": 3}', "theme"),
-        ('{"version": "1"}', "which version"),
+        ('{"version": "1"}', "no version number"),
         ("\x00\xff", ""),
     ],
 )

@@ -200,7 +200,7 @@ def test_the_silence_of_a_glove_is_said_beside_its_packets():
     hand = HandTake("right", tracked=0.8, glove_silent=5.04)
     report = TakeReport(Path("a.mcap"), "", 20.0, 0, camera_silent=2.0, hands=(hand,))
     assert report_text(report) == (
-        "a is whole: 0:20, no packets lost, no image for 2.0 s, "
+        "a is complete: 0:20, no packets lost, no image for 2.0 s, "
         "nothing from the glove for 5.0 s, tracked 80 % of the time."
     )
 
@@ -209,7 +209,7 @@ def test_of_both_hands_each_is_told():
     hands = (HandTake("left", 0.61, 8.0), HandTake("right", 0.97))
     report = TakeReport(Path("a.mcap"), "", 20.0, 3, hands=hands)
     assert report_text(report) == (
-        "a is whole: 0:20, 3 packets lost; "
+        "a is complete: 0:20, 3 packets lost; "
         "left hand: nothing from the glove for 8.0 s, tracked 61 % of the time; "
         "right hand: tracked 97 % of the time."
     )
@@ -342,7 +342,7 @@ def recorded(window, take, qtbot):
     window.recording.participant.setText("P07")
     window.run_command("record")
     window.run_command("record")
-    qtbot.waitUntil(lambda: "is whole" in window.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "is complete" in window.banner.text(), timeout=30_000)
     return window
 
 
@@ -367,7 +367,7 @@ def test_a_full_disk_is_named_beside_how_the_recording_is(recorded, qtbot, monke
     recorded.recording.refresh(None)
     assert recorded.host.recording.request is None
     qtbot.waitUntil(lambda: "disk is nearly full" in recorded.banner.text(), timeout=30_000)
-    assert "is whole" in recorded.banner.text()
+    assert "is complete" in recorded.banner.text()
 
 
 def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
@@ -382,7 +382,7 @@ def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     dialog.accept()
     [path] = recorded.plan.folder.glob("*.mcap")
     assert path.name == "pinch-of-salt.mcap"
-    assert recorded.banner.text().startswith("pinch-of-salt is whole")
+    assert recorded.banner.text().startswith("pinch-of-salt is complete")
     assert recorded.store.value.recent == [str(path)]
     button(recorded, "Show it").click()
     qtbot.waitUntil(lambda: recorded.host.setup.player is not None, timeout=30_000)
@@ -394,7 +394,7 @@ def test_a_name_that_is_taken_leaves_both_files(tmp_path):
     first, second = tmp_path / "a.mcap", tmp_path / "b.mcap"
     first.write_text("1")
     second.write_text("2")
-    with pytest.raises(FileError, match="is there already"):
+    with pytest.raises(FileError, match="already exists"):
         rename(first, "b")
     with pytest.raises(FileError, match="a letter or a digit"):
         rename(first, " / ")
@@ -409,7 +409,7 @@ def test_a_file_cut_off_is_not_called_whole(take, tmp_path):
     assert report.problem and 0 < report.duration < LENGTH
     length = duration_text(report.duration)
     assert report_text(report) == (
-        f"cut was cut off after {length}. What it contains can be recovered."
+        f"cut was interrupted after {length}. Its contents can be recovered."
     )
 
 
@@ -515,7 +515,7 @@ def test_good_news_disappears_and_problems_stay(qtbot, window, monkeypatch):
     window.messages.say("Saved.", good=True)
     assert window.messages.isVisible()
     qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
-    window.messages.say("P01 is whole.", ("Show it", lambda: None), good=True, stays=True)
+    window.messages.say("P01 is complete.", ("Show it", lambda: None), good=True, stays=True)
     qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=10_000)
     window.messages.say("Saved.", good=True)
     window.messages.say("The disk is full.")
@@ -570,8 +570,8 @@ def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
 def test_a_take_of_a_glove_alone_is_not_called_untracked(tmp_path):
     hands = (HandTake("right", 0.0),)
     both = TakeReport(tmp_path / "a.mcap", "", 6.0, 0, by_imus=True, hands=hands)
-    assert report_text(both) == "a is whole: 0:06, no packets lost, by its IMUs alone."
+    assert report_text(both) == "a is complete: 0:06, no packets lost, IMUs only."
     assert quality_text(Quality(0.0, 0, by_imus=True)) == (
-        "by its IMUs alone, no packets lost",
+        "IMUs only, no packets lost",
         GOOD,
     )

@@ -85,7 +85,9 @@ def test_a_crash_aside_is_told_by_its_name():
         aside("work", _crash, JobProgress(lambda *_: None))
 
 
-@pytest.mark.parametrize(("work", "words"), [(_refuse, "disk is full"), (_vanish, "in the middle")])
+@pytest.mark.parametrize(
+    ("work", "words"), [(_refuse, "disk is full"), (_vanish, "ended unexpectedly")]
+)
 def test_work_aside_that_ends_early_says_so(work, words):
     with pytest.raises(GlovetrackError, match=words):
         aside("work", work, JobProgress(lambda *_: None))

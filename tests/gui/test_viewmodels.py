@@ -276,8 +276,8 @@ def test_a_silent_imu_is_found():
     valid[3] = False
     silent = [dataclasses.replace(s, valid=valid) for s in samples]
     states = imu_states(models()[1].imu_names, silent, running=True)
-    assert [s.text for s in states].count("silent") == 1
-    assert states[3].text == "silent"
+    assert [s.text for s in states].count("not responding") == 1
+    assert states[3].text == "not responding"
 
 
 def test_lost_packets_are_a_problem_and_nothing_known_is_a_dash():
@@ -334,7 +334,7 @@ def test_each_stage_has_its_latency():
     shown = {f.key: f for f in fields(Status(0.0, Tracking.TRACKING, values))}["latency"]
     assert shown.text == "8 ms (99 %: 24)"
     assert "Search of both images: 1.0 ms (–)" in shown.tip
-    assert "An image's arrival to the estimate made of it: 7.8 ms (24.3 ms)" in shown.tip
+    assert "Arrival of an image to its estimate: 7.8 ms (24.3 ms)" in shown.tip
 
 
 def test_orbit_keeps_its_distance_and_looks_where_it_is_told():
@@ -351,16 +351,20 @@ def test_tracking_is_not_said_while_nothing_arrives():
     """The state is of the last message that came."""
     silent = {"imu_rate_hz": 0.0, "frame_rate_hz": 0.0}
     told = tracking_look(Status(5.0, Tracking.TRACKING, silent), True)
-    assert (told.word, told.sign) == ("Nothing arrives", BAD.sign)
+    assert (told.word, told.sign) == ("No data", BAD.sign)
     half = Status(5.0, Tracking.TRACKING, {**silent, "imu_rate_hz": 100.0})
     assert tracking_look(half, True).word == "Tracking"
-    assert tracking_look(Status(0.0, Tracking.SEARCHING, {}), True).word != "Nothing arrives"
+    assert tracking_look(Status(0.0, Tracking.SEARCHING, {}), True).word != "No data"
 
 
 def test_a_camera_alone_searches_for_no_hand():
     alone = {"frame_rate_hz": 30.0}
-    assert tracking_look(Status(5.0, Tracking.SEARCHING, alone), True).word == "No glove sends"
+    assert (
+        tracking_look(Status(5.0, Tracking.SEARCHING, alone), True).word == "No data from a glove"
+    )
     silent = {**alone, "imu_rate_hz": 0.0}
-    assert tracking_look(Status(5.0, Tracking.SEARCHING, silent), True).word == "No glove sends"
+    assert (
+        tracking_look(Status(5.0, Tracking.SEARCHING, silent), True).word == "No data from a glove"
+    )
     both = {**alone, "imu_rate_hz": 100.0}
     assert tracking_look(Status(5.0, Tracking.SEARCHING, both), True).word.startswith("Searching")

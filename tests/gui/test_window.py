@@ -295,7 +295,7 @@ def test_the_latency_of_each_stage_is_a_command(window):
 
 
 def test_where_there_is_no_room_a_field_is_left_out_and_not_cut(window, qtbot):
-    """Two hands on a computer that leaves out all that it can, with a job under way."""
+    """Two hands on a computer that leaves out all that it can, with a job running."""
     values = {"imu_rate_hz": 100.0, "frame_rate_hz": 30.0, "estimate_rate_hz": 100.0}
     values |= {"latency_total_ms": 9.0, "latency_total_p99_ms": 30.0, "imu_lost": 0.0}
     status = Status(0.0, Tracking.COASTING, values | {"load_shed": 4.0})

@@ -143,7 +143,10 @@ class CalibrationPanel(Panel):
         self.length.setProperty("role", "figure")
         self.camera_time = ElidedLabel()
         self.camera_time.setToolTip(
-            self.tr("How late images are stamped, from the motion of the hand and its gyroscope")
+            self.tr(
+                "Delay of the image time stamps, estimated from the motion of the hand and its "
+                "gyroscope"
+            )
         )
         self.overall = QProgressBar()
         self.overall.setRange(0, 100)
@@ -223,7 +226,7 @@ class CalibrationPanel(Panel):
         self.length.setText("–")
         self.camera_time.setText("–")
         self.overall.setValue(0)
-        self.advice.setText(self.tr("Start tracking to see what is estimated."))
+        self.advice.setText(self.tr("Start tracking to see the estimated parameters."))
         self.table.show_rows(())
 
     def _draw(self) -> None:

@@ -45,33 +45,36 @@ class WearerRow(OneLine):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.choice = QComboBox()
-        self.choice.setAccessibleName(self.tr("Who wears the glove"))
+        self.choice.setAccessibleName(self.tr("Wearer of the glove"))
         self.choice.setMinimumContentsLength(14)
         self.choice.activated.connect(lambda _index: self.chosen.emit(self.name))
         self.frozen = QCheckBox(self.tr("Freeze"))
-        self.frozen.setToolTip(self.tr("Hold the calibration as it is; tracking goes on"))
+        self.frozen.setToolTip(self.tr("Stop updating the calibration; tracking continues"))
         self.frozen.clicked.connect(self.freeze)
         self.comparing = QCheckBox(self.tr("Compare"))
-        self.comparing.setToolTip(self.tr("Show what has changed since the last fit"))
+        self.comparing.setToolTip(self.tr("Show the changes since the last fit"))
         self.comparing.toggled.connect(self.compare)
-        self.save_button = self._button(self.tr("Save"), self.tr("Keep what has been learned"))
+        self.save_button = self._button(self.tr("Save"), self.tr("Save the calibration"))
         self._fill_save_menu()
-        self.reset_button = self._button(self.tr("Reset"), self.tr("Forget what has been learned"))
+        self.reset_button = self._button(self.tr("Reset"), self.tr("Discard the calibration"))
         self.import_button = self._plain(
-            self.tr("Import…"), self.tr("Put on a profile from a file of another computer")
+            self.tr("Import…"), self.tr("Import a calibration profile from a file")
         )
         self.import_button.clicked.connect(self.ask_import)
         self.export_button = self._plain(
-            self.tr("Export…"), self.tr("Write what has been learned of the wearer as text")
+            self.tr("Export…"), self.tr("Export the calibration as a text file")
         )
         self.export_button.clicked.connect(self.ask_export)
         self.guided_button = self._plain(
-            self.tr("Guided poses…"), self.tr("Half a minute of poses that show your fingertips")
+            self.tr("Guided poses…"),
+            self.tr("Calibrate your fingers and thumb with half a minute of guided poses"),
         )
         self.guided_button.clicked.connect(self.guided)
         self.length_button = self._plain(
             self.tr("Hand length…"),
-            self.tr("Measured with a ruler: one camera cannot tell a small hand from a far one"),
+            self.tr(
+                "Enter the measured length: a single camera cannot determine the size of the hand"
+            ),
         )
         self.length_button.clicked.connect(self.ask_length)
         self._segments: tuple[str, ...] = ()
@@ -155,7 +158,7 @@ class WearerRow(OneLine):
     def set_names(self, names: Sequence[str], chosen: str) -> None:
         """Offer these profiles; ``chosen`` is worn."""
         self.choice.clear()
-        self.choice.addItem(self.tr("Somebody new"))
+        self.choice.addItem(self.tr("New wearer"))
         self.choice.addItems(list(names))
         self.choice.setCurrentIndex(1 + list(names).index(chosen) if chosen in names else NEW)
         self.again.setEnabled(bool(self.name))

@@ -69,7 +69,7 @@ class ColoursFitting(QObject):
             self.failed.emit(error_text(error))
             return
         if not self.tuning.live.is_enough:
-            words = self.tr("Images are gathered: hold the hand in view, or let the replay run.")
+            words = self.tr("Collecting images. Hold the hand in view, or play the replay.")
             self.tuning.last_words = words
 
     def fit_by_itself(self) -> None:
@@ -114,7 +114,7 @@ class ColoursLight(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.watch = LightWatch()
-        self._job = LatestJob(self.tr("Reading the light"), self)
+        self._job = LatestJob(self.tr("Measuring the light"), self)
         self._job.failed.connect(self.failed)
         self.chip = Chip()
         # each second another word, and what stands beside it stays
@@ -127,7 +127,7 @@ class ColoursLight(QWidget):
         self.show_missed.setChecked(True)
         self.show_missed.toggled.connect(self.changed)
         button = MoreButton(self.tr("Light"))
-        button.setToolTip(self.tr("What of the light costs markers, and what to change"))
+        button.setToolTip(self.tr("Lighting problems that hide markers, and how to fix them"))
         button.add(self.advice)
         button.add(self.show_missed)
         row = QHBoxLayout(self)

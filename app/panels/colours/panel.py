@@ -158,7 +158,7 @@ class ColoursPanel(Panel):
     def start_again(self) -> None:
         """The colours that the session began with."""
         if self.tuning is not None:
-            words = self.tr("These are the colours from the start.")
+            words = self.tr("Restored the initial colours of this session.")
             self.tuning.take(self.tuning.setup.profile, words)
             self._apply()
 
@@ -168,9 +168,9 @@ class ColoursPanel(Panel):
             return
         colours = factory_colours()
         if colours.hue_names != self.tuning.profile.hue_names:
-            self.host.error.emit(self.tr("The factory colours are not those of this glove."))
+            self.host.error.emit(self.tr("The factory colours do not match this glove."))
             return
-        self.tuning.take(colours, self.tr("These are the factory colours."))
+        self.tuning.take(colours, self.tr("Restored the factory colours."))
         self._apply()
 
     def _moved(self, channel: str, low: int, high: int, held: bool) -> None:

@@ -140,7 +140,7 @@ class ColoursSource(QWidget):
         self._view: Snapshot | None = None
         self._kept: KeptImage | None = None
         self.choice = QComboBox()
-        self.choice.setAccessibleName(self.tr("Image to tune on"))
+        self.choice.setAccessibleName(self.tr("Image used for tuning"))
         self.choice.setMinimumContentsLength(12)
         self.choice.addItem(self.tr("Live image"))
         self.choice.currentIndexChanged.connect(self._choose)

@@ -37,19 +37,18 @@ class ColoursTools(OneLine):
         self.take = self._toggle(
             self.tr("Pick ="),
             self.tr(
-                "Set from pixel: an eyedropper; a click on a marker sets the ranges of the chosen "
-                "hue to its colour"
+                "Eyedropper: click a marker to set the ranges of the selected hue to its colour"
             ),
         )
         self.pick = self._toggle(
             self.tr("Pick +"),
             self.tr(
-                "Eyedropper: a click widens the ranges to take a pixel in, Ctrl+click leaves it "
-                "out. With one marker of each colour clicked, the colours are learned."
+                "Eyedropper: click a pixel to include it in the ranges, Ctrl+click to exclude it. "
+                "Once a marker of each colour has been clicked, the colours are learned."
             ),
         )
         self.drop = self._toggle(
-            self.tr("Pick −"), self.tr("Eyedropper: a click leaves a pixel out")
+            self.tr("Pick −"), self.tr("Eyedropper: click a pixel to exclude it from the ranges")
         )
         self._droppers = {
             Eyedropper.SET: self.take,
@@ -108,27 +107,29 @@ class ColoursTools(OneLine):
 
     def _fit_button(self) -> QToolButton:
         button, menu = self._menu_button(self.tr("Fit"))
-        live = menu.addAction(self.tr("From what is seen now"), self.fit_live.emit)
-        live.setToolTip(self.tr("Hold the hand in view: glove and cameras find it in any light"))
-        image = menu.addAction(self.tr("From the image alone"), self.fit_image.emit)
-        image.setToolTip(self.tr("A crowd of patches of the glove's colours is looked for"))
+        live = menu.addAction(self.tr("From live images"), self.fit_live.emit)
+        live.setToolTip(self.tr("Hold the hand in view: the IMUs help to find it in any light"))
+        image = menu.addAction(self.tr("From this image only"), self.fit_image.emit)
+        image.setToolTip(
+            self.tr("Searches the image for a group of patches in the glove's colours")
+        )
         markers = menu.addAction(self.tr("From the tracked markers"), self.fit_markers.emit)
-        markers.setToolTip(self.tr("Each tracked marker shows what its colour looks like here"))
+        markers.setToolTip(self.tr("Measures the colours of the markers that are tracked"))
         menu.addSeparator()
-        room = menu.addAction(self.tr("Check the room without the hand"), self.room.emit)
-        room.setToolTip(self.tr("Take the hand out of the image first"))
+        room = menu.addAction(self.tr("Check the background"), self.room.emit)
+        room.setToolTip(self.tr("Move the hand out of the image first"))
         return button
 
     def _profile_button(self) -> QToolButton:
         button, menu = self._menu_button(self.tr("Profile"))
         menu.addAction(self.tr("Import…"), self.load.emit)
         menu.addAction(self.tr("Export…"), self.save.emit)
-        self._others = menu.addMenu(self.tr("Take over from"))
+        self._others = menu.addMenu(self.tr("Copy from another camera"))
         menu.addSeparator()
-        start = menu.addAction(self.tr("Back to the colours from the start"), self.shipped.emit)
-        start.setToolTip(self.tr("Those that this session began with"))
+        start = menu.addAction(self.tr("Restore the initial colours"), self.shipped.emit)
+        start.setToolTip(self.tr("The colours at the start of this session"))
         factory = menu.addAction(self.tr("Factory colours"), self.factory.emit)
-        factory.setToolTip(self.tr("Those that the program comes with"))
+        factory.setToolTip(self.tr("The colours shipped with Glovetrack"))
         return button
 
     def set_cameras(self, cameras: Sequence[str]) -> None:

@@ -120,7 +120,7 @@ class DevicesPanel(Panel):
         if value is None:
             return
         if not is_allowed(value, wanted):
-            text = self.tr("{}: {} is not possible ({}).")
+            text = self.tr("{}: the value {} is not possible ({}).")
             self._show_report(text.format(value.path[-1], wanted, value.detail or value.text))
             self.edits.pop(key, None)
         elif wanted == value.value:

@@ -55,7 +55,7 @@ class HandControls(OneLine):
         for name, text in presets.items():
             button = self.presets[name] = QToolButton()
             button.setText(text)
-            button.setToolTip(self.tr("Look from there"))
+            button.setToolTip(self.tr("View from this side"))
             button.clicked.connect(lambda _on, name=name: self.look_from.emit(name))
             self.add(button)
 
@@ -65,14 +65,15 @@ class HandControls(OneLine):
             (
                 "markers",
                 self.tr("Markers"),
-                self.tr("Large: seen now. Small: lately. Ring: never"),
+                self.tr("Large: visible now. Small: visible recently. Ring: never seen"),
             ),
             (
                 "uncertainty",
                 self.tr("2σ"),
                 self.tr(
-                    "A ring round each fingertip, of two standard deviations; "
-                    "broken: more than its 15 mm"
+                    "A ring of two standard deviations around each fingertip; dashed at "
+                    "the maximum of 15 "
+                    "mm"
                 ),
             ),
             ("camera", self.tr("Camera"), self.tr("The left camera's field of view")),
@@ -87,11 +88,11 @@ class HandControls(OneLine):
 
     def _reference(self) -> QComboBox:
         choice = QComboBox()
-        choice.setAccessibleName(self.tr("Hand to compare with"))
+        choice.setAccessibleName(self.tr("Reference hand"))
         choice.setToolTip(
             self.tr(
-                "The outline of another hand: the truth of a simulated one, the second tracking "
-                "of a replay, or another engine on the same data"
+                "Outline of a reference hand: the true pose of the simulated hand, the second "
+                "tracking of a replay, or another engine on the same data"
             )
         )
         choice.addItem(self.tr("No reference"), NO_REFERENCE)
@@ -103,8 +104,8 @@ class HandControls(OneLine):
 
     def _trail(self) -> QComboBox:
         choice = QComboBox()
-        choice.setAccessibleName(self.tr("Fingertip whose way is drawn"))
-        choice.setToolTip(self.tr("The way of a fingertip over the last three seconds"))
+        choice.setAccessibleName(self.tr("Fingertip trail"))
+        choice.setToolTip(self.tr("Path of a fingertip over the last three seconds"))
         choice.addItem(self.tr("No trail"), "")
         choice.currentIndexChanged.connect(
             lambda _i: self.trail_chosen.emit(str(choice.currentData() or ""))
@@ -180,8 +181,9 @@ class ViewChooser(QObject):
             self._store.update(card_trial=False, view_3d=PAINTED)
             self.refused.emit(
                 self.tr(
-                    "The 3D driver of the graphics card ended the program last time, so the hand "
-                    "is painted without it. The View menu brings the card back."
+                    "The graphics driver crashed the program last time, so the 3D view "
+                    "uses software "
+                    "rendering. To try the graphics card again, choose it in the View menu."
                 )
             )
         self._follow()
@@ -210,8 +212,9 @@ class ViewChooser(QObject):
         if not is_there():
             self._stay_painted(
                 self.tr(
-                    "The 3D view of the graphics card is not part of this installation; "
-                    "the hand is painted without it."
+                    "Rendering on the graphics card is not part of this installation. The "
+                    "3D view uses "
+                    "software rendering."
                 )
             )
             return
@@ -232,7 +235,9 @@ class ViewChooser(QObject):
         self._store.update(card_trial=True)
         if not there or not self._view.use_card():
             self._store.update(card_trial=False)
-            self._stay_painted(self.tr("The 3D view cannot use the graphics card; it is painted."))
+            self._stay_painted(
+                self.tr("The 3D view cannot use the graphics card and uses software rendering.")
+            )
 
     def _stay_painted(self, reason: str) -> None:
         """Say why, to those who have asked for the card."""

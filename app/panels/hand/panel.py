@@ -111,7 +111,7 @@ class HandPanel(Panel):
         self._found = False
         self._since = QElapsedTimer()  # the last drawing
         self._since.start()
-        self._skins = LatestJob(self.tr("Making the hand's skin"), self)
+        self._skins = LatestJob(self.tr("Generating the hand mesh"), self)
         self._skins.failed.connect(host.error)
         self.controls = HandControls()
         self.controls.look_from.connect(self.look_from)
@@ -241,7 +241,7 @@ class HandPanel(Panel):
         if not scenes:
             player = self._hands[0].setup.player if self._hands else None
             if player is not None and not player.tracked:
-                self.view.caption = self.tr("Not tracked yet: Replay, Track again")
+                self.view.caption = self.tr("Not tracked yet. Choose Replay, Track again.")
             else:
                 self.view.caption = self.tr("No hand yet")
             self.view.render_scene()
@@ -252,7 +252,7 @@ class HandPanel(Panel):
         self._found = True
         said = [s.caption for s in scenes if s.caption]
         if any(hand.skin is None for hand in self._hands):
-            said.append(self.tr("The hand's skin is being made…"))
+            said.append(self.tr("Generating the hand mesh…"))
         self.view.caption = " · ".join(dict.fromkeys(said))
         labels = [label for hand in self._hands for label in hand.draw(show, orbit)]
         self.view.set_labels(labels)

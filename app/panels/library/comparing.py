@@ -36,7 +36,7 @@ class CompareDialog(QDialog):
 
     def __init__(self, comparison: Comparison, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Two trackings compared"))
+        self.setWindowTitle(self.tr("Comparison of two trackings"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(680, 520)
         self.summary = QLabel(summary(comparison))
@@ -128,7 +128,7 @@ class Comparing(QObject):
 
     def side_by_side(self, first: Path, second: Path) -> None:
         """Both takes on one time axis, the second hand beside the first in the replay."""
-        title = self.tr("Reading two takes")
+        title = self.tr("Reading two recordings")
         self._tasks.run(title, two_takes_job(first, second), self._show_takes, self.ended.emit)
 
     def _show_takes(self, takes: TwoTakes) -> None:

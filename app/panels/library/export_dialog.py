@@ -56,7 +56,7 @@ class Presets(QWidget):
         self.box.setAccessibleName(self.tr("Preset"))
         self.box.currentIndexChanged.connect(self._chosen)
         self.box.activated.connect(self._chosen)  # again, after the fields were changed
-        self.save_button = QPushButton(self.tr("Keep as…"))
+        self.save_button = QPushButton(self.tr("Save as…"))
         self.save_button.clicked.connect(self._ask_name)
         self.remove_button = QPushButton(self.tr("Remove"))
         self.remove_button.clicked.connect(self._remove)
@@ -76,7 +76,7 @@ class Presets(QWidget):
     def _fill(self, chosen: str) -> None:
         with QSignalBlocker(self.box):
             self.box.clear()
-            self.box.addItem(self.tr("none: as below"), "")
+            self.box.addItem(self.tr("none (options below)"), "")
             for name in sorted(self._store.value.export_presets):
                 self.box.addItem(name, name)
             self.box.setCurrentIndex(max(0, self.box.findData(chosen)))
@@ -89,7 +89,7 @@ class Presets(QWidget):
             self._show(choice_from(self._store.value.export_presets.get(name)))
 
     def _ask_name(self) -> None:
-        title, words = self.tr("Keep these formats and options"), self.tr("Name of the preset")
+        title, words = self.tr("Save these formats and options"), self.tr("Name of the preset")
         dialog = question(self, title, words, self.box.currentData() or "")
         dialog.textValueSelected.connect(self.keep)
         dialog.open()
@@ -107,7 +107,7 @@ class Presets(QWidget):
         before = self._store.value.export_presets
         self._gone = name, before[name]
         self._store.update(export_presets={k: v for k, v in before.items() if k != name})
-        self.undo_button.setToolTip(self.tr("Put back the preset {}").format(name))
+        self.undo_button.setToolTip(self.tr("Restore the preset {}").format(name))
         self.undo_button.show()
         self._fill("")
 
@@ -179,13 +179,15 @@ class ExportDialog(QDialog):
     def _make_dataset_fields(self) -> None:
         """Of data sets of many sessions alone."""
         self.task = QLineEdit()
-        self.task.setPlaceholderText(self.tr("What is done, in a sentence; else the notes say it"))
+        self.task.setPlaceholderText(
+            self.tr("One sentence that describes the task; default: the notes")
+        )
         self.task.setToolTip(self.tr("The task of a data set's episodes, for robot learning"))
-        self.split = QCheckBox(self.tr("an episode from each note to the next"))
+        self.split = QCheckBox(self.tr("one episode per note"))
 
     def _choice(self, names: Sequence[str]) -> QComboBox:
         box = QComboBox()
-        box.addItem(self.tr("as usual for the format"), "")
+        box.addItem(self.tr("default of the format"), "")
         for name in names:
             box.addItem(name, name)
         return box

@@ -124,8 +124,9 @@ class GapPage(QWidget):
         self.fill_button = QPushButton(self.tr("Fill…"))
         self.fill_button.setToolTip(
             self.tr(
-                "Interpolate the selected gaps in a new file, which marks them; the recording "
-                "itself is not changed"
+                "Interpolate the selected gaps in a new file, in which they are marked; "
+                "the original "
+                "recording is not changed"
             )
         )
         self.fill_button.clicked.connect(self.fill_asked)
@@ -207,7 +208,7 @@ class GapPage(QWidget):
     def _explain_empty(self, has_rows: bool) -> None:
         """A sentence in place of a table without rows."""
         if self.found is None:
-            self.empty.setText(self.tr("The gaps of a recording are listed while it is replayed."))
+            self.empty.setText(self.tr("Replay a recording to list its gaps."))
         elif self.found.gaps:
             self.empty.setText(self.tr("No gap matches these filters."))
         else:
@@ -260,7 +261,7 @@ class Gaps(QObject):
         super().__init__(parent)
         self._tasks, self.page = tasks, page
         self._player: Player | None = None
-        self._reading = LatestJob(self.tr("Listing the gaps"), self)
+        self._reading = LatestJob(self.tr("Finding gaps"), self)
         page.limit_changed.connect(self._read)
         page.fill_asked.connect(self.fill)
         page.sought.connect(self._seek)
@@ -302,7 +303,7 @@ class Gaps(QObject):
         path, page = found.path, self.page
         lengths = page.longest.value(), page.limit.value()
         job = fill_job(path, gaps, page.method.currentData(), *lengths)
-        title = self.tr("Filling gaps of {}").format(path.name)
+        title = self.tr("Filling gaps in {}").format(path.name)
         self._tasks.run(title, job, lambda made: self._filled(path, made), self.ended.emit)
 
     def _filled(self, source: Path, made: FilledSession) -> None:

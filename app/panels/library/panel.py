@@ -204,7 +204,7 @@ class LibraryPanel(Panel):
         first = opened_first and not self.table.hasFocus()
         paths = (opened or chosen) if first else (chosen or opened)
         if not paths:
-            self.host.error.emit(self.tr("Choose a session in the library to export it."))
+            self.host.error.emit(self.tr("Select a session in the library to export it."))
             return
         self.ask_export_of(paths)
 
@@ -221,7 +221,7 @@ class LibraryPanel(Panel):
         row = self.selected()
         path = row.path if row is not None else next(iter(self._opened_paths()), None)
         if path is None:
-            self.host.error.emit(self.tr("Choose a session in the library to track it again."))
+            self.host.error.emit(self.tr("Select a session in the library to track it again."))
             return
         dialog = TrackDialog(path, self)
         dialog.wanted.connect(self._comparing.track_again)
@@ -231,7 +231,7 @@ class LibraryPanel(Panel):
         """Compare the two selected sessions, the older one first; ``beside``: as two takes."""
         rows = self.table.selected()
         if len(rows) != 2:
-            self.host.error.emit(self.tr("Choose two sessions in the library."))
+            self.host.error.emit(self.tr("Select two sessions in the library."))
         elif beside:
             self._comparing.side_by_side(rows[1].path, rows[0].path)
         else:
@@ -243,7 +243,7 @@ class LibraryPanel(Panel):
         """Make a session of the part between in and out point of the one that is open."""
         part = self.transport.range()
         if self._player is None or part is None:
-            text = self.tr("Mark the part first: I where it begins, O where it ends.")
+            text = self.tr("Mark a range first: press I at its start and O at its end.")
             self.host.error.emit(text)
         else:
             self.files.crop(self._player.path, part)

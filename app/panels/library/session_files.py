@@ -47,7 +47,7 @@ class SessionFiles(QObject):
 
     def ask_tags(self, paths: Sequence[Path]) -> None:
         """The words of the first one are offered; all of them get what is written."""
-        words = self.tr("Tags, with commas between")
+        words = self.tr("Tags, separated by commas")
         title = self.tr("Tags of {}").format(paths[0].name)
         if len(paths) > 1:
             title = self.tr("Tags of {} sessions").format(len(paths))
@@ -119,7 +119,7 @@ class SessionFiles(QObject):
 
         def done(out: Path) -> None:
             length = duration_text(part[1] - part[0])
-            text = self.tr("{} holds the chosen {} of {}.").format(out.name, length, path.name)
+            text = self.tr("{} contains the selected {} of {}.").format(out.name, length, path.name)
             self.made.emit(out, text)
 
         title = self.tr("Cropping {}").format(path.name)
@@ -131,7 +131,7 @@ class SessionFiles(QObject):
         if request is not None and request.path == path:
             raise FileError(tr("{} is being recorded.").format(path.name))
         if setup is not None and setup.player is not None and setup.player.path == path:
-            raise FileError(tr("{} is open: close it first (Ctrl+W).").format(path.name))
+            raise FileError(tr("{} is open. Close it first (Ctrl+W).").format(path.name))
         return path
 
     def _try(self, work: Callable[[], T]) -> T | None:

@@ -76,7 +76,7 @@ class SessionPage(QWidget):
             self.buttons[key] = QPushButton(text)
             self.buttons[key].clicked.connect(partial(self._ask, key))
             line.add(self.buttons[key])
-        self.buttons["compare"].setToolTip(self.tr("Choose two sessions of one movement"))
+        self.buttons["compare"].setToolTip(self.tr("Select two sessions of the same movement"))
         line.add(self._more())
         return line
 
@@ -84,7 +84,7 @@ class SessionPage(QWidget):
         self.menu = QMenu(self)
         self.actions_of: dict[str, QAction] = {}
         for key, text, shortcut in (
-            ("beside", self.tr("Two takes side by side"), ""),
+            ("beside", self.tr("Two recordings side by side"), ""),
             *((key, title, "") for key, title in self._further.items()),
             ("rename", self.tr("Rename…"), "F2"),
             ("tags", self.tr("Tags…"), "Ctrl+T"),

@@ -43,8 +43,8 @@ class TrackDialog(QDialog):
         self.colours = self._choice("colours")
         self.settings = QComboBox()
         self.settings.addItem(self.tr("as recorded"), "")
-        self.settings.addItem(self.tr("the usual ones"), USUAL)
-        self.smooth = QCheckBox(self.tr("every estimate knows the whole session (chain)"))
+        self.settings.addItem(self.tr("default"), USUAL)
+        self.smooth = QCheckBox(self.tr("use the whole session for every estimate (chain)"))
         column = QVBoxLayout(self)
         column.addWidget(self._about())
         column.addLayout(self._form())
@@ -54,8 +54,9 @@ class TrackDialog(QDialog):
     def _about(self) -> QLabel:
         about = QLabel(
             self.tr(
-                "The recorded sensor data go through tracking again. The result becomes a session "
-                "of its own beside this one; both are then shown together and compared."
+                "Tracks the recorded sensor data again and saves the result as a new "
+                "session in the "
+                "same folder. Both sessions are then shown together and compared."
             )
         )
         about.setWordWrap(True)

@@ -57,7 +57,7 @@ class TransportBar(QWidget):
         self.position = QLabel()
         self.live_button = QToolButton()
         self.live_button.setText(self.tr("Live"))
-        self.live_button.setToolTip(self.tr("Back to the live hand (Ctrl+L)"))
+        self.live_button.setToolTip(self.tr("Return to live tracking (Ctrl+L)"))
         self.live_button.clicked.connect(self.live_asked)
         self.live_button.hide()
         row = QHBoxLayout()
@@ -65,7 +65,7 @@ class TransportBar(QWidget):
         row.addWidget(self.live_button)
         row.addWidget(self._buttons(), 1)
         self.interpolated = QLabel(f"{INTERPOLATED.sign} {tr(INTERPOLATED.word)}")
-        self.interpolated.setToolTip(self.tr("A gap that was filled: not measured"))
+        self.interpolated.setToolTip(self.tr("A filled gap: interpolated, not measured"))
         self.interpolated.hide()
         row.addWidget(self.interpolated)
         row.addWidget(self.position)
@@ -78,14 +78,14 @@ class TransportBar(QWidget):
         row = OneLine()
         buttons = (
             (self.play_button, self.tr("Pause"), self.tr("Ctrl+Space"), self.toggle),
-            (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
-            (QToolButton(), "▸", self.tr("The next image (.)"), lambda: self.step(1)),
-            (QToolButton(), "◂✎", self.tr("The note before (Ctrl+,)"), lambda: self.jump(-1)),
-            (QToolButton(), "✎▸", self.tr("The next note (Ctrl+.)"), lambda: self.jump(1)),
-            (QToolButton(), self.tr("In"), self.tr("Begin the range here (I)"), self.set_in),
-            (QToolButton(), self.tr("Out"), self.tr("End the range here (O)"), self.set_out),
-            (QToolButton(), self.tr("Whole"), self.tr("No range"), self.clear_range),
-            (self.loop_button, self.tr("Loop"), self.tr("Play the range over (L)"), self._loop),
+            (QToolButton(), "◂", self.tr("Previous image (,)"), lambda: self.step(-1)),
+            (QToolButton(), "▸", self.tr("Next image (.)"), lambda: self.step(1)),
+            (QToolButton(), "◂✎", self.tr("Previous note (Ctrl+,)"), lambda: self.jump(-1)),
+            (QToolButton(), "✎▸", self.tr("Next note (Ctrl+.)"), lambda: self.jump(1)),
+            (QToolButton(), self.tr("In"), self.tr("Set the start of the range (I)"), self.set_in),
+            (QToolButton(), self.tr("Out"), self.tr("Set the end of the range (O)"), self.set_out),
+            (QToolButton(), self.tr("Whole"), self.tr("Clear the range"), self.clear_range),
+            (self.loop_button, self.tr("Loop"), self.tr("Repeat the range (L)"), self._loop),
         )
         for button, text, tip, slot in buttons:
             button.setText(text)

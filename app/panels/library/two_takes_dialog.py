@@ -85,7 +85,7 @@ class TwoTakesDialog(QDialog):
         super().__init__(parent)
         self.takes = takes
         names = takes.first.path.stem, takes.second.path.stem
-        self.setWindowTitle(self.tr("{} beside {}").format(*names))
+        self.setWindowTitle(self.tr("{} and {}").format(*names))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(820, 640)
         self.figures = QLabel()
@@ -140,23 +140,25 @@ class TwoTakesDialog(QDialog):
         self.offset.setSingleStep(FRAME_S)
         self.offset.setSuffix(self.tr(" s"))
         self.offset.setKeyboardTracking(False)
-        self.offset.setAccessibleName(self.tr("The second begins at"))
+        self.offset.setAccessibleName(self.tr("Second recording starts at"))
         self.offset.valueChanged.connect(self.set_offset)
         self.clock_button = QPushButton(self.tr("By clock"))
-        self.clock_button.setToolTip(self.tr("As the computers' clocks had it"))
+        self.clock_button.setToolTip(self.tr("Align the recordings by the computers' clocks"))
         self.clock_button.setEnabled(self.takes.by_clock is not None)
         self.clock_button.clicked.connect(lambda: self.set_offset(self.takes.by_clock or 0.0))
         self.starts_button = QPushButton(self.tr("Both from their start"))
         self.starts_button.clicked.connect(lambda: self.set_offset(0.0))
         self.movement_button = QPushButton(self.tr("By movement"))
-        self.movement_button.setToolTip(self.tr("Where the angles of both fit best"))
+        self.movement_button.setToolTip(
+            self.tr("Align the recordings by the best match of their joint angles")
+        )
         self.movement_button.clicked.connect(self._by_movement)
         self.keep_button = QPushButton(self.tr("Keep"))
-        self.keep_button.setToolTip(self.tr("Begin there the next time; for compare --align too"))
+        self.keep_button.setToolTip(self.tr("Save this alignment; compare --align uses it, too"))
         self.keep_button.clicked.connect(self._keep)
         row = QHBoxLayout()
         row.addWidget(self.joint, 1)
-        row.addWidget(QLabel(self.tr("The second begins at")))
+        row.addWidget(QLabel(self.tr("Second recording starts at")))
         buttons = self.clock_button, self.movement_button, self.starts_button, self.keep_button
         for widget in (self.offset, *buttons):
             row.addWidget(widget)
@@ -170,7 +172,7 @@ class TwoTakesDialog(QDialog):
             self.figures.setText(error_text(error))
             return
         self.set_offset(found.offset)
-        told = self.tr("{} Correlation {:.2f}, elsewhere {:.2f} at most.")
+        told = self.tr("{} Correlation {:.2f}; at most {:.2f} elsewhere.")
         text = told.format(self.figures.text(), local(found.correlation), local(found.elsewhere))
         self.figures.setText(text)
 
@@ -180,7 +182,7 @@ class TwoTakesDialog(QDialog):
         except GlovetrackError as error:
             self.figures.setText(error_text(error))
             return
-        self.figures.setText(self.tr("Kept in {}.").format(path.name))
+        self.figures.setText(self.tr("Saved to {}.").format(path.name))
 
     def set_offset(self, offset: float) -> None:
         """Where on the first one's axis the second begins, s."""
@@ -208,7 +210,7 @@ class TwoTakesDialog(QDialog):
     def _show(self) -> None:
         name = self.joint.currentData()
         if name is None:
-            self.figures.setText(self.tr("The takes have no joint angle in common."))
+            self.figures.setText(self.tr("The recordings have no joint angle in common."))
             return
         t, first, t_second, second = self.takes.curves(name, self._offset)
         difference = self.takes.difference(name, self._offset)

@@ -43,7 +43,7 @@ class MotionPanel(Panel):
         self._store = store
         self.model: MotionModel | None = None
         self._setup: EngineSetup | None = None
-        self._reading = LatestJob(self.tr("Measuring the take"), self)
+        self._reading = LatestJob(self.tr("Measuring the recording"), self)
         self._turn = 0
         self.table, self.plot = MotionTable(), MotionPlot()
         self.controls = MotionControls(store.value.angle_unit)
@@ -94,7 +94,7 @@ class MotionPanel(Panel):
                 break
         self.controls.enable(True)
         if setup.player is not None:
-            self.message.show_message(self.tr("Reading the whole take…"))
+            self.message.show_message(self.tr("Reading the whole recording…"))
             side = setup.side if setup.others else ""
             self._reading.run(read_motion(setup.player.path, side), self._use_take)
 

@@ -57,8 +57,12 @@ class MotionTable(QTableWidget):
         super().__init__(0, 8, parent)
         self.setHorizontalHeaderLabels(
             [
-                self.tr("Angle or distance"), "", self.tr("Now"), self.tr("In its range"),
-                self.tr("Least"), self.tr("Greatest"), self.tr("Range"), self.tr("Fastest / s"),
+                self.tr("Angle or distance"), "", self.tr("Now"), self.tr(
+                                                                          "Position in range"
+),
+                self.tr("Minimum"), self.tr("Maximum"), self.tr("Range"), self.tr(
+                                                                                 "Peak speed / s"
+),
             ]
         )  # fmt: skip
         self.verticalHeader().hide()
@@ -143,9 +147,9 @@ class MotionControls(OneLine):
         self.ends = QComboBox(), QComboBox()
         self.ends[0].setAccessibleName(self.tr("Distance from"))
         self.ends[1].setAccessibleName(self.tr("Distance to"))
-        self.measure = QPushButton(self.tr("Measure this distance"))
+        self.measure = QPushButton(self.tr("Add this distance"))
         self.remove = QPushButton(self.tr("Remove"))
-        self.remove.setToolTip(self.tr("Measure the chosen distances no more"))
+        self.remove.setToolTip(self.tr("Remove the selected distances"))
         self.units = QComboBox()
         self.units.setAccessibleName(self.tr("Unit of angles"))
         self.units.addItem(self.tr("Degrees"), "deg")

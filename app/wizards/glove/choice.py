@@ -43,7 +43,7 @@ class ChoicePage(QWidget):
         self.ports, self.side = QComboBox(), QComboBox()
         self.gloves, self.hands = QComboBox(), QComboBox()
         self.wearers = QComboBox()
-        self.wearers.addItem(self.tr("Somebody new"), "")
+        self.wearers.addItem(self.tr("New wearer"), "")
         for name in wearers:
             self.wearers.addItem(name, name)
         self.again = QPushButton(self.tr("&Search again"))
@@ -54,7 +54,7 @@ class ChoicePage(QWidget):
         self.words.setWordWrap(True)
         self.words.setProperty("role", "faint")
         self.speed = QComboBox()
-        self.speed.addItem(self.tr("Whichever it answers at"), 0)
+        self.speed.addItem(self.tr("Automatic"), 0)
         for baud in BAUDS:
             self.speed.addItem(self.tr("{} baud").format(baud), baud)
         self.speed.setCurrentIndex(max(0, self.speed.findData(settings.baud)))
@@ -203,7 +203,7 @@ class ChoicePage(QWidget):
                 self.ports.addItem(_title(report), report.path)
         if before not in ("", SESSION, SIMULATED) and self.ports.findData(before) < 0:
             self.ports.addItem(before, before)  # it may come back, and is not on every list
-        self.ports.addItem(self.tr("Simulated glove (plays along)"), SIMULATED)
+        self.ports.addItem(self.tr("Simulated glove (for practice)"), SIMULATED)
         self.ports.setCurrentIndex(max(0, self.ports.findData(before)))
         self.ports.blockSignals(False)
         self.words.setText("\n".join(_remarks(reports, self.port())))
@@ -214,7 +214,7 @@ class ChoicePage(QWidget):
 def _title(report: PortReport) -> str:
     hello = report.hello
     if hello is None:
-        return tr("{}: a glove that is sending").format(report.path)
+        return tr("{}: a glove that sends data").format(report.path)
     if report.baud == BAUD:
         return tr("{}: glove {}, {} IMUs").format(report.path, hello.glove_id, hello.imu_count)
     words = tr("{}: glove {}, {} IMUs, {} baud")

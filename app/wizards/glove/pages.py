@@ -150,7 +150,7 @@ class WigglePage(QWidget):
         self._grid = QGridLayout()
         self._grid.setColumnStretch(1, 1)
         self._bars: list[QProgressBar] = []
-        self.table = CheckTable((self.tr("IMU"), self.tr("State"), self.tr("What was found")), 1)
+        self.table = CheckTable((self.tr("IMU"), self.tr("State"), self.tr("Result")), 1)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -209,11 +209,11 @@ class WigglePage(QWidget):
 
     def _show_motion(self, recent: Sequence[ImuSample]) -> None:
         if self._models is None or not recent:
-            self.now.setText(self.tr("No samples come."))
+            self.now.setText(self.tr("No data received."))
             return
         shares, rows = motion_rows(recent)
         for bar, share in zip(self._bars, shares, strict=False):
             bar.setValue(round(100 * float(share)))
         names = [spoken(self._models[1].imu_names[i]) for i in rows]
         moves = ", ".join(names) or self.tr("nothing")
-        self.now.setText(self.tr("Moves now: {}").format(moves))
+        self.now.setText(self.tr("Moving: {}").format(moves))

@@ -162,7 +162,7 @@ class GloveSetup(QDialog):
         """``then`` is called once the port is free for others."""
         feed, self._feed = self._feed, None
         if feed is not None:
-            title = self.tr("Freeing the glove's port")
+            title = self.tr("Releasing the glove's port")
             self._tasks.run(title, lambda _progress: feed.stop(), ended=then)
         elif then is not None:
             then()

@@ -31,12 +31,12 @@ class GuidedResultPage(OutcomePage):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         names = (self.tr("Measured"), self.tr("Before"), self.tr("After"), self.tr("Change"))
-        self.name_columns(self.tr("What was learned"), names, wide=0)
+        self.name_columns(self.tr("Result"), names, wide=0)
         self.keep_button = QPushButton(self.tr("&Keep"))
         self.keep_button.setDefault(True)
         self.keep_button.clicked.connect(self.keep)
         self.undo_button = QPushButton(self.tr("&Undo"))
-        self.undo_button.setToolTip(self.tr("Forget what these poses have taught"))
+        self.undo_button.setToolTip(self.tr("Discard the result of these poses"))
         self.undo_button.clicked.connect(self.undo)
         self.lay_out(self.undo_button, self.keep_button)
 
@@ -59,7 +59,7 @@ class GuidedResultPage(OutcomePage):
 
     def show_nothing(self, words: str) -> None:
         """There is nothing to be kept."""
-        self.tell(self.tr("Nothing was learned"), words)
+        self.tell(self.tr("The calibration has not changed"), words)
         self.enable(False)
         self.again_button.setEnabled(True)
 
@@ -70,9 +70,9 @@ class LeadPage(LeadingPage):
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
         super().__init__(setup, background, parent)
         self.word = self.label("word")
-        self.sound.setToolTip(self.tr("A beep when a pose has been held"))
-        self.insist = QPushButton(self.tr("I &hold it (Enter)"))
-        self.insist.setToolTip(self.tr("Where the pose is held and the ring does not believe it"))
+        self.sound.setToolTip(self.tr("Beep when a pose has been held"))
+        self.insist = QPushButton(self.tr("Accept &hold (Enter)"))
+        self.insist.setToolTip(self.tr("Accept the pose although the ring has not detected it"))
         self.insist.setProperty("role", "primary")
         self.skip = QPushButton(self.tr("Skip (S)"))
         self.repeat = QPushButton(self.tr("Repeat (R)"))
@@ -92,8 +92,9 @@ class LeadPage(LeadingPage):
             self.words.setText(self.tr("Hold eight poses, each for two seconds"))
             self.notes.setText(
                 self.tr(
-                    "They show the tracking how your fingers and your thumb bend. It takes half a "
-                    "minute. Do with the glove what the hand on the left does."
+                    "The poses measure how your fingers and thumb bend. Copy the hand on "
+                    "the left. It "
+                    "takes half a minute."
                 )
             )
         else:

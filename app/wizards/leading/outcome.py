@@ -33,7 +33,7 @@ class OutcomePage(QWidget):
         for label in (self.heading, self.words):
             label.setWordWrap(True)
         self.table = QTableWidget()
-        self.again_button = QPushButton(self.tr("&Once more"))
+        self.again_button = QPushButton(self.tr("Rep&eat"))
         self.again_button.clicked.connect(self.again)
         self.buttons = [self.again_button]
 

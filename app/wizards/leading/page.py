@@ -44,7 +44,7 @@ class HoldRing(QWidget):
         """``share`` 0..1 of the ring in ``colour``."""
         self.share = min(max(share, 0.0), 1.0)
         self._full = QColor(colour)
-        self.setAccessibleName(self.tr("held to {} %").format(round(100 * self.share)))
+        self.setAccessibleName(self.tr("held for {} % of the time").format(round(100 * self.share)))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -86,7 +86,7 @@ class PoseStage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.view)
-        self._skins = LatestJob(self.tr("Making the hand's skin"), self)
+        self._skins = LatestJob(self.tr("Generating the hand mesh"), self)
 
         def make(_progress: JobProgress) -> HandSkin:
             return HandSkin(setup.hand, setup.glove)

@@ -92,7 +92,7 @@ class BoardPage(QWidget):
         form.addRow(self.tr("Squares a&cross"), self.columns)
         form.addRow(self.tr("Squares &down"), self.rows)
         form.addRow(self.tr("Side of a &square, measured"), self.square_mm)
-        form.addRow(self.tr("Lenses &apart, if known"), self.baseline_mm)
+        form.addRow(self.tr("B&aseline, if known"), self.baseline_mm)
         form.addRow(self.tr("&Images from"), self.images)
         self.save = QPushButton(self.tr("Save the board for printing…"))
         self.save.clicked.connect(self._ask_save)
@@ -110,9 +110,11 @@ class BoardPage(QWidget):
         row.addWidget(self.preview, 1)
 
     def _import_box(self) -> QGroupBox:
-        box = QGroupBox(self.tr("A calibration is there already"))
+        box = QGroupBox(self.tr("Import an existing calibration"))
         words = QLabel(
-            self.tr("It is checked as strictly as one made here, and can be tried on the board.")
+            self.tr(
+                "It is checked as strictly as a new calibration, and can be tested with the board."
+            )
         )
         words.setWordWrap(True)
         words.setProperty("role", "faint")

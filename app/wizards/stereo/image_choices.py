@@ -40,7 +40,7 @@ class SessionImages:
     def read(self) -> Pair | None:
         setup = self.host.setup
         if setup is None:
-            raise DeviceError(tr("The camera in use was closed: start glove and camera again."))
+            raise DeviceError(tr("The camera was closed. Start glove and camera again."))
         unfit = setup.camera.device.unfit if setup.camera.device is not None else None
         if unfit is not None:  # a calibration of another camera: here it gets its own
             return self._once(unfit.pair)
@@ -121,7 +121,7 @@ def image_choices(
     ]
     if settings.camera:
         words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " + ")
-        chosen = choice(tr("Chosen camera: {}").format(words), settings.camera)
+        chosen = choice(tr("Selected camera: {}").format(words), settings.camera)
         make = chosen.make
         found.insert(0, replace(chosen, make=lambda spec: ChosenImages(host, make(spec))))
     if camera_in_use(host):

@@ -104,7 +104,7 @@ class ResultPage(QWidget):
         found = problems(solution, cover, baseline)
         look = BAD if found else GOOD
         verdict = (
-            self.tr("Refused") if found else self.tr("Calibrated: now check it on fresh views")
+            self.tr("Rejected") if found else self.tr("Calibrated. Now check it on new views.")
         )
         self.words.setText(f"{look.sign}  {verdict}")
         self._show_reasons([notice_text(problem) for problem in found])

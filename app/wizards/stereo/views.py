@@ -214,13 +214,13 @@ class CheckPage(QWidget):
         self.show_views(())
 
     def _name_columns(self, one_camera: bool) -> None:
-        off = self.tr("Corners are off by") if one_camera else self.tr("Rows differ by")
+        off = self.tr("Corner error") if one_camera else self.tr("Row difference")
         self.table.setHorizontalHeaderLabels([self.tr("View"), off])
 
     def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
         """The latest exposure through the rig, and the fresh views so far."""
         if seen is None:
-            self.images.wait(trouble or self.tr("Show the board once more."))
+            self.images.wait(trouble or self.tr("Show the board again."))
         elif seen is not self._seen:
             self._seen = seen
             self._show_images(seen)
@@ -257,7 +257,7 @@ class CheckPage(QWidget):
             strict=True,
         ):
             if image is None or image.shape[:2] != (camera.height, camera.width):
-                widget.set_placeholder(self.tr("The image has another size."))
+                widget.set_placeholder(self.tr("The image has a different size."))
                 widget.show_image(None)
             else:
                 widget.show_image(_rectified(image, maps), lines)

@@ -57,7 +57,7 @@ class ApplicationsPanel(Panel):
         self._bodies: tuple[HandBodies, ApplicationBodies] | None = None
         self._forms = DrawingForms()
         self._skin: HandSkin | None = None
-        self._skins = LatestJob(self.tr("Making the hand's skin"), self)
+        self._skins = LatestJob(self.tr("Generating the hand mesh"), self)
         self._skins.failed.connect(host.error)
         self._to_fit = False
         self.form = SettingsForm()
@@ -248,7 +248,7 @@ class ApplicationsPanel(Panel):
     def _caption(self, scene: HandScene | None) -> str:
         if scene is None:
             return self.tr("No hand yet")
-        making = "" if self._skin is not None else self.tr("The hand's skin is being made…")
+        making = "" if self._skin is not None else self.tr("Generating the hand mesh…")
         return " · ".join(filter(None, (scene.caption, making)))
 
     def _draw(self, scene: HandScene | None) -> None:
