@@ -1,4 +1,4 @@
-"""Asks what may go into a bug report, and says in words what it will hold."""
+"""A dialog that asks what a bug report may contain, and lists its contents."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from app.platform.bug_report import Choice, contents
 
 
 class BugReportDialog(QDialog):
-    """Says ``wanted(path, choice)``; nothing leaves the computer."""
+    """``wanted(path, choice)`` is emitted when the user saves the report; nothing is sent."""
 
     wanted = Signal(object, object)  # Path, Choice
 

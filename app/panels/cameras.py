@@ -1,4 +1,4 @@
-"""Both images, with what was found in them and where markers were expected."""
+"""Both camera images, with detections and predicted markers."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class CamerasPanel(Panel):
         self.right = ImageView(self.tr("Right"), self._waiting)
         self._shown: object = None
         self._alone = False
-        self._view: Snapshot | None = None  # what is shown, or held while frozen
+        self._view: Snapshot | None = None  # displayed snapshot; constant while frozen
         self.hue_boxes: dict[str, QToolButton] = {}
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
@@ -61,7 +61,7 @@ class CamerasPanel(Panel):
     # --- controls
 
     def _add_layers(self) -> None:
-        """A box for each layer of the overlay, behind one button."""
+        """Add a check box for each layer of the overlay, behind one button."""
         self.more = MoreButton(self.tr("Layers"), "layers")
         self.more.setToolTip(self.tr("Choose what is drawn over the images"))
         self._controls.add(self.more)
@@ -102,7 +102,7 @@ class CamerasPanel(Panel):
             self.more.add(box)
 
     def _add_views(self) -> None:
-        """What is shown of the images."""
+        """Add the image views and their options."""
         self.masks = QCheckBox(self.tr("Masks"))
         self.masks.setToolTip(
             self.tr("Show the pixels of each marker colour; each colour has its own switch")
@@ -128,7 +128,7 @@ class CamerasPanel(Panel):
             self._controls.add(widget)
 
     def _open(self, setup: EngineSetup) -> None:
-        """A switch for each hue of the profile."""
+        """Add a switch for each hue of the profile."""
         self._view = None
         self.freeze.setChecked(False)
         for box in self.hue_boxes.values():
@@ -156,17 +156,18 @@ class CamerasPanel(Panel):
         return Layers(**{name: box.isChecked() for name, box in self._layer_boxes.items()})
 
     def _drawn_layers(self, view: Snapshot) -> Layers:
-        """None of them while the computer is too slow."""
+        """The selected layers; none while the system is overloaded."""
         return NO_LAYERS if view.shed >= Shed.OVERLAYS else self.layers()
 
     def _shown_hues(self) -> tuple[str, ...] | None:
-        """Names of the hues whose masks are wanted; None for the image itself."""
+        """Names of the hues whose masks are shown; None to show the image."""
         if not self.masks.isChecked():
             return None
         return tuple(name for name, box in self.hue_boxes.items() if box.isChecked())
 
     def _handled(self, by_hand: ImageView, other: ImageView) -> None:
-        """Who moves an image does not want it moved; both show the same part."""
+        """Stop following the hand after the user moved an image; apply the move to the other
+        one."""
         other.show_like(by_hand)
         with QSignalBlocker(self.follow):
             self.follow.setChecked(False)
@@ -181,7 +182,7 @@ class CamerasPanel(Panel):
         self._redraw()
 
     def _show_sides(self, alone: bool) -> None:
-        """The images that were chosen; there is nothing to choose of one camera ``alone``."""
+        """Show the selected images. With a single camera (``alone``) there is no selection."""
         choice = self.sides.currentIndex()
         self._alone = alone
         self.sides.setVisible(not alone)
@@ -203,7 +204,7 @@ class CamerasPanel(Panel):
             return
         if not self.freeze.isChecked() or self._view is None:
             self._view = view
-        else:  # masks of a held image are those of the colours as they are now
+        else:  # masks of a frozen image use the current colours
             self._view = replace(self._view, setup=view.setup)
         alone = view.setup.camera.is_single(view.frame)
         if alone != self._alone:
@@ -211,7 +212,7 @@ class CamerasPanel(Panel):
         self._redraw()
 
     def _redraw(self) -> None:
-        """Show the latest or the held image, unless just this stands there already."""
+        """Draw the latest or the frozen image, unless it is already displayed."""
         view = self._view
         if view is None or view.frame is None:
             return
@@ -239,7 +240,7 @@ class CamerasPanel(Panel):
                     widget.fit()
 
     def _image(self, view: Snapshot, image: Image | None, right: bool) -> Image:
-        """The image or its masks; black where the file holds none."""
+        """The image or its masks; black if the file contains no image."""
         hues = self._shown_hues()
         if image is None:
             camera = view.setup.camera.rig.right if right else view.setup.camera.rig.left

@@ -18,7 +18,7 @@ from app.viewmodels.set_up_steps import SettledSteps, SetUpStep, images_arrive, 
 from app.widgets.measures import APART, NEAR
 
 TOP = Qt.AlignmentFlag.AlignTop
-REASON = 30  # letters that a line of a reason has at least beside a button
+REASON = 30  # minimum number of characters in a line of a reason next to a button
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
 
@@ -34,7 +34,7 @@ class ChecklistPanel(Panel):
         self._rows: list[_Row] = []
         self.light, self._settled = LightWatch(), SettledSteps()
         self._light_job = LatestJob(self.tr("Measuring the light"), self)
-        self._hue_seen: dict[str, float] = {}  # when each was found last, s
+        self._hue_seen: dict[str, float] = {}  # time at which each was last detected, s
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(APART)
         self._grid.setVerticalSpacing(NEAR)
@@ -74,7 +74,8 @@ class ChecklistPanel(Panel):
         self._place()
 
     def _place(self) -> None:
-        """Buttons next to the reasons, or below them where these would be columns of words."""
+        """Place the buttons next to the reasons, or below them if the reasons would be too
+        narrow."""
         least = self.fontMetrics().horizontalAdvance("x") * REASON
         names = max((row.name_width for row in self._rows), default=0)
         buttons = max((row.button_width for row in self._rows), default=0)
@@ -86,9 +87,9 @@ class ChecklistPanel(Panel):
         self._light_job.shut_down()
 
     def _read_light(self, view: Snapshot | None) -> None:
-        """Have the newest image read in the background, once a second."""
+        """Measure the newest image in the background, once a second."""
         if is_lost(view, "camera"):
-            self.light = LightWatch()  # what was read was of another camera, or of another light
+            self.light = LightWatch()  # measurements of another camera or light do not apply
         if view is None or view.frame is None or not images_arrive(view):
             return
         frame, setup = view.frame, view.setup
@@ -98,7 +99,7 @@ class ChecklistPanel(Panel):
             self._light_job.run(lambda _progress: work(), self.light.took)
 
     def _hues_lately(self, view: Snapshot | None) -> set[str]:
-        """Not every patch faces the camera at every instant."""
+        """Hues detected recently; not every patch faces the camera in every image."""
         if view is None or view.frame is None:
             self._hue_seen.clear()
             return set()
@@ -130,7 +131,7 @@ class _Row:
 
     @property
     def button_width(self) -> int:
-        """0 without a button."""
+        """Width of the button, px; 0 without one."""
         return 0 if self._button.isHidden() else self._button.sizeHint().width()
 
     def show(self, step: SetUpStep, reachable: bool) -> None:
@@ -144,8 +145,8 @@ class _Row:
         self._button.setVisible(bool(step.command) and not step.done)
 
     def place(self, below: bool) -> None:
-        """Put the button ``below`` the reason, or next to it; without a button the reason takes
-        its column too."""
+        """Place the button ``below`` the reason or next to it; without a button the reason takes
+        its column, too."""
         alone = below or self._button.isHidden()
         if self._placed == (below, alone):
             return

@@ -1,4 +1,5 @@
-"""How a package adds a command: a `WindowCommand` of the group ``glovetrack.window_commands``."""
+"""Descriptor with which a package adds a command: a `WindowCommand` of the group
+``glovetrack.window_commands``."""
 
 from __future__ import annotations
 
@@ -17,10 +18,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class CommandContext:
-    """What the window gives to a command that runs.
+    """What a command can use.
 
-    ``show_dialog(name, make)`` shows a dialog, or brings the one of that name to the front.
-    ``recordings``: those that are selected, for a command on recordings.
+    ``show_dialog(name, make)`` shows a dialog, or brings an open one of that name to the front.
+    ``recordings``: the selected recordings, for a command on recordings.
     """
 
     host: EngineHost
@@ -37,13 +38,13 @@ def always(_context: CommandContext) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class WindowCommand:
-    """A command in a menu of the window, or of the recordings in the library.
+    """A command in a menu of the window, or on the recordings in the library.
 
-    ``name`` is the name of its entry point. ``title``: in English, translated where the catalogue
-    has it; ``&`` before the letter that chooses it in the menu. ``on_recordings``: it is listed in
-    the library, for one recording or more; else in a menu of the window, after the command
-    ``after``, or in the menu *Extensions* if that is empty or not known. ``enabled`` is asked when
-    an engine is opened, started, stopped or closed. ``shortcut`` is a Qt key sequence.
+    ``name`` is the name of its entry point. ``title``: in English, translated if the catalogue
+    contains it; ``&`` precedes the mnemonic. ``on_recordings``: listed in the library, for one or
+    more recordings; otherwise in a menu of the window, after the command ``after``, or in the menu
+    *Extensions* if that is empty or unknown. ``enabled`` is called when an engine is opened,
+    started, stopped or closed. ``shortcut`` is a Qt key sequence.
     """
 
     name: str
@@ -57,7 +58,7 @@ class WindowCommand:
 
 @dataclass(frozen=True, eq=False)
 class RecordingAction:
-    """A command on recordings, as the library lists it: title and what runs it."""
+    """A command on recordings as listed in the library: title and callback."""
 
     title: str
     run: Callable[[Sequence[Path]], None]

@@ -1,4 +1,4 @@
-"""Connections as rows: a switch, a port, how it is, and three counts."""
+"""A table of connections: a switch, a port, the state, and three counts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class ConnectionTable(QGridLayout):
     """``boxes``, ``ports`` (of those that have one) and ``cells`` by the connection's name."""
 
     def __init__(self, headings: Sequence[str]) -> None:
-        """``headings``: of the switch, the port, and each of `COLUMNS`."""
+        """``headings``: those of the switch, the port, and each of `COLUMNS`."""
         super().__init__()
         self.boxes: dict[str, QCheckBox] = {}
         self.ports: dict[str, QSpinBox] = {}
@@ -36,7 +36,7 @@ class ConnectionTable(QGridLayout):
         switch: Callable[[str, bool], object],
         set_port: Callable[[str, int], object] | None,
     ) -> None:
-        """A row below the others; both callables get the connection's name first."""
+        """Add a row; both callables get the connection's name as their first argument."""
         i = self.rowCount()
         box = self.boxes[name] = QCheckBox(title)
         box.toggled.connect(partial(switch, name))
@@ -56,12 +56,12 @@ class ConnectionTable(QGridLayout):
             self.addWidget(label, i, j)
 
     def put_at_port(self, name: str, widget: QWidget) -> None:
-        """In place of a port, of a connection that has none."""
+        """Show a widget instead of the port, for a connection without one."""
         row = 1 + list(self.boxes).index(name)  # below the headings
         self.addWidget(widget, row, 1)
 
     def show_wanted(self, name: str, on: bool, port: int | None) -> None:
-        """What is set, without setting it again; a port that is being typed stays."""
+        """Show the settings without emitting changes; a port that is being edited stays."""
         box = self.boxes[name]
         with QSignalBlocker(box):
             box.setChecked(on)

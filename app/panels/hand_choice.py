@@ -1,4 +1,4 @@
-"""Which of two hands a panel of one hand shows: never one of them in silence."""
+"""Selection of the hand that single-hand panels show."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from app.widgets.segments import Segments
 
 
 class HandChoice(QWidget):
-    """*Left hand* and *Right hand* side by side; there while two hands are open.
+    """Buttons *Left hand* and *Right hand*, visible while two hands are open.
 
-    All panels of one hand show the same one, so that they fit together.
+    All single-hand panels show the same hand, so that they are consistent.
     """
 
     def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
@@ -35,7 +35,7 @@ class HandChoice(QWidget):
         host.closed.connect(self.hide)
 
     def _choose(self, host: EngineHost, side: str, _checked: bool = False) -> None:
-        self.actions_of[side].setChecked(True)  # a click on the one that is on leaves it on
+        self.actions_of[side].setChecked(True)  # clicking the checked button leaves it checked
         host.show_hand(side)
 
     def _show(self, setup: EngineSetup) -> None:

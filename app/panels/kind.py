@@ -1,4 +1,5 @@
-"""How a package adds a panel: a `PanelKind` as an entry point of ``glovetrack.panels``."""
+"""Descriptor with which a package adds a panel: a `PanelKind` as an entry point of
+``glovetrack.panels``."""
 
 from __future__ import annotations
 
@@ -24,12 +25,12 @@ LAST = 100
 
 @dataclass(frozen=True, eq=False)
 class PanelServices:
-    """What the window gives to a panel that is made for it.
+    """What a panel can use.
 
     ``host`` opens and runs engines and has signals for what happens. ``store``: the user's
     settings. ``tasks`` runs jobs in the background. ``plan`` and ``record_key``: the next
-    recording. ``outputs`` and ``remote``: streams that are sent and remote control.
-    ``recording_actions``: commands of other packages on recordings, by name.
+    recording. ``outputs`` and ``remote``: streams and remote control. ``recording_actions``:
+    commands of other packages on recordings, by name.
     """
 
     host: EngineHost
@@ -44,10 +45,10 @@ class PanelServices:
 
 @dataclass(frozen=True)
 class Spot:
-    """Where a layout shows a panel: in the left or right column, or below both.
+    """The position of a panel in a layout: in the left or right column, or below both.
 
-    ``group``: the group of tabs in the column, 0 at the top. Tabs of a group are in order of
-    ``tab``; the first one is in front.
+    ``group``: the tab group in the column, 0 at the top. ``tab``: order in the group; the first tab
+    is in front.
     """
 
     area: Literal["left", "right", "below"]
@@ -57,17 +58,17 @@ class Spot:
 
 @dataclass(frozen=True, eq=False)
 class PanelKind:
-    """One kind of panel; the window makes one panel of each kind.
+    """A kind of panel; the window creates one panel of each kind.
 
-    ``name`` is the name of its entry point, and part of the names by which layouts are stored.
-    ``title``: in English, translated where the catalogue has it; ``&&`` shows ``&``.
-    ``shown``: its position in each layout that shows it, by the layout's name: ``set_up``,
-    ``watch``, ``record``, ``look`` (review) and ``all``. In the other layouts it is hidden until
-    it is opened: then next to the panel ``next_to`` or as a tab of the panel ``over``, where
-    that one is shown. ``number``: its position in the View menu and its key, Ctrl+1 to Ctrl+9 and
-    then Ctrl+Alt+1 to Ctrl+Alt+9; 0: at the end and without a key. ``private`` panels may show
-    names of people and are left out of the screenshot in a bug report. ``extra``: what to install
-    with pip where ``make`` raises ImportError.
+    ``name`` is the name of its entry point, and part of the names under which layouts are stored.
+    ``title``: in English, translated if the catalogue contains it; ``&&`` shows ``&``. ``shown``:
+    its position in each layout that shows it, by the layout's name: ``set_up``, ``watch``,
+    ``record``, ``look`` (review) and ``all``. In the other layouts it is hidden until it is opened:
+    then next to the panel ``next_to`` or as a tab of the panel ``over``, if that is visible.
+    ``number``: its position in the View menu and its key, Ctrl+1 to Ctrl+9 and then Ctrl+Alt+1 to
+    Ctrl+Alt+9; 0: at the end and without a key. ``private`` panels may show names of people and are
+    omitted from the screenshot in a bug report. ``extra``: what to install with pip if ``make``
+    raises ImportError.
     """
 
     name: str

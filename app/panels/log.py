@@ -1,4 +1,4 @@
-"""What happened to devices and tracking, in plain words."""
+"""The log: events of devices and tracking."""
 
 from __future__ import annotations
 
@@ -87,6 +87,6 @@ class LogPanel(Panel):
             self._append(entry.line, entry.colour)
 
     def copy(self) -> None:
-        """What is shown now, as text, to the clipboard."""
+        """Copy the visible events as text."""
         entries = self.model.entries(self._kind(), self.search.text())
         QGuiApplication.clipboard().setText("\n".join(e.line for e in entries))

@@ -1,4 +1,4 @@
-"""What every panel of the window is."""
+"""The base class of panels."""
 
 from __future__ import annotations
 
@@ -28,14 +28,15 @@ class PanelColours(Protocol):
 
 
 class Panel(QWidget):
-    """A dock's content. ``refresh`` is called at most every ``period`` seconds, when in sight.
+    """The contents of a dock. ``refresh`` is called at most every ``period`` seconds while it is
+    visible.
 
     ``name`` is that of its `PanelKind`; the window sets it, and the title as its window title.
     """
 
     name = ""
     period = 1 / 30
-    spared_at: Shed | None = None  # from where on it is refreshed less often
+    spared_at: Shed | None = None  # overload level from which on it is refreshed less often
 
     def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,22 +44,22 @@ class Panel(QWidget):
 
     @property
     def works_unseen(self) -> bool:
-        """Whether it is refreshed out of sight too, for work that it has to finish."""
+        """Whether it is also refreshed while hidden, for work that it has to finish."""
         return False
 
     @property
     def needs_low_latency(self) -> bool:
-        """Whether something follows the hand that must not wait for the window's painting."""
+        """Whether a device follows the hand and must not wait for the window's painting."""
         return False
 
     def refresh(self, view: Snapshot | None) -> None:
         """Show ``view``; None while no engine is open. Panels fed by signals need none."""
 
     def show_theme(self, colours: PanelColours) -> None:
-        """Apply the colours that the style sheet does not: of plots and 3D views."""
+        """Apply the colours that the style sheet does not: those of plots and 3D views."""
 
     def shut_down(self) -> None:
-        """Free what Qt does not; called once, before the window goes."""
+        """Free resources that Qt does not; called once before the window closes."""
 
 
 class MessageLabel(QLabel):

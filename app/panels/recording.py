@@ -1,4 +1,4 @@
-"""Recording: names, file, its size and the space left, and the notes."""
+"""The Recording panel: names, file, its size and the space left, and the notes."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ from app.widgets.measures import APART
 from app.words import error_text
 from tracker.base.errors import ConfigError
 
-LEAST_HEIGHT = 110  # px: a heading and two notes
+LEAST_HEIGHT = 110  # px: heading and two notes
 
 
 class NoteList(QTableWidget):
-    """Double-click changes the text, Delete takes the note back."""
+    """A double-click edits a note, Delete removes it."""
 
-    removed = Signal(str, object)  # a sentence, and what undoes it
+    removed = Signal(str, object)  # a message, and a function that undoes the removal
 
     def __init__(self, notes: Notes, recording: Recording, parent: QWidget | None = None) -> None:
         super().__init__(0, 2, parent)
@@ -93,7 +93,7 @@ class NoteList(QTableWidget):
             super().keyPressEvent(event)
 
     def delete(self, row: int) -> None:
-        """Take back the note in a row."""
+        """Remove the note in a row."""
         number = self._numbers[row]
         text = self._notes.standing[number].text
         undo = self._notes.delete(number)
@@ -117,7 +117,7 @@ class RecordingPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(APART, APART, APART, APART)
         column.setSpacing(APART)
-        column.addLayout(self._buttons())  # first: in sight in the lowest dock
+        column.addLayout(self._buttons())  # on top: visible in the lowest dock
         column.addLayout(self._form())
         self.notes = NoteList(host.notes, host.recording)
         column.addWidget(self.notes)
@@ -191,7 +191,7 @@ class RecordingPanel(Panel):
         self.note_text.setPlaceholderText(self.tr("Note (Enter adds it)"))
         self.note_text.returnPressed.connect(self._note)
         self.note_text.textEdited.connect(self._note_begun)
-        self._note_t: float | None = None  # when its first letter was typed
+        self._note_t: float | None = None  # time at which its first character was typed
         row = QHBoxLayout()
         row.addWidget(self.record_button)
         row.addWidget(self.pause_button)
@@ -224,7 +224,7 @@ class RecordingPanel(Panel):
     # --- what the user does
 
     def toggle(self) -> None:
-        """Begin a file, or end it, as the key does."""
+        """Start or stop a recording, as the key does."""
         self._key.press()
 
     def _plan_changed(self) -> None:
@@ -269,7 +269,7 @@ class RecordingPanel(Panel):
         self._enable()
 
     def _close(self) -> None:
-        """The figures of the last recording are not of what is opened next."""
+        """Clear the values of the last recording."""
         for label in (
             self.file_label,
             self.time_label,
@@ -307,7 +307,8 @@ class RecordingPanel(Panel):
             self.host.recording.end(self.tr("Recording stopped: the disk is nearly full."))
 
     def _show_growth(self, path: Path) -> float:
-        """Name, time, size and messages of the file being written; returns its bytes per second."""
+        """Show name, duration, size and messages of the file being written; returns its bytes per
+        second."""
         size = path.stat().st_size if path.exists() else 0
         now = time.monotonic()
         rate = self._rate.add(now, size)

@@ -1,4 +1,4 @@
-"""Who may start, stop and note from outside: a switch, an address and a port for each way in."""
+"""Remote control: a switch, an address and a port for each protocol."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class RemoteBox(QGroupBox):
         return table
 
     def show_state(self) -> None:
-        """As it is now; the command line may have changed it."""
+        """Show the current state, which the command line may have changed."""
         host = self._remote.settings.host
         if not self.address.hasFocus():
             self.address.setText(host)

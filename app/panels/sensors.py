@@ -1,4 +1,5 @@
-"""Gyro, accelerometer and joint angles as scrolling curves, and how the glove and each IMU are."""
+"""Gyroscope, accelerometer and joint angles as scrolling curves, and the state of the glove and
+each IMU."""
 
 from __future__ import annotations
 
@@ -110,7 +111,7 @@ class SensorsPanel(Panel):
             plot.set_colours(colours.base, colours.text)
 
     def _open(self, setup: EngineSetup) -> None:
-        """The IMUs of this glove and the angles of this hand."""
+        """List the IMUs of this glove and the angles of this hand."""
         self._curves = LiveCurves(SPAN)
         self._setup = setup
         self._angle_names = setup.hand.joint_names
@@ -134,11 +135,11 @@ class SensorsPanel(Panel):
     # --- which curves
 
     def _remember(self) -> None:
-        """The next glove, and the next start, show the same."""
+        """Store the selection for the next glove and the next start."""
         self._store.update(curves=str(self.choice.currentData() or ""))
 
     def _choose(self) -> None:
-        """Show the plots of the choice, and a box for each of its curves."""
+        """Show the plots of the selection, and a check box for each of their curves."""
         columns = self._chosen_angles()
         names: Sequence[str] = AXES
         if columns is not None:
@@ -152,7 +153,7 @@ class SensorsPanel(Panel):
         self._shown = {}
 
     def _signals_of(self, columns: list[int] | None) -> dict[str, list[Signal]]:
-        """Of each plot that the choice shows; ``columns`` of angles, None of an IMU."""
+        """The signals of each plot of the selection; ``columns`` of angles, None for an IMU."""
         if self._setup is None:
             return {}
         side = self._setup.side
@@ -164,7 +165,7 @@ class SensorsPanel(Panel):
         return {k: [s for s in chosen if s.column == k][: len(AXES)] for k in kinds}
 
     def _chosen_angles(self) -> list[int] | None:
-        """Columns of the angles to be shown; None while an IMU is chosen."""
+        """Columns of the selected angles; None if an IMU is selected."""
         return self._fingers.get(str(self.choice.currentData()))
 
     def _make_toggles(self, names: Sequence[str]) -> None:
@@ -208,7 +209,7 @@ class SensorsPanel(Panel):
         self._read()
 
     def _show_nothing(self) -> None:
-        """No engine is open."""
+        """Clear the plots while no engine is open."""
         self._curves.clear()
         self._draw()
         for chip in self.chips:
@@ -233,7 +234,8 @@ class SensorsPanel(Panel):
         self._read()
 
     def _read(self) -> None:
-        """The values of the shown curves under the pointer; without it the glove's figures."""
+        """The values of the visible curves under the pointer; without a pointer, the glove's
+        statistics."""
         if self._pointed is None:
             self.figures.setText(self._figures)
             return

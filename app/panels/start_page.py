@@ -1,4 +1,4 @@
-"""What stands in the window before an engine is open."""
+"""The start page, shown before an engine is opened."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from app.viewmodels.recent import MOST, Earlier, RecentSession
 from app.widgets.measures import APART, WIDE
 from app.widgets.scrolled import Scrolled
 
-CARD = 250  # px, of a card's width
-NARROW = 190  # px that it needs at least
+CARD = 250  # px, width of a card
+NARROW = 190  # px, its minimum width
 ROW = 44
 
 
 class StartPage(QWidget):
-    """Three ways in, each with a sentence that says what happens, and what was done lately."""
+    """Three ways to start, each with an explanation, and recent sessions."""
 
     demo = Signal()
     connect_devices = Signal()
@@ -84,12 +84,12 @@ class StartPage(QWidget):
         grid.setColumnStretch(0, 1)
         for i, (title, text, signal) in enumerate(cards):
             grid.addWidget(_card(title, text, signal), 0, i + 1)
-            grid.setColumnStretch(i + 1, CARD)  # all of the room up to its own width
+            grid.setColumnStretch(i + 1, CARD)  # takes all space up to its own width
         grid.setColumnStretch(len(cards) + 1, 1)
         return grid
 
     def _unfinished(self) -> QFrame:
-        """A recording that was cut off, with the button that helps."""
+        """The notice of an interrupted recording, with a button to recover it."""
         self.unfinished = QFrame()
         self.unfinished.setObjectName("card")
         self.unfinished_text = QLabel()
@@ -109,7 +109,9 @@ class StartPage(QWidget):
         self.recent = QListWidget()
         self.recent.setIconSize(QSize(THUMBNAIL_WIDTH, ROW - 4))
         self.recent.setFrameShape(QFrame.Shape.NoFrame)
-        self.recent.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
+        self.recent.setTextElideMode(
+            Qt.TextElideMode.ElideMiddle
+        )  # names often differ only at their ends
         self.recent.setAccessibleName(self.tr("Recent sessions"))
         self.recent.itemClicked.connect(self._chosen)
         self.recent.itemActivated.connect(self._chosen)
@@ -132,7 +134,7 @@ class StartPage(QWidget):
     # --- what it shows
 
     def show_earlier(self, earlier: Earlier) -> None:
-        """What was done lately."""
+        """Show recent sessions and interrupted recordings."""
         self.recent.clear()
         for session in earlier.recent:
             self.recent.addItem(_item(session))
@@ -161,7 +163,7 @@ class StartPage(QWidget):
 
     def _recover(self) -> None:
         if self._cut_off is not None:
-            self.recover_button.setEnabled(False)  # until it has been looked at anew
+            self.recover_button.setEnabled(False)  # until the folder has been read again
             self.recover.emit(self._cut_off)
 
 
@@ -179,7 +181,7 @@ def _item(session: RecentSession) -> QListWidgetItem:
 
 
 def _centred(widget: QWidget) -> QHBoxLayout:
-    """As wide as the cards, in the middle."""
+    """A widget as wide as the cards, centred."""
     widget.setMaximumWidth(3 * CARD + 2 * 16)
     row = QHBoxLayout()
     row.addStretch(1)

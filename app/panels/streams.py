@@ -1,4 +1,4 @@
-"""Live outputs to other programs, and the glove's motors."""
+"""Live streams to other programs, and the vibration motors of the glove."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ MOST, USUAL = 255, 200  # amplitude
 
 
 WIDTH = 90
-"""px of a file's name."""
+"""px, width of a file name."""
 
 
 class RecordFile(QPushButton):
@@ -131,7 +131,7 @@ class StreamsPanel(Panel):
         return row
 
     def _joints(self) -> QComboBox:
-        """What every output tells of the hand."""
+        """The selection of the joints that all streams contain."""
         self.joints = QComboBox()
         self.joints.setAccessibleName(self.tr("Joints"))
         self.joints.setToolTip(
@@ -179,7 +179,7 @@ class StreamsPanel(Panel):
         return table
 
     def _reach(self) -> QLabel:
-        """Who else can receive a stream, of those that the address does not restrict."""
+        """Show which streams other computers can receive, since they do not use the address."""
         kinds = self._outputs.kinds.values()
         lines = [f"{tr(kind.title)}: {tr(kind.note)}." for kind in kinds if kind.note]
         self.reach = QLabel("\n".join(lines))

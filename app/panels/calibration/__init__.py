@@ -1,1 +1,1 @@
-"""What the tracker has learned of the wearer and of the sensors."""
+"""Calibration of the wearer and of the sensors."""

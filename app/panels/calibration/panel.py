@@ -99,13 +99,14 @@ class CalibrationTable(QTableWidget):
         self._widen()
 
     def _widen(self) -> None:
-        """Make room for all headings and figures; never shrinks, so that columns do not jitter."""
+        """Make room for all headings and values. Columns never shrink, so that they do not
+        jitter."""
         header = self.horizontalHeader()
         wanted = (max(header.sectionSizeHint(j), self.sizeHintForColumn(j)) for j in range(1, 5))
         header.setMinimumSectionSize(max(header.minimumSectionSize(), *wanted))
 
     def _item(self, row: int, column: int) -> QTableWidgetItem:
-        """The item of a cell, made where there is none yet."""
+        """The item of a cell, created on first use."""
         there: QTableWidgetItem | None = self.item(row, column)
         if there is not None:
             return there
@@ -198,7 +199,7 @@ class CalibrationPanel(Panel):
         self._draw()
 
     def _show_hand(self, setup: EngineSetup) -> None:
-        """Who wears this glove, and what was learnt of the hand."""
+        """Show the wearer of this glove and the calibration of the hand."""
         self.profiles.show_hand(setup)
         self._draw()
 
@@ -211,18 +212,18 @@ class CalibrationPanel(Panel):
         if view is None or view.calibration is None:
             return
         if view.status is not None and images_alone(view.status):
-            return  # of a camera alone nothing is estimated
+            return  # from a single camera no sizes are estimated
         self.camera_time.setText(camera_time(view.status))
         frozen = self.wearer.frozen.isChecked()
         if view.calibration is self.profiles.worn.latest and frozen == self._drawn_frozen:
-            return  # it is new once a second, and to write all its figures takes 10 ms
+            return  # it changes once a second, and writing all its values takes 10 ms
         self.profiles.worn.latest = view.calibration
         self._alone = by_one_camera(view)
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
 
     def _show_nothing(self) -> None:
-        """There is no calibration."""
+        """Show that there is no calibration."""
         self.length.setText("–")
         self.camera_time.setText("–")
         self.overall.setValue(0)

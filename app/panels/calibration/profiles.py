@@ -1,4 +1,4 @@
-"""What is done with the profiles of those who wear the gloves: put on, kept, taken in, reset."""
+"""Commands on calibration profiles: select, save, import, export, remove, reset."""
 
 from __future__ import annotations
 
@@ -25,11 +25,10 @@ R = TypeVar("R")
 
 
 class WearerProfiles(QObject):
-    """``row`` says what the user wants and shows who wears the glove. ``kept``: the last fit is
-    another one."""
+    """Does what ``row`` requests and shows the wearer in it. ``kept``: the last fit has changed."""
 
     kept = Signal()
-    removed = Signal(str, object)  # a sentence, and what undoes it
+    removed = Signal(str, object)  # a message, and a function that undoes the removal
 
     def __init__(self, host: EngineHost, store: SettingsStore, row: WearerRow) -> None:
         super().__init__(row)
@@ -50,15 +49,15 @@ class WearerProfiles(QObject):
 
     @property
     def worn(self) -> WornCalibration:
-        """Of the hand that is shown."""
+        """The calibration of the hand that is shown."""
         return self._hands.worn
 
     def begin_with(self, profile: Path) -> None:
-        """A profile that is kept and put on by whoever is tracked next."""
+        """Store a profile and select it for the next hand that is tracked."""
         self._first = profile
 
     def open(self, setup: EngineSetup) -> None:
-        """Put on what was worn last, before the engine starts; on the hand that is shown last."""
+        """Select the profile used last before the engine starts; select the displayed hand last."""
         self._row.frozen.setChecked(False)
         hands = [*setup.others, setup]
         self._hands.open(hands)
@@ -71,14 +70,14 @@ class WearerProfiles(QObject):
                 self._put_on(self._row.name, hand)
 
     def show_hand(self, setup: EngineSetup) -> None:
-        """Who wears this glove."""
+        """Show the wearer of this glove."""
         self._show_names(self._hands.show(setup))
 
     def _show_names(self, chosen: str) -> None:
         self._row.set_names(self.worn.names(), chosen)
 
     def _try(self, work: Callable[[], R]) -> R | None:
-        """None where ``work`` fails, which is said."""
+        """The result of ``work``; None after reporting an error."""
         try:
             return work()
         except GlovetrackError as error:
@@ -99,18 +98,18 @@ class WearerProfiles(QObject):
         self._give_profile(self._store.value.engine, self.worn, setup.side)
 
     def _give_profile(self, engine: str, worn: WornCalibration, side: str) -> None:
-        """What the wearer's profile holds, to an engine that can take it."""
+        """Send the profile of the wearer to an engine that accepts profiles."""
         if learns_wearer(engine) and worn.profile is not None:
             self.link.put_on(worn.profile, side)
 
     def _engine_changed(self, name: str) -> None:
-        """A new engine knows nobody."""
+        """Apply the selected profile to a new engine."""
         self._row.frozen.setChecked(False)
         for side, worn in self._hands.by_side.items():
             self._give_profile(name, worn, side)
 
     def wear(self, name: str) -> None:
-        """Put on a kept profile; without a name somebody new wears the glove."""
+        """Select a stored profile; an empty name selects a new wearer."""
         self._remember(name)
         self.worn.take_off()
         if name and self._host.setup is not None:
@@ -120,23 +119,24 @@ class WearerProfiles(QObject):
         self._show_names(self._row.name)
 
     def save(self, name: str) -> None:
-        """Keep what has been learned under a name; the engine is asked for it first."""
+        """Save the calibration under a name, after requesting it from the engine."""
         self.worn.ask_to_save(name)
         self.link.ask()
 
     def keep_learned(self) -> bool:
-        """Keep what poses have taught in the wearer's profile; False where nobody was chosen."""
+        """Save the result of guided poses in the wearer's profile; False if no wearer is
+        selected."""
         if self._row.name:
             self.save(self._row.name)
         return bool(self._row.name)
 
     def export(self, path: Path) -> None:
-        """Write what has been learned to a file; the engine is asked for it first."""
+        """Write the calibration to a file, after requesting it from the engine."""
         self.worn.ask_to_export(path)
         self.link.ask()
 
     def take_in(self, path: Path) -> None:
-        """Keep a profile that was written elsewhere, and put it on."""
+        """Import a profile and select it."""
         layout = self.link.layout()
         name = self._try(lambda: self.worn.take_in(path, layout)) if layout is not None else None
         if name is not None:
@@ -151,7 +151,7 @@ class WearerProfiles(QObject):
             self.kept.emit()
 
     def remove(self, name: str) -> None:
-        """Remove a profile; what the engine has learned stays."""
+        """Remove a profile; the engine's calibration does not change."""
         file = self._try(lambda: self.worn.remove(name))
         if file is None:
             return
@@ -161,7 +161,7 @@ class WearerProfiles(QObject):
         self.removed.emit(text, partial(self._put_back, name, file))
 
     def _put_back(self, name: str, file: RemovedFile) -> None:
-        """Chosen again too, unless another one was chosen meanwhile."""
+        """Select the restored profile again, unless another one has been selected since."""
         try:
             file.put_back()
         except GlovetrackError as error:
@@ -172,6 +172,6 @@ class WearerProfiles(QObject):
         self._show_names(self._row.name or name)
 
     def reset(self, segments: list[str] | None) -> None:
-        """Forget; what was there can be compared with."""
+        """Reset the calibration; the previous one remains available for comparison."""
         if self.link.reset(segments):
             self.worn.forgotten()

@@ -1,4 +1,4 @@
-"""Who wears the glove: the profile that is put on, and what may be done with the calibration."""
+"""Selection of the wearer's profile, and the commands on the calibration."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ from app.widgets.question import answer
 
 PATTERN = "*.toml"
 USUAL_MM = 185.0
-NEW = 0  # row of "somebody new"
+NEW = 0  # row of the entry for a new wearer
 
 
 class WearerRow(OneLine):
-    """Says what the user wants; `CalibrationPanel` does it."""
+    """Emits the user's requests; `CalibrationPanel` executes them."""
 
-    chosen = Signal(str)  # a profile's name; empty for somebody new
+    chosen = Signal(str)  # a profile's name; empty for a new wearer
     save = Signal(str)  # the name to save under
     remove = Signal(str)
     export = Signal(object)  # the Path of the file to be written
-    take_in = Signal(object)  # the Path of a file to be kept and put on
-    measured = Signal(float)  # length of the hand by a ruler, m
-    guided = Signal()  # poses that the wearer holds on request
+    take_in = Signal(object)  # the Path of a profile to be imported and selected
+    measured = Signal(float)  # measured length of the hand, m
+    guided = Signal()  # start the guided poses
     reset = Signal(object)  # a list of one segment, or None for all
     freeze = Signal(bool)
     compare = Signal(bool)
@@ -118,14 +118,14 @@ class WearerRow(OneLine):
         self.remove.emit(self.name)
 
     def ask_name(self) -> None:
-        """A name for what has been learned."""
+        """Ask for the name to save the calibration under."""
         title, words = self.tr("Save the calibration"), self.tr("Who wears the glove?")
         text = answer(self, title, words, self.name)
         if text:
             self.save.emit(text)
 
     def ask_export(self) -> None:
-        """Where to write what has been learned."""
+        """Ask for the file to export the calibration to."""
         path, _ = QFileDialog.getSaveFileName(
             self, self.tr("Export the wearer's profile"), f"{self.name or 'wearer'}.toml", PATTERN
         )
@@ -134,7 +134,7 @@ class WearerRow(OneLine):
             self.export.emit(chosen if chosen.suffix else chosen.with_suffix(".toml"))
 
     def ask_import(self) -> None:
-        """Which file to put on."""
+        """Ask for the profile file to import."""
         path, _ = QFileDialog.getOpenFileName(
             self, self.tr("Import a wearer's profile"), "", PATTERN
         )
@@ -142,7 +142,7 @@ class WearerRow(OneLine):
             self.take_in.emit(Path(path))
 
     def ask_length(self) -> None:
-        """How long the hand is; what was learned of the wearer is begun anew from there."""
+        """Ask for the length of the hand; the calibration restarts with it."""
         words = self.tr("From the crease of the wrist to the tip of the middle finger, mm")
         length_mm, ok = QInputDialog.getDouble(
             self, self.tr("Hand length"), words, USUAL_MM, *HAND_MM, 0
@@ -152,11 +152,11 @@ class WearerRow(OneLine):
 
     @property
     def name(self) -> str:
-        """The profile chosen; empty for somebody new."""
+        """The selected profile; empty for a new wearer."""
         return self.choice.currentText() if self.choice.currentIndex() > NEW else ""
 
     def set_names(self, names: Sequence[str], chosen: str) -> None:
-        """Offer these profiles; ``chosen`` is worn."""
+        """Offer these profiles and select ``chosen``."""
         self.choice.clear()
         self.choice.addItem(self.tr("New wearer"))
         self.choice.addItems(list(names))
@@ -165,7 +165,7 @@ class WearerRow(OneLine):
         self.gone.setEnabled(bool(self.name))
 
     def set_segments(self, segments: tuple[str, ...]) -> None:
-        """Offer to reset each of these."""
+        """Offer to reset each of these segments."""
         if segments == self._segments:
             return
         self._segments = segments
@@ -177,7 +177,8 @@ class WearerRow(OneLine):
             menu.addAction(spoken(name), partial(self.reset.emit, [name]))
 
     def set_available(self, on: bool, guided: bool) -> None:
-        """Off where no engine takes commands; ``guided``: it can be told of poses too."""
+        """Disable the row if the engine takes no commands. ``guided``: it also supports guided
+        poses."""
         for widget in (
             self.choice,
             self.length_button,

@@ -20,11 +20,11 @@ from app.widgets.more_button import MoreButton
 from app.words import error_text, tr
 from tracker.base.errors import GlovetrackError
 
-WIDTH = 320  # px, of the advice
+WIDTH = 320  # px, width of the advice
 
 
 class ColoursFitting(QObject):
-    """``taken``: the tuning has other colours now. ``failed``: why it has not."""
+    """``taken``: the tuning has new colours. ``failed``: why it does not."""
 
     taken = Signal()
     failed = Signal(str)
@@ -32,7 +32,7 @@ class ColoursFitting(QObject):
     def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._tasks = tasks
-        self._unasked = False  # of the fit that waits for images
+        self._unasked = False  # whether the pending fit was started automatically
         self.tuning: ColourTuning | None = None
 
     def fit(self, work_of: Callable[[ColourTuning], FitWork]) -> None:
@@ -47,10 +47,10 @@ class ColoursFitting(QObject):
         self._tasks.run(self.tr("Fitting the colours"), lambda _progress: work(), self._fitted)
 
     def _fitted(self, fit: Fit) -> None:
-        """Nothing found changes nothing."""
+        """Use a fit, unless it found nothing."""
         profile, hues = fit
         if self.tuning is not None and profile is self.tuning.profile:
-            return  # a fit that nobody asked for, refused
+            return  # an automatic fit was rejected
         words = fit_words(hues, profile)
         if self.tuning is not None and hues:
             self.tuning.take(profile, words)
@@ -59,7 +59,7 @@ class ColoursFitting(QObject):
             self.failed.emit(words)
 
     def fit_live(self) -> None:
-        """Fit to the images of the next or last seconds, with the packets around them."""
+        """Fit to the images and packets of the next or last seconds."""
         if self.tuning is None:
             return
         self._unasked = False
@@ -73,7 +73,7 @@ class ColoursFitting(QObject):
             self.tuning.last_words = words
 
     def fit_by_itself(self) -> None:
-        """The same where nobody asked: what is refused then changes nothing and is not told."""
+        """Start an automatic fit; if it is rejected, nothing changes and no message is shown."""
         tuning = self.tuning
         if tuning is None or tuning.setup.player is not None or not tuning.setup.whole:
             return
@@ -83,11 +83,11 @@ class ColoursFitting(QObject):
 
     @property
     def waits(self) -> bool:
-        """Whether images are gathered for a fit."""
+        """Whether images are being collected for a fit."""
         return self.tuning is not None and self.tuning.live.wanted
 
     def gather(self, view: Snapshot) -> None:
-        """Keep images for a fit, and begin one that waits for them."""
+        """Collect images for a fit, and start a pending one when there are enough."""
         tuning = self.tuning
         if tuning is None:
             return
@@ -95,18 +95,19 @@ class ColoursFitting(QObject):
         if tuning.live.wanted and tuning.live.is_enough:
             unasked, self._unasked = self._unasked, False
             if unasked and _is_other_side(view):
-                tuning.live.wanted = False  # it is not the colours that no hand is found by
+                tuning.live.wanted = False  # the colours are not the reason why no hand is found
                 return
             self.fit(lambda t: t.live.fit(t.profile, refuse=not unasked))
 
 
 def _is_other_side(view: Snapshot) -> bool:
-    """Whether the glove was found to be the other hand's."""
+    """Whether the glove was found to be for the other hand."""
     return view.status is not None and bool(view.status.values.get("glove_of_other_side"))
 
 
 class ColoursLight(QWidget):
-    """Reads the image shown beside the window, once a second. ``changed``: there is a reading."""
+    """Measures the displayed image once a second in the background. ``changed``: there is a new
+    result."""
 
     changed = Signal()
     failed = Signal(str)
@@ -117,7 +118,7 @@ class ColoursLight(QWidget):
         self._job = LatestJob(self.tr("Measuring the light"), self)
         self._job.failed.connect(self.failed)
         self.chip = Chip()
-        # each second another word, and what stands beside it stays
+        # fixed width: the text changes every second and must not move its neighbours
         said = self.fontMetrics().horizontalAdvance("● " + tr(SHORT["missed"]))
         self.chip.setFixedWidth(said + 2 * NEAR + TIGHT)
         self.advice = QLabel()
@@ -137,7 +138,7 @@ class ColoursLight(QWidget):
         self._show()
 
     def look_at(self, shown: ShownImage, tuning: ColourTuning) -> None:
-        """Have the image read if it is time."""
+        """Measure the image if it is time."""
         view = shown.view if not shown.frozen else None
         t = view.frame.t if view is not None and view.frame is not None else None
         work = self.watch.work(shown.image, tuning.profile, tuning.setup.camera.rig.fx, t)
@@ -158,7 +159,8 @@ class ColoursLight(QWidget):
         self.advice.setText("\n\n".join(sentences))
 
     def rings(self, shown: ShownImage) -> list[Ring]:
-        """Round missed markers, in the mask's pixels; of an image that stays once it was read."""
+        """Rings around missed markers, in pixels of the mask; for a frozen image once it has been
+        measured."""
         live = shown.view is not None and not shown.frozen
         if not self.show_missed.isChecked() or not (live or self.watch.is_of(shown.image)):
             return []

@@ -1,4 +1,4 @@
-"""The image that colours are tuned on: which one, its mask, and what is found in it."""
+"""The image that colours are tuned on, with its mask and the detected blobs."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from tracker.messages import Blobs
 
 
 class ColoursImage(QWidget):
-    """The half of the panel with the image. ``changed``: another one is shown, or blobs were found.
+    """The part of the panel with the image. ``changed``: the image or its blobs have changed.
 
-    Kept images and those of a replay are searched beside the window: a search takes tens of
+    Stored images and those of a replay are searched in the background: a search takes tens of
     milliseconds.
     """
 
@@ -52,14 +52,14 @@ class ColoursImage(QWidget):
         self.changed.emit()
 
     def refresh(self) -> None:
-        """A replay has gone on: its image is searched, once the one before has been: where images
-        come faster than they are searched none would ever be done."""
+        """Search the next image of a replay after the previous search has finished; restarting on
+        every image would never finish if images arrive faster than they are searched."""
         new = self.tuning is not None and self.tuning.search.is_new(self.shown())
         if new and not self._search.is_busy:
             self.search()
 
     def search(self) -> None:
-        """Have the image searched with the profile as it is now; an earlier search is outdated."""
+        """Search the image with the current profile; discard the result of an earlier search."""
         work = self.tuning.search_work(self.shown()) if self.tuning is not None else None
         if work is None:
             self._search.forget()

@@ -1,4 +1,4 @@
-"""Tuning the colours that markers are found by."""
+"""The Colours panel: tuning of the colours that markers are detected by."""
 
 from __future__ import annotations
 
@@ -23,12 +23,13 @@ from app.viewmodels.colour_picks import Eyedropper, factory_colours
 from app.viewmodels.colour_tuning import ColourTuning
 from app.widgets.measures import NEAR, TIGHT
 
-TWO_COLUMNS = 540  # px of width, more than two columns need at least
-SETTINGS_IMAGES = "pictures"  # the folder's name in the settings of users
+TWO_COLUMNS = 540  # px, minimum width for two columns
+SETTINGS_IMAGES = "pictures"  # folder name in users' settings
 
 
 class TwoHalves(QWidget):
-    """``least`` px of width are needed for two columns; ``shares`` are those of the width."""
+    """Two widgets side by side from ``least`` px of width on, else stacked; ``shares`` of the
+    width."""
 
     def __init__(self, first: QWidget, second: QWidget, least: int, shares: tuple[int, int]):
         super().__init__()
@@ -46,7 +47,7 @@ class TwoHalves(QWidget):
 
 
 class ColoursPanel(Panel):
-    """`ColourTuning` knows what is tuned; from here widgets, files and the engine hear of it."""
+    """Connects `ColourTuning`, which contains the state, with widgets, files and the engine."""
 
     period = 1 / 8
 
@@ -68,7 +69,7 @@ class ColoursPanel(Panel):
         column.setContentsMargins(NEAR, TIGHT, NEAR, TIGHT)
         column.setSpacing(TIGHT)
         least = TWO_COLUMNS - 2 * NEAR
-        head = QHBoxLayout()  # first: what warnings say below moves it nowhere
+        head = QHBoxLayout()  # on top: warnings below must not move it
         head.addWidget(self.tools, 1)
         head.addWidget(self.light)
         column.addLayout(head)
@@ -128,20 +129,20 @@ class ColoursPanel(Panel):
             self._draw()
 
     def _apply(self) -> None:
-        """Give the profile to the engine: the next image is searched with it."""
+        """Send the profile to the engine, which uses it for the next image."""
         if self.tuning is not None:
             self.host.set_profile(self.tuning.profile)
             self._took_over(self.tuning)
 
     def _took_over(self, tuning: ColourTuning, followed: bool = False) -> None:
-        """The engine has the tuning's profile: keep and show it."""
+        """Save and show the profile that the engine now uses."""
         self.keeper.changed(tuning.profile)
         self.ranges.show_range(tuning, followed)
         self.image.search()
         self._draw()
 
     def _follow(self) -> None:
-        """The engine has other colours without anybody's doing: they are tuned from now on."""
+        """Continue with colours that the engine has changed automatically."""
         setup = self.host.setup
         if self.tuning is not None and setup is not None:
             self.tuning.follow(setup.profile)
@@ -156,14 +157,14 @@ class ColoursPanel(Panel):
             self._apply()
 
     def start_again(self) -> None:
-        """The colours that the session began with."""
+        """Restore the colours from the start of the session."""
         if self.tuning is not None:
             words = self.tr("Restored the initial colours of this session.")
             self.tuning.take(self.tuning.setup.profile, words)
             self._apply()
 
     def factory(self) -> None:
-        """The colours that the program comes with; undone like any other change."""
+        """Use the colours shipped with the program; can be undone."""
         if self.tuning is None:
             return
         colours = factory_colours()
@@ -179,7 +180,7 @@ class ColoursPanel(Panel):
             self._apply()
 
     def _pick(self, on: bool) -> None:
-        """An eyedropper is taken up or put down."""
+        """Select or deselect an eyedropper."""
         self.image.mask_view.set_picking(on)
         self._draw()
 
@@ -189,7 +190,7 @@ class ColoursPanel(Panel):
             with_control = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
             dropper = Eyedropper.REMOVE if with_control else self.tools.dropper
             if not self.tuning.pick(image, u, v, dropper or Eyedropper.ADD):
-                self._draw()  # what it asks
+                self._draw()  # shows the question
                 return
             self._apply()
             if self.tuning.all_picked:
@@ -200,7 +201,7 @@ class ColoursPanel(Panel):
         return self.fitting.waits
 
     def check_room(self) -> None:
-        """Take the image shown now for the room without the glove."""
+        """Measure the background in the displayed image, without the glove."""
         image = self.image.source.image()
         if self.tuning is not None and image is not None:
             self.tuning.check_room(image)

@@ -20,7 +20,7 @@ LONGEST = "● 19 of about 9 "
 
 
 class ColoursHues(QWidget):
-    """A button and a chip for each hue."""
+    """A button and a count for each hue."""
 
     chosen = Signal(int)
 
@@ -35,7 +35,7 @@ class ColoursHues(QWidget):
         self._grid.setVerticalSpacing(TIGHT)
 
     def fill(self, names: Sequence[str]) -> None:
-        """Offer these hues."""
+        """Show these hues."""
         for button in self._group.buttons():
             self._group.removeButton(button)
             button.deleteLater()
@@ -52,17 +52,17 @@ class ColoursHues(QWidget):
             self._grid.addWidget(chip, row, 2 * column + 1)
 
     def choose(self, index: int) -> None:
-        """Mark the hue that is tuned."""
+        """Select a hue."""
         self._group.button(index).setChecked(True)
 
     def show_rows(self, rows: Sequence[HueRow]) -> None:
-        """The counts, in the order of `fill`."""
+        """Show the counts, in the order of `fill`."""
         for chip, row in zip(self.chips, rows, strict=True):
             chip.show_state(row.look.colour, row.look.sign, row.count, row.clash or row.tip)
 
 
 class ColoursRanges(QWidget):
-    """The half of the panel with the numbers."""
+    """The part of the panel with the ranges."""
 
     moved = Signal(str, int, int, bool)  # channel, first, last, whether a handle is held
 
@@ -87,7 +87,8 @@ class ColoursRanges(QWidget):
         column.addStretch(1)
 
     def show_range(self, tuning: ColourTuning, followed: bool = False) -> None:
-        """The hue that is tuned; what the engine ``followed`` leaves a field in use alone."""
+        """Show the selected hue. If the engine ``followed`` the light, leave a field that is being
+        edited."""
         self.hues.choose(tuning.hue)
         for channel, row in self.rows.items():
             low, high = getattr(tuning.hue_range, channel)

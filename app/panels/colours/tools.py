@@ -17,7 +17,7 @@ from tracker.base.errors import GlovetrackError
 
 
 class ColoursTools(OneLine):
-    """Buttons that say what is wanted; `ColoursPanel` does it."""
+    """Buttons; `ColoursPanel` executes the requests."""
 
     picking = Signal(bool)
     undo = Signal()
@@ -65,11 +65,11 @@ class ColoursTools(OneLine):
 
     @property
     def dropper(self) -> Eyedropper | None:
-        """The eyedropper in use."""
+        """The selected eyedropper."""
         return next((how for how, button in self._droppers.items() if button.isChecked()), None)
 
     def _toggled(self, button: QToolButton, on: bool) -> None:
-        """One eyedropper at a time."""
+        """Deselect the other eyedroppers."""
         if on:
             for other in self._droppers.values():
                 if other is not button:
@@ -78,7 +78,7 @@ class ColoursTools(OneLine):
 
     @property
     def is_picking(self) -> bool:
-        """With any eyedropper."""
+        """Whether an eyedropper is selected."""
         return self.dropper is not None
 
     @staticmethod
@@ -141,7 +141,7 @@ class ColoursTools(OneLine):
 
 
 class ColoursFiles(QObject):
-    """Reads into ``tuning`` (``loaded`` says so) and writes from it (``saved``)."""
+    """Imports into ``tuning`` (``loaded``) and exports from it (``saved``)."""
 
     loaded = Signal()
     saved = Signal()

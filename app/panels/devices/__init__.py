@@ -1,1 +1,1 @@
-"""All settings of the devices that are open."""
+"""Settings of the connected devices."""

@@ -1,4 +1,4 @@
-"""Device settings: every value of gloves and camera, and what of it can be changed."""
+"""The Device settings panel: all values of gloves and cameras; some can be changed."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ REPORT_HEIGHT = 90  # px
 
 
 class DevicesPanel(Panel):
-    """Reads what the engine knows already: no device is asked for it."""
+    """Shows values that the engine already has; no device is queried."""
 
     period = 0.5
 
@@ -49,8 +49,8 @@ class DevicesPanel(Panel):
         super().__init__(host, parent)
         self._store = store
         self.values: dict[str, DeviceValue] = {}
-        self.edits: dict[str, Value] = {}  # that are not applied
-        self._asked: dict[str, Value] = {}  # that were applied
+        self.edits: dict[str, Value] = {}  # changes that have not been applied
+        self._asked: dict[str, Value] = {}  # changes that have been applied
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Search settings"))
         self.search.setAccessibleName(self.tr("Search settings"))
@@ -115,7 +115,8 @@ class DevicesPanel(Panel):
     # --- changing
 
     def edit(self, key: str, wanted: Value) -> None:
-        """Note a change until it is applied; one that the device cannot have is refused."""
+        """Store a change until it is applied; values that the device does not support are
+        rejected."""
         value = self.values.get(key)
         if value is None:
             return
@@ -131,7 +132,7 @@ class DevicesPanel(Panel):
         self._show_edits()
 
     def apply_edits(self) -> None:
-        """Send what was changed to the devices, and store it for the next start."""
+        """Send the changes to the devices and store them for the next start."""
         setup = self.host.setup
         if setup is None:
             return
@@ -145,7 +146,7 @@ class DevicesPanel(Panel):
         self._show_edits()
 
     def revert_edits(self) -> None:
-        """Forget what was changed and not applied."""
+        """Discard changes that have not been applied."""
         self.edits = {}
         self._show_report("")
         self._show_edits()
@@ -172,7 +173,7 @@ class DevicesPanel(Panel):
             self.save_as(Path(name))
 
     def save_as(self, path: Path) -> None:
-        """All values that are known, as TOML."""
+        """Write all known values as TOML."""
         try:
             save_settings(to_file(list(self.values.values())), path)
         except GlovetrackError as error:

@@ -1,4 +1,4 @@
-"""The tree of devices and their values; those that can be changed have a field."""
+"""The tree of devices and their values, with fields for those that can be changed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ NAME, VALUE, STATE = range(3)
 
 
 class DeviceTree(QTreeWidget):
-    """``edited``: another value is wanted, by key; ``motor``: one is to run."""
+    """``edited``: key and new value of a setting; ``motor``: key of a motor to run."""
 
     edited = Signal(str, object)
     motor = Signal(str)
@@ -42,7 +42,7 @@ class DeviceTree(QTreeWidget):
         self._made_of: list[tuple[str, object]] = []
 
     def show_values(self, values: Sequence[DeviceValue], edits: Mapping[str, Value]) -> None:
-        """Only texts change as long as there are the same values to be shown."""
+        """Update the texts; rebuild the tree only if the set of values has changed."""
         made_of: list[tuple[str, object]] = [
             (v.key, (v.changeable, v.choices, v.path)) for v in values
         ]
@@ -68,7 +68,7 @@ class DeviceTree(QTreeWidget):
                 button.clicked.connect(lambda _on=False, key=value.key: self.motor.emit(key))
                 self.setItemWidget(item, VALUE, button)
         for path, branch in branches.items():
-            branch.setExpanded(len(path) < 3)  # IMUs are many
+            branch.setExpanded(len(path) < 3)  # there are many IMUs
 
     def _branch(
         self, branches: dict[tuple[str, ...], QTreeWidgetItem], path: tuple[str, ...]
@@ -81,7 +81,7 @@ class DeviceTree(QTreeWidget):
         return branches[path]
 
     def _field(self, value: DeviceValue) -> QComboBox:
-        """Choices; of a control that has a range also any number in it."""
+        """A list of choices; for a control with a range, any number can be entered, too."""
         field = QComboBox()
         field.setAccessibleName(value.path[-1])
         for choice in value.choices:
@@ -127,7 +127,7 @@ class DeviceTree(QTreeWidget):
         _text(item, STATE, state)
 
     def search(self, text: str) -> None:
-        """Hide all but the values that have every word."""
+        """Hide all values that do not contain every word."""
         words = text.casefold().split()
         for item in self.items.values():
             item.setHidden(not all(word in _path_of(item).casefold() for word in words))
@@ -135,7 +135,7 @@ class DeviceTree(QTreeWidget):
 
 
 def _line(field: QComboBox) -> QLineEdit:
-    """Where a number is typed into."""
+    """The line edit of a field."""
     line = field.lineEdit()
     assert line is not None  # the field is editable
     return line
@@ -164,7 +164,7 @@ def _path_of(item: QTreeWidgetItem) -> str:
 
 
 def _hide_empty(item: QTreeWidgetItem, expand: bool) -> bool:
-    """Whether anything below is in sight."""
+    """Hide branches without visible values; whether any value is visible."""
     if item.childCount() == 0:
         return not item.isHidden()
     below = (item.child(i) for i in range(item.childCount()))

@@ -1,1 +1,1 @@
-"""Graphs of any signals, side by side."""
+"""Graphs of any signals."""

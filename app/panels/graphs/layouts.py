@@ -1,4 +1,4 @@
-"""Graphs that are stored under a name, and taken out again."""
+"""Layouts of graphs, stored under a name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from app.widgets.question import answer
 
 
 class GraphLayouts(QObject):
-    """A menu on ``button``. ``chosen``: graphs (list of `Graph`) to be shown."""
+    """A menu on ``button``. ``chosen``: the graphs (list of `Graph`) to show."""
 
     chosen = Signal(list)
 
@@ -26,7 +26,7 @@ class GraphLayouts(QObject):
 
     @property
     def names(self) -> list[str]:
-        """Of all that are stored."""
+        """Names of the stored layouts."""
         return [name for name in self._stored if self._stored[name]]
 
     @property
@@ -50,12 +50,12 @@ class GraphLayouts(QObject):
         self.chosen.emit(graphs)
 
     def save(self, name: str, graphs: list[Graph]) -> None:
-        """Store graphs; those of the same name are replaced."""
+        """Store graphs under a name, replacing those stored before."""
         named = {**self._stored, name: to_setting(graphs)}
         self._store.update(graphs={**self._store.value.graphs, "named": named})
 
     def delete(self, name: str) -> None:
-        """Forget the graphs of that name."""
+        """Delete a layout."""
         named = {n: value for n, value in self._stored.items() if n != name}
         self._store.update(graphs={**self._store.value.graphs, "named": named})
 

@@ -1,4 +1,4 @@
-"""Colours and strokes that tell the curves of one graph apart."""
+"""Colours and line styles that distinguish the curves of a graph."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ STYLES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
 
 
 def curve_looks(names: Sequence[str]) -> list[CurveLook]:
-    """One for each curve, in their order: first other colours, then other strokes."""
+    """A look for each curve: first different colours, then different line styles."""
     return [
         CurveLook(COLOURS[k % len(COLOURS)], STYLES[k // len(COLOURS) % len(STYLES)], name)
         for k, name in enumerate(names)

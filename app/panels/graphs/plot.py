@@ -1,4 +1,4 @@
-"""One graph: its curves, a legend that reads them, and its own pause, zoom and span."""
+"""One graph with its curves, legend, pause, zoom and time span."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from app.widgets.measures import TIGHT
 from app.words import local
 
 SIGNS = {Qt.PenStyle.SolidLine: "━", Qt.PenStyle.DashLine: "╍", Qt.PenStyle.DotLine: "┅"}
-HEIGHT = 130  # px that a graph has at least
+HEIGHT = 130  # px, minimum height
 TRAIL = 0.5
-"""Share of a replay graph's span that is before the position."""
+"""Share of the time span of a replay graph that is before the position."""
 
 
 class GraphControls(QWidget):
-    """Widgets in a row."""
+    """The row of controls of a graph."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -63,7 +63,7 @@ class GraphControls(QWidget):
         return button
 
     def offer_spans(self, replay: bool, chosen: float) -> None:
-        """Those of a recording, or of a live hand."""
+        """Offer the time spans of a recording, or of live data."""
         self.span.clear()
         for span in (WHOLE, *SPANS) if replay else SPANS:
             text = self.tr("Whole recording") if span == WHOLE else f"{span:.0f} s"
@@ -72,7 +72,7 @@ class GraphControls(QWidget):
 
     @property
     def chosen_span(self) -> float:
-        """s, or `WHOLE`."""
+        """Selected time span in s, or `WHOLE`."""
         return float(self.span.currentData())
 
 
@@ -110,8 +110,8 @@ class GraphLegend(QLabel):
 
 
 class GraphPlot(QFrame):
-    """Widgets; `GraphsPanel` gives the curves. ``changed``: another span was chosen; ``picked``:
-    it was clicked; ``dropped``: signals were dropped on it."""
+    """Displays curves that it is given. ``changed``: another time span was selected; ``picked``: it
+    was clicked; ``dropped``: signals were dropped on it."""
 
     changed = Signal()
     picked = Signal()
@@ -123,13 +123,13 @@ class GraphPlot(QFrame):
         super().__init__(parent)
         self.graph = graph
         self.signals: list[Figure] = []  # in the order of the curves
-        self.curves: list[Curve] = []  # as they are drawn
+        self.curves: list[Curve] = []  # as drawn
         self.now = 0.0  # s at 0 of the axis
         self._is_replay = False
         self._missing: list[str] = []
         self.plot = TwoAxisPlot()
         self.plot.setMinimumHeight(HEIGHT)
-        ignored = QSizePolicy.Policy.Ignored  # pyqtgraph asks for 480 px
+        ignored = QSizePolicy.Policy.Ignored  # pyqtgraph requests 480 px
         self.plot.setSizePolicy(ignored, ignored)
         self.controls = GraphControls()
         self.legend = GraphLegend()
@@ -154,7 +154,7 @@ class GraphPlot(QFrame):
         row.addLayout(column, 1)
         self.setAcceptDrops(True)
         for widget in (self.plot.plot, self.plot.plot.viewport()):
-            widget.setAcceptDrops(False)  # they are the graph's
+            widget.setAcceptDrops(False)  # the graph itself accepts drops
         self.plot.plot.viewport().installEventFilter(self)
 
     def _connect(self) -> None:
@@ -167,7 +167,7 @@ class GraphPlot(QFrame):
     # --- what it shows
 
     def show_signals(self, signals: Sequence[Figure], missing: Sequence[str]) -> None:
-        """Its curves; ``missing`` are keys of what is not there now."""
+        """Show these signals; ``missing`` are the keys of unavailable ones."""
         self.signals, self._missing = list(signals), list(missing)
         units = units_of(signals)
         looks = curve_looks([""] * len(signals))
@@ -185,11 +185,11 @@ class GraphPlot(QFrame):
         self.read(None)
 
     def choose(self, on: bool) -> None:
-        """Mark it as the graph that the tree belongs to."""
+        """Highlight the graph as the selected one."""
         self.mark.setStyleSheet("background: palette(highlight);" if on else "")
 
     def set_replay(self, on: bool) -> None:
-        """Offer the spans of a recording, or of a live hand."""
+        """Offer the time spans of a recording, or of live data."""
         self._is_replay = on
         self.controls.offer_spans(on, self.graph.replay_span if on else self.graph.span)
         self._free_time()
@@ -197,7 +197,7 @@ class GraphPlot(QFrame):
 
     @property
     def span(self) -> float:
-        """s, or `WHOLE`."""
+        """Time span in s, or `WHOLE`."""
         return self.graph.replay_span if self._is_replay else self.graph.span
 
     @property
@@ -206,22 +206,22 @@ class GraphPlot(QFrame):
 
     @property
     def is_in_sight(self) -> bool:
-        """Whether anything of its curves can be seen."""
+        """Whether any part of the plot is visible."""
         return not self.plot.plot.viewport().visibleRegion().isEmpty()
 
     def draw_live(self, curves: Sequence[Curve], now: float) -> None:
-        """Curves that end at ``now`` (s)."""
+        """Draw curves that end at ``now`` (s)."""
         if self.paused:
             return
         self.curves, self.now = list(curves), now
         self.redraw()
 
     def hold(self) -> None:
-        """Keep what is shown: the buffers of the curves go on."""
+        """Copy the displayed curves, since their buffers continue to change."""
         self.curves = [(t.copy(), values.copy()) for t, values in self.curves]
 
     def draw_take(self, curves: Sequence[Curve], position: float, duration: float) -> None:
-        """Curves of a recording of ``duration`` s that is shown at ``position`` (s)."""
+        """Draw the curves of a recording of ``duration`` s with the replay at ``position`` (s)."""
         if not self.paused:
             self.plot.show_position(position)
         if self.plot.follows and not self.paused:
@@ -233,14 +233,14 @@ class GraphPlot(QFrame):
         self.redraw()
 
     def redraw(self) -> None:
-        """After a zoom, too, while no new curves come."""
+        """Draw the curves again, for example after a zoom."""
         if self.curves:
             self.plot.draw(self.curves, self.now)
 
     # --- zoom
 
     def _free_time(self) -> None:
-        """Of a curve that scrolls time cannot be zoomed, only values."""
+        """Allow zooming in time unless the curve scrolls; values can always be zoomed."""
         if self.paused:
             self.hold()
         self.plot.plot.setMouseEnabled(x=self.paused or self._is_replay, y=True)
@@ -248,7 +248,7 @@ class GraphPlot(QFrame):
             self.fit()
 
     def fit(self) -> None:
-        """Both axes follow the curves again."""
+        """Let both axes follow the curves again."""
         self.plot.follows = True
         if not self._is_replay:
             self.plot.show_time(-self.span, 0.0)

@@ -1,4 +1,4 @@
-"""The tree of all signals: searched by words, ticked or dragged into graphs."""
+"""The tree of all signals, which can be searched, ticked and dragged into graphs."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from app.widgets.measures import TIGHT
 
 MIME = "application/x-glovetrack-signals"
 KEY = int(Qt.ItemDataRole.UserRole)
-MOST_EXPANDED = 60  # matches that a search shows at once
+MOST_EXPANDED = 60  # maximum number of matches that a search expands
 
 
 def keys_in(data: QMimeData) -> list[str]:
-    """Keys of the signals that are dragged; none of other things."""
+    """Keys of the dragged signals; empty if something else is dragged."""
     if not data.hasFormat(MIME):
         return []
     return bytes(data.data(MIME).data()).decode().split("\n")
 
 
 class DraggedTree(QTreeWidget):
-    """Whose branches and leaves can be dragged away."""
+    """A tree whose items can be dragged."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -35,7 +35,7 @@ class DraggedTree(QTreeWidget):
         self.setSelectionMode(QTreeWidget.SelectionMode.ExtendedSelection)
 
     def mimeData(self, items: Sequence[QTreeWidgetItem]) -> QMimeData:
-        """Signals of the dragged leaves, and of the leaves in sight of dragged branches."""
+        """The signals of the dragged leaves, and the visible signals of dragged branches."""
         data = QMimeData()
         keys = dict.fromkeys(key for item in items for key in leaf_keys(item))
         data.setData(MIME, "\n".join(keys).encode())
@@ -43,7 +43,7 @@ class DraggedTree(QTreeWidget):
 
 
 def leaf_keys(item: QTreeWidgetItem) -> list[str]:
-    """Of an item and all below that are not hidden."""
+    """Keys of an item and of all visible items below it."""
     if item.isHidden():
         return []
     own = item.data(0, KEY)
@@ -51,13 +51,13 @@ def leaf_keys(item: QTreeWidgetItem) -> list[str]:
 
 
 def children(item: QTreeWidgetItem) -> list[QTreeWidgetItem]:
-    """Of an item, in their order."""
+    """Child items, in order."""
     found = (item.child(i) for i in range(item.childCount()))
     return [child for child in found if child is not None]
 
 
 class SignalTree(QWidget):
-    """``toggled``: a signal is ticked or no longer, by its key."""
+    """``toggled``: the key of a signal and whether it is ticked."""
 
     toggled = Signal(str, bool)
 
@@ -80,7 +80,7 @@ class SignalTree(QWidget):
         column.addWidget(self.tree, 1)
 
     def show_signals(self, signals: Iterable[Figure]) -> None:
-        """All that there are; what is expanded stays so."""
+        """Show all signals; expanded branches remain expanded."""
         expanded = self._expanded()
         with QSignalBlocker(self.tree):
             self.tree.clear()
@@ -123,7 +123,7 @@ class SignalTree(QWidget):
         return found
 
     def tick(self, keys: Collection[str]) -> None:
-        """Show that these are in the graph that is chosen."""
+        """Tick the signals of the selected graph."""
         with QSignalBlocker(self.tree):
             for key, (_, leaf) in self._leaves.items():
                 wanted = Qt.CheckState.Checked if key in keys else Qt.CheckState.Unchecked
@@ -136,13 +136,13 @@ class SignalTree(QWidget):
             self.toggled.emit(key, item.checkState(0) == Qt.CheckState.Checked)
 
     def _activated(self, item: QTreeWidgetItem) -> None:
-        """A double click, or Enter."""
+        """Toggle a signal by double-click or Enter."""
         if item.data(0, KEY):
             on = item.checkState(0) == Qt.CheckState.Checked
             item.setCheckState(0, Qt.CheckState.Unchecked if on else Qt.CheckState.Checked)
 
     def _find(self, text: str) -> None:
-        """Hide all but the signals that have every word."""
+        """Hide all signals that do not contain every word."""
         words = text.casefold().split()
         found = 0
         for signal, leaf in self._leaves.values():
@@ -152,7 +152,7 @@ class SignalTree(QWidget):
         self._hide_empty(self.tree.invisibleRootItem(), bool(words) and found <= MOST_EXPANDED)
 
     def _hide_empty(self, item: QTreeWidgetItem, expand: bool) -> bool:
-        """Whether anything below is in sight."""
+        """Hide branches without visible signals; whether any signal is visible."""
         if item.childCount() == 0:
             return not item.isHidden()
         seen = [self._hide_empty(child, expand) for child in children(item)]

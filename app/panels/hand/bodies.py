@@ -34,29 +34,29 @@ from tracker.messages import Array
 
 WHITE = "#FFFFFF"
 FRUSTUM_DEPTH = 0.05
-AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
+AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as in the sensor plots
 AXIS_LENGTH = 2.2  # radii of the segment
-TRAIL_PART, PATCH_PART = 1000, 2000  # parts of their own, far from the rows of segments
+TRAIL_PART, PATCH_PART = 1000, 2000  # part numbers beyond those of the segments
 
 
-LIMIT = 0.015  # m; about half the way to the next fingertip of a spread hand
+LIMIT = 0.015  # m; about half the distance to the next fingertip of a spread hand
 SEGMENTS = 40
-COLOUR = "#2F86BC"  # stands out from the light and the dark background
+COLOUR = "#2F86BC"  # visible on both light and dark backgrounds
 WHOLE = BodyLook(COLOUR, line_width=1.5)
 BROKEN = BodyLook(COLOUR, opacity=0.75, line_width=1.5)
 
 
 class TipRings:
-    """Two rings for each of ``tips`` fingertips, of which one is shown at most."""
+    """Two rings for each of ``tips`` fingertips, of which at most one is shown."""
 
     def __init__(self, scene: BodyScene, tips: int) -> None:
         self._whole = [scene.add(ring(broken=False), WHOLE) for _ in range(tips)]
         self._broken = [scene.add(ring(broken=True), BROKEN) for _ in range(tips)]
         for body in (*self._whole, *self._broken):
-            body.show(False)  # of unit size until they are placed: they would fill the view
+            body.show(False)  # they have unit size until they are placed and would fill the view
 
     def update(self, scene: HandScene, wanted: bool, orbit: Orbit) -> None:
-        """Around the fingertips of ``scene``, of two standard deviations."""
+        """Draw rings of two standard deviations around the fingertips of ``scene``."""
         for i, (whole, broken) in enumerate(zip(self._whole, self._broken, strict=True)):
             known = bool(np.isfinite(scene.tips[i]).all() and np.isfinite(scene.tip_sd[i]))
             radius = 2 * float(scene.tip_sd[i]) if known else 0.0
@@ -68,7 +68,7 @@ class TipRings:
 
 
 def ring(broken: bool) -> Lines:
-    """Of unit radius about z; ``broken``: every other part of it alone."""
+    """A ring of unit radius about z; ``broken``: dashed."""
     angle = 2 * np.pi * np.arange(SEGMENTS) / SEGMENTS
     points = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
     first = np.arange(0, SEGMENTS, 2 if broken else 1)
@@ -76,13 +76,13 @@ def ring(broken: bool) -> Lines:
 
 
 def facing(orbit: Orbit) -> Array:
-    """(3, 3) a rotation that takes z towards the eye."""
+    """(3, 3) rotation that turns z towards the viewer."""
     right = np.cross(orbit.up, orbit.direction)
     return np.stack([right, orbit.up, orbit.direction], axis=1)
 
 
 class HandBodies:
-    """The hand's skin and its outline, the glove's patches, fingertips, axes, trail and camera."""
+    """Mesh and outline of the hand, patches of the glove, fingertips, axes, trail and camera."""
 
     def __init__(self, scene: BodyScene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
         self._scene = scene
@@ -108,10 +108,10 @@ class HandBodies:
         self._ground = HandGround()
         self._has_place = setup.camera.calibrated
         for body in (*self._axes, *self._world, self._camera):
-            body.show(False)  # nothing has its place before the first hand
+            body.show(False)  # no positions before the first estimate
 
     def put_on(self, skin: HandSkin) -> None:
-        """From now on there is a hand to be seen."""
+        """Use this mesh from now on."""
         self._skin = skin
         surface = Surface(skin.skin.faces, skin.part, skin.skin.along)
         self._hand = self._scene.add_surface(surface)
@@ -122,7 +122,7 @@ class HandBodies:
         )
 
     def update(self, scene: HandScene, show: ShownParts, orbit: Orbit) -> None:
-        """Move everything to ``scene``."""
+        """Move all bodies to ``scene``."""
         if self._skin is not None:
             self._update_hand(self._skin, scene, show)
         self._tips.update(scene, show.uncertainty, orbit)
@@ -133,7 +133,7 @@ class HandBodies:
         self._camera.move(scene.R_GC, scene.p_GC)
 
     def update_ground(self, scene: HandScene) -> list[Label]:
-        """Lay the ground under the hand; what is to be written on it."""
+        """Place the ground below the hand; returns its labels."""
         if self._ground.follow(scene.segment_p):
             grid = self._ground.grid
             self._scene.set_ground(GroundLines(grid.ends, grid.strength))
@@ -163,7 +163,7 @@ class HandBodies:
             drape(self._reference, skin.plain(*scene.reference))
 
     def _update_axes(self, scene: HandScene, wanted: bool) -> None:
-        """The frame B of each segment, at its joint."""
+        """Show the frame B of each segment at its joint."""
         for i, body in enumerate(self._axes):
             body.show(wanted)
             if wanted:
@@ -178,19 +178,19 @@ class HandBodies:
 
 
 def drape(surface: DrawnSurface, draped: Draped) -> None:
-    """Let a surface be where and what ``draped`` says."""
+    """Update a surface with the vertices of ``draped``."""
     surface.drape(draped.points, draped.normals, draped.looks)
 
 
 def _axis(k: int, radius: float) -> Lines:
-    """From the origin along axis ``k`` of B, out of the segment's body."""
+    """A line along axis ``k`` of B that starts at the origin and extends beyond the segment."""
     ends = np.zeros((2, 3))
     ends[1, k] = AXIS_LENGTH * radius
     return polyline(ends)
 
 
 def _frustum(setup: EngineSetup) -> Lines:
-    """The left camera's field of view to `FRUSTUM_DEPTH`, in C."""
+    """The field of view of the left camera up to `FRUSTUM_DEPTH`, in C."""
     rig, z = setup.camera.rig, FRUSTUM_DEPTH
     us, vs = (0, rig.left.width - 1), (0, rig.left.height - 1)
     corners = [(u, v) for u, v in ((us[0], vs[0]), (us[1], vs[0]), (us[1], vs[1]), (us[0], vs[1]))]

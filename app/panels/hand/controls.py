@@ -23,14 +23,14 @@ NO_REFERENCE, OTHER = "", "other"
 
 AUTO, CARD, PAINTED = "auto", "card", "painted"
 PROVEN = 30
-"""Images after which the graphics card's view is taken to work."""
+"""Number of images after which rendering on the graphics card is considered stable."""
 
 
 class HandControls(OneLine):
-    """The row over the 3D view; says what is wanted."""
+    """The row above the 3D view; emits the user's requests."""
 
     look_from = Signal(str)  # "back", "palm", "side" or "camera"
-    reference_chosen = Signal(str)  # an engine to run beside the first; empty for none
+    reference_chosen = Signal(str)  # engine to run as a reference; empty for none
     trail_chosen = Signal(str)  # a fingertip; empty for none
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -44,7 +44,7 @@ class HandControls(OneLine):
         self.add(self.trail)
 
     def _add_presets(self) -> None:
-        """Buttons that look from somewhere."""
+        """Add a button for each viewpoint."""
         presets = {
             "back": self.tr("Back"),
             "palm": self.tr("Palm"),
@@ -60,7 +60,7 @@ class HandControls(OneLine):
             self.add(button)
 
     def _add_boxes(self) -> None:
-        """What is shown beside the hand."""
+        """Add check boxes for the optional parts."""
         boxes = (
             (
                 "markers",
@@ -114,7 +114,7 @@ class HandControls(OneLine):
 
     @property
     def engine(self) -> str:
-        """The engine to be compared with; empty where none is chosen."""
+        """The selected reference engine; empty for none."""
         chosen = str(self.reference.currentData())
         return "" if chosen == OTHER else chosen
 
@@ -124,12 +124,12 @@ class HandControls(OneLine):
         return ShownParts(**ticked, reference=reference, trail=bool(self.trail.currentData()))
 
     def show_reference(self, name: str) -> None:
-        """Draw the other hand, now that there is one: the tracking ``name``."""
+        """Show that the reference ``name`` is available."""
         self.name_other(name)
         self.reference.setCurrentIndex(self.reference.findData(OTHER))
 
     def name_other(self, name: str) -> None:
-        """What the other hand is; empty where there is none, which cannot be chosen then."""
+        """Name the reference of a replay; an empty name disables it."""
         row = self.reference.findData(OTHER)
         words = (
             self.tr("Reference: {}").format(engine_name(name))
@@ -140,7 +140,7 @@ class HandControls(OneLine):
         self.reference.model().item(row).setEnabled(bool(name))  # type: ignore[attr-defined]
 
     def offer(self, tips: Sequence[str], engines: bool) -> None:
-        """The fingertips of another hand, and (``engines``) whether a second engine can run."""
+        """Offer the fingertips of another hand; ``engines``: whether a reference engine can run."""
         chosen = self.trail.currentData()
         self.trail.clear()
         self.trail.addItem(self.tr("No trail"), "")
@@ -153,12 +153,13 @@ class HandControls(OneLine):
 
 
 def is_there() -> bool:
-    """Whether what the graphics card's view is made of has been installed."""
+    """Whether the packages of the GPU renderer are installed."""
     return all(importlib.util.find_spec(name) is not None for name in ("pyvistaqt", "vtkmodules"))
 
 
 class ViewChooser(QObject):
-    """Follows the setting ``view_3d``. A card whose driver ends the program is tried once only."""
+    """Follows the setting ``view_3d``. A graphics driver that crashes the program is tried only
+    once."""
 
     refused = Signal(str)
 
@@ -173,11 +174,13 @@ class ViewChooser(QObject):
         self._drawn = 0
 
     def start(self) -> None:
-        """Choose, the first time that the view is in sight."""
+        """Select the renderer when the view is shown for the first time."""
         if self._started:
             return
         self._started = True
-        if self._store.value.card_trial:  # the program ended before the card had proven itself
+        if (
+            self._store.value.card_trial
+        ):  # the program crashed before the renderer was considered stable
             self._store.update(card_trial=False, view_3d=PAINTED)
             self.refused.emit(
                 self.tr(
@@ -189,7 +192,7 @@ class ViewChooser(QObject):
         self._follow()
 
     def choose(self, setting: str) -> None:
-        """What the user wants from now on."""
+        """Apply a new setting."""
         self._store.update(view_3d=setting)
         self._started = True
         self._follow()
@@ -208,7 +211,7 @@ class ViewChooser(QObject):
             self._prepare()
 
     def _prepare(self) -> None:
-        """Import what the card's view needs: two seconds, so beside the window."""
+        """Import the packages of the GPU renderer in the background, which takes two seconds."""
         if not is_there():
             self._stay_painted(
                 self.tr(
@@ -240,12 +243,12 @@ class ViewChooser(QObject):
             )
 
     def _stay_painted(self, reason: str) -> None:
-        """Say why, to those who have asked for the card."""
+        """Use software rendering and, if the user selected the graphics card, report why."""
         if self._store.value.view_3d == CARD:
             self.refused.emit(reason)
 
     def drawn(self) -> None:
-        """An image has been drawn."""
+        """Count the images that were drawn."""
         if self._store.value.card_trial:
             self._drawn += 1
             if self._drawn >= PROVEN or not self._view.on_card:

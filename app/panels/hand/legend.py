@@ -1,4 +1,4 @@
-"""The legend of a drawn hand: which colour says that a joint is measured, inferred or lost."""
+"""The legend of the 3D hand: colours of measured, inferred and lost joints."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tracker.messages import Validity
 
 
 class ValidityLegend(QWidget):
-    """``row`` has room for more at its end."""
+    """Further widgets can be appended to ``row``."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -39,15 +39,15 @@ from tracker.base.errors import GlovetrackError
 from tracker.messages import Shed
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
-"""From behind the hand and above it, as its owner sees it."""
+"""From behind and above the hand, as its owner sees it."""
 DISTANCE = {1: 0.42, 2: 0.75}
-"""Of the eye from one hand or from the middle of two, at the first look."""
+"""Initial distance of the camera from one hand or from the centre of two, m."""
 
-LOW = 170  # px, more than the panel needs at least; below, the hand needs the legend's line
+LOW = 170  # px, above the minimum height; below it the legend is hidden to leave space for the hand
 
 
 class HandInScene:
-    """Knows its hand from the start; gets a ``skin``, and ``bodies`` in whatever scene is drawn."""
+    """One hand in the 3D view. ``skin`` and ``bodies`` are added when they are available."""
 
     def __init__(self, setup: EngineSetup, is_main: bool, of_two: bool) -> None:
         self.setup, self.is_main = setup, is_main
@@ -57,23 +57,23 @@ class HandInScene:
         self.scene: HandScene | None = None
 
     def put_on(self, skin: HandSkin) -> None:
-        """From now on there is a hand to be seen."""
+        """Use this mesh from now on."""
         self.skin = skin
         if self.bodies is not None:
             self.bodies.put_on(skin)
 
     def make_bodies(self, scene: BodyScene) -> None:
-        """Into the scene of the view that draws now."""
+        """Create the bodies in the scene of the current view."""
         self.bodies = HandBodies(scene, self.setup, hue_colours(self.setup.profile))
         if self.skin is not None:
             self.bodies.put_on(self.skin)
 
     def forget_bodies(self) -> None:
-        """Their scene is gone."""
+        """Discard the bodies after their scene was deleted."""
         self.bodies = None
 
     def look(self, view: Snapshot, show: ShownParts) -> HandScene | None:
-        """The hand as it is to be drawn; None where nothing can be drawn yet."""
+        """The scene to draw; None if nothing can be drawn yet."""
         scene = self.model.scene(view, show.reference)
         if scene is None or self.bodies is None:
             return None
@@ -81,7 +81,8 @@ class HandInScene:
         return scene
 
     def draw(self, show: ShownParts, orbit: Orbit) -> list[Label]:
-        """Move the bodies to the last `look`; with the main hand come camera and ground."""
+        """Move the bodies to the scene of the last `look`; the main hand also draws camera and
+        ground."""
         if self.scene is None or self.bodies is None:
             return []
         labels = self.bodies.update_ground(self.scene) if self.is_main else []
@@ -106,10 +107,10 @@ class HandPanel(Panel):
         self.chooser = ViewChooser(self.view, store, tasks, self)
         self.chooser.refused.connect(host.error)
         self.view.scene_changed.connect(self._make_bodies)
-        self._hands: list[HandInScene] = []  # the main one first
+        self._hands: list[HandInScene] = []  # main hand first
         self._gestures: ShownGestures | None = None
         self._found = False
-        self._since = QElapsedTimer()  # the last drawing
+        self._since = QElapsedTimer()  # time since the last drawing
         self._since.start()
         self._skins = LatestJob(self.tr("Generating the hand mesh"), self)
         self._skins.failed.connect(host.error)
@@ -142,7 +143,7 @@ class HandPanel(Panel):
     # --- what is wanted
 
     def look_from(self, name: str) -> None:
-        """From "back", "palm" or "side" of the hand, or from where the "camera" stands."""
+        """View from the "back", "palm" or "side" of the hand, or from the "camera"."""
         scene, orbit = self._scene, self.view.orbit
         if name != "camera":
             R_GB = scene.segment_R[0] if scene is not None else np.eye(3)
@@ -152,11 +153,11 @@ class HandPanel(Panel):
         self.view.render_scene()
 
     def show_reference(self, name: str) -> None:
-        """Draw the other hand, now that there is one: the tracking ``name``."""
+        """Show that the reference ``name`` is available."""
         self.controls.show_reference(name)
 
     def _choose_reference(self, engine: str) -> None:
-        """Start or end the second engine."""
+        """Start or stop the reference engine."""
         setup = self.host.setup
         compared = setup.comparable if setup is not None else None
         if compared is None:
@@ -192,8 +193,8 @@ class HandPanel(Panel):
         self._make_skins(self._hands)
 
     def _make_skins(self, hands: list[HandInScene]) -> None:
-        """At once where they were made before, as when a session is opened again; otherwise they
-        take a second each, so beside the window."""
+        """Use cached meshes immediately; generate others in the background, which takes a second
+        each."""
         models = [(hand.setup.hand, hand.setup.glove) for hand in hands]
 
         def made(skins: list[HandSkin]) -> None:
@@ -207,7 +208,7 @@ class HandPanel(Panel):
             self._skins.run(lambda _progress: [HandSkin(*model) for model in models], made)
 
     def _make_bodies(self) -> None:
-        """Fill the scene of the view that draws now."""
+        """Create all bodies in the scene of the current view."""
         for hand in self._hands:
             hand.forget_bodies()
             if self.view.scene is not None:
@@ -224,7 +225,7 @@ class HandPanel(Panel):
 
     @property
     def _scene(self) -> HandScene | None:
-        """Of the main hand, as it was drawn last."""
+        """The last drawn scene of the main hand."""
         return self._hands[0].scene if self._hands else None
 
     def refresh(self, view: Snapshot | None) -> None:

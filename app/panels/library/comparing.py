@@ -32,7 +32,7 @@ from tracker.offline.options import TrackOptions
 
 
 class CompareDialog(QDialog):
-    """A window of its own that blocks nothing."""
+    """A non-modal window."""
 
     def __init__(self, comparison: Comparison, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -84,7 +84,7 @@ class CompareDialog(QDialog):
         return table
 
     def copy(self) -> None:
-        """The table as text with tabs, for a spreadsheet."""
+        """Copy the table as tab-separated text, for a spreadsheet."""
         lines = []
         for i in range(self.table.rowCount()):
             items = [self.table.item(i, j) for j in range(self.table.columnCount())]
@@ -93,28 +93,28 @@ class CompareDialog(QDialog):
 
 
 class Comparing(QObject):
-    """Does both as jobs; ``ended`` after each, however it ended."""
+    """Runs both comparisons as jobs; ``ended`` after each, also after a failure."""
 
-    replay = Signal(object)  # the path that is to be seen
-    beside = Signal(str)  # what the second hand is that the replay shows
+    replay = Signal(object)  # the path to replay
+    beside = Signal(str)  # name of the second hand in the replay
     ended = Signal()
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
         super().__init__(parent)
         self._host, self._tasks, self._window = host, tasks, parent
         self._player: Player | None = None
-        self._pair: tuple[Path, Path] | None = None  # a session, and what to show beside it
-        self._second = ""  # how that is called
-        self._shift = 0.0  # s that the second one's clock is ahead
+        self._pair: tuple[Path, Path] | None = None  # a session, and the one to compare it with
+        self._second = ""  # name of the second one
+        self._shift = 0.0  # s by which the clock of the second is ahead
         self._takes: TwoTakesDialog | None = None
 
     def set_player(self, player: Player | None) -> None:
-        """The replay that is open now."""
+        """Set the open replay."""
         self._player = player
         self._show_reference()
 
     def track_again(self, source: Path, wanted: TrackOptions) -> None:
-        """Track ``source`` in the background; then both are shown and compared."""
+        """Track ``source`` in the background; then show and compare both."""
         try:
             out = free_name(source, wanted.engine)
         except GlovetrackError as error:
@@ -127,7 +127,7 @@ class Comparing(QObject):
         self._run(self.tr("Comparing"), compare_job(first, second))
 
     def side_by_side(self, first: Path, second: Path) -> None:
-        """Both takes on one time axis, the second hand beside the first in the replay."""
+        """Align two recordings in time and show the second hand in the replay of the first."""
         title = self.tr("Reading two recordings")
         self._tasks.run(title, two_takes_job(first, second), self._show_takes, self.ended.emit)
 
@@ -148,7 +148,7 @@ class Comparing(QObject):
         self._takes = None
 
     def shut_down(self) -> None:
-        """Close the dialog: it reads files."""
+        """Close the dialog, which reads files."""
         if self._takes is not None:
             self._takes.close()
 
@@ -162,12 +162,12 @@ class Comparing(QObject):
             self._player.seek(position)
 
     def follow(self) -> None:
-        """The line in the dialog goes along with the replay."""
+        """Move the position line of the dialog with the replay."""
         if self._takes is not None and self._shows_pair() and self._player is not None:
             self._takes.show_position(self._player.position)
 
     def _shows_pair(self) -> bool:
-        """Whether the first of the two is what is replayed."""
+        """Whether the first of the two is being replayed."""
         pair, player = self._pair, self._player
         return pair is not None and player is not None and player.path == pair[0]
 
@@ -175,7 +175,7 @@ class Comparing(QObject):
         self._tasks.run(title, job, self._show, self.ended.emit)
 
     def _show(self, comparison: Comparison | None) -> None:
-        """Figures in a dialog, the second hand beside the first one in the replay."""
+        """Show the results in a dialog, and the second hand in the replay."""
         if comparison is None:
             return
         CompareDialog(comparison, self._window).show()

@@ -1,4 +1,4 @@
-"""What to export, how and where to."""
+"""The export dialog."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ from tracker.session.export.options import AXES_NAMES, UNITS
 MAX_RATE_HZ = 2000.0
 
 
-LONGEST = 60  # characters of a name
+LONGEST = 60  # maximum number of characters in a name
 
 
 class Presets(QWidget):
-    """A box to choose from; ``read`` gives the choice in the fields, ``show`` fills them."""
+    """A list of presets; ``read`` returns the options in the fields, ``show`` fills the fields."""
 
     def __init__(
         self,
@@ -55,7 +55,9 @@ class Presets(QWidget):
         self.box = QComboBox()
         self.box.setAccessibleName(self.tr("Preset"))
         self.box.currentIndexChanged.connect(self._chosen)
-        self.box.activated.connect(self._chosen)  # again, after the fields were changed
+        self.box.activated.connect(
+            self._chosen
+        )  # also selects the same preset again, after the fields were changed
         self.save_button = QPushButton(self.tr("Save as…"))
         self.save_button.clicked.connect(self._ask_name)
         self.remove_button = QPushButton(self.tr("Remove"))
@@ -95,7 +97,7 @@ class Presets(QWidget):
         dialog.open()
 
     def keep(self, name: str) -> None:
-        """Keep what is chosen under this name, instead of what it stood for."""
+        """Save the options under this name, replacing an existing preset."""
         name = " ".join(name.split())[:LONGEST]
         if name:
             kept = {**self._store.value.export_presets, name: self._read().as_dict()}
@@ -112,7 +114,7 @@ class Presets(QWidget):
         self._fill("")
 
     def _put_back(self) -> None:
-        """The preset that was removed last, unless another one was kept under its name."""
+        """Restore the preset that was removed last, unless its name is in use again."""
         if self._gone is not None:
             (name, preset), self._gone = self._gone, None
             self._store.update(export_presets={name: preset, **self._store.value.export_presets})
@@ -121,9 +123,10 @@ class Presets(QWidget):
 
 
 class ExportDialog(QDialog):
-    """Says ``wanted`` once per session and format. ``part`` (s) is the range chosen in the replay.
+    """``wanted`` is emitted for each session and format. ``part`` (s) is the range selected in the
+    replay.
 
-    The choice and the folder are remembered in the settings.
+    The options and the folder are stored in the settings.
     """
 
     wanted = Signal(object)  # ExportRequest
@@ -177,7 +180,7 @@ class ExportDialog(QDialog):
         self._make_dataset_fields()
 
     def _make_dataset_fields(self) -> None:
-        """Of data sets of many sessions alone."""
+        """Fields that apply only to data sets of several sessions."""
         self.task = QLineEdit()
         self.task.setPlaceholderText(
             self.tr("One sentence that describes the task; default: the notes")
@@ -244,7 +247,7 @@ class ExportDialog(QDialog):
         return tuple(i.data(Qt.ItemDataRole.UserRole) for i in found)
 
     def choice(self) -> ExportChoice:
-        """As the fields have it."""
+        """The options in the fields."""
         return ExportChoice(
             formats=self._chosen(),
             rate=self.rate.value(),
@@ -256,7 +259,7 @@ class ExportDialog(QDialog):
         )
 
     def show_choice(self, choice: ExportChoice) -> None:
-        """Fill the fields."""
+        """Fill the fields with these options."""
         for item in self._items():
             on = item.data(Qt.ItemDataRole.UserRole) in choice.formats
             item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
@@ -286,7 +289,7 @@ class ExportDialog(QDialog):
     def _request(
         self, source: Path, form: str, choice: ExportChoice, taken: set[Path]
     ) -> ExportRequest:
-        """One session in one format; an existing file is never written over."""
+        """The request for one session and format; existing files are never overwritten."""
         target = free_target(Path(self.folder.text()), source, form, taken)
         part = self._part if self.range.isChecked() else None
         return ExportRequest(source, form, target, part, choice.options_of(form))

@@ -27,7 +27,7 @@ from app.words import tr
 
 
 class ExportList(QWidget):
-    """Shows an `ExportQueue`. ``head``: its buttons, not laid out here."""
+    """Shows an `ExportQueue`. ``head``: its buttons, which the caller places."""
 
     def __init__(self, queue: ExportQueue, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -96,7 +96,7 @@ class ExportList(QWidget):
         self.folder_button.setEnabled(item is not None)
 
     def show_folder(self) -> None:
-        """Where the file is, or will be, in the system's file manager."""
+        """Open the folder of the file in the file manager."""
         item = self._selected()
         if item is not None:
             open_folder(item.request.target.parent)
@@ -108,7 +108,7 @@ class ExportList(QWidget):
 
 
 class Exporting(QObject):
-    """``begun`` when an export was put in the queue."""
+    """``begun``: an export was added to the queue."""
 
     begun = Signal()
 
@@ -118,7 +118,7 @@ class Exporting(QObject):
         self.queue = ExportQueue(tasks, self)
 
     def ask(self, paths: list[Path], part: tuple[float, float] | None) -> None:
-        """Ask how; ``part`` of the one session that is replayed is offered."""
+        """Ask for the options; ``part`` of the session that is being replayed is offered."""
         dialog = ExportDialog(paths, part, self._store, self._window)
         dialog.wanted.connect(self.add)
         dialog.open()

@@ -42,14 +42,14 @@ from app.widgets.timeline import TimelineSpan
 from app.words import local, tr
 
 START, LENGTH, SIDE, PART, KIND, CAUSE = range(6)
-SORTED = int(Qt.ItemDataRole.UserRole)  # what a cell is sorted by
-NUMBER = SORTED + 1  # of the gap
+SORTED = int(Qt.ItemDataRole.UserRole)  # sort key of a cell
+NUMBER = SORTED + 1  # number of the gap
 USUAL_LIMIT, USUAL_LONGEST = 0.5, 0.2  # s
 MOST_S = 60.0
 
 
 class _Cell(QTableWidgetItem):
-    """Sorted by a number or a word, not by what is shown."""
+    """Sorted by a number or a word instead of the displayed text."""
 
     def __init__(self, text: str, sorted_by: float | str) -> None:
         super().__init__(text)
@@ -60,8 +60,8 @@ class _Cell(QTableWidgetItem):
 
 
 class GapPage(QWidget):
-    """``sought``: a position (s) that was clicked. ``fill_asked``: the selected gaps are to be
-    filled. ``limit_changed``: list again. ``shown_changed``: the stretches for the timeline."""
+    """``sought``: a clicked position (s). ``fill_asked``: fill the selected gaps.
+    ``limit_changed``: list the gaps again. ``shown_changed``: the intervals for the timeline."""
 
     sought = Signal(float)
     fill_asked = Signal()
@@ -162,7 +162,7 @@ class GapPage(QWidget):
     # --- what it shows
 
     def show_gaps(self, found: SessionGaps | None) -> None:
-        """Of a session; None while there is none."""
+        """Show the gaps of a session; None without one."""
         self.found = found
         chosen = self.part.currentData() or ""
         self.part.blockSignals(True)
@@ -183,7 +183,7 @@ class GapPage(QWidget):
             bool(self.unsensed.currentData()),
         )
         shown = chosen.shown(found.gaps) if found is not None else []
-        self.table.setSortingEnabled(False)  # rows would move while they are filled
+        self.table.setSortingEnabled(False)  # rows would move while the table is filled
         self.table.setRowCount(len(shown))
         for row, gap in enumerate(shown):
             look = KINDS[gap.kind]
@@ -206,7 +206,7 @@ class GapPage(QWidget):
         self._enable()
 
     def _explain_empty(self, has_rows: bool) -> None:
-        """A sentence in place of a table without rows."""
+        """Explain why the table is empty."""
         if self.found is None:
             self.empty.setText(self.tr("Replay a recording to list its gaps."))
         elif self.found.gaps:
@@ -232,7 +232,7 @@ class GapPage(QWidget):
         return sorted(self._number_of(row) for row in rows)
 
     def fillable(self) -> list[Gap]:
-        """The selected gaps that can be filled and are not too long."""
+        """The selected gaps that can be filled and do not exceed the maximum length."""
         if self.found is None:
             return []
         wanted, longest = set(self.selected), self.longest.value() + 1e-9
@@ -250,8 +250,8 @@ class GapPage(QWidget):
 
 
 class Gaps(QObject):
-    """``made``: the Path of a filled session and a sentence about it. ``counted``: how many gaps
-    are listed. ``ended`` after filling, however it ended."""
+    """``made``: the Path of a filled session and a message. ``counted``: number of listed gaps.
+    ``ended`` after filling, also after a failure."""
 
     made = Signal(object, str)
     counted = Signal(int)
@@ -268,7 +268,7 @@ class Gaps(QObject):
         page.shown_changed.connect(lambda _shown: self.counted.emit(page.table.rowCount()))
 
     def set_player(self, player: Player | None) -> None:
-        """The replay that is open now."""
+        """Set the open replay."""
         self._player = player
         self.page.show_gaps(None)
         self._read()
@@ -291,7 +291,7 @@ class Gaps(QObject):
 
     @property
     def is_interpolated(self) -> bool:
-        """Whether the replay stands in a gap that was filled."""
+        """Whether the replay position is in a filled gap."""
         found, player = self.page.found, self._player
         return found is not None and player is not None and found.is_interpolated(player.position)
 

@@ -29,11 +29,11 @@ from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.library import Details, SessionRow
 from app.widgets.measures import APART, NEAR, TIGHT
 
-LOW = 260  # px, more than the panel needs at least; below, the list needs the transport's lines
+LOW = 260  # px, above the minimum height; below it the transport bar is hidden
 
 
 class Pages(QWidget):
-    """Tabs and a page's controls share one line: the height is the page's own."""
+    """Pages whose tabs and controls share one line, which leaves more height for the page."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,7 +70,7 @@ class Pages(QWidget):
 class LibraryPanel(Panel):
     period = 0.05
     replay = Signal(object)  # Path
-    beside = Signal(str)  # the name of a second tracking that is shown in the replay
+    beside = Signal(str)  # name of a second tracking that the replay shows
 
     def __init__(
         self,
@@ -166,12 +166,12 @@ class LibraryPanel(Panel):
     # --- sessions
 
     def rescan(self) -> None:
-        """Look into the folder again, in the background."""
+        """Read the folder again in the background."""
         self._looked = True
         self._scan.begin(sessions_folder(self._store.value), self.host.recording.file)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """What is in the folder is there when one first looks."""
+        """Read the folder when the panel is shown for the first time."""
         super().showEvent(event)
         if not self._looked:
             self.rescan()
@@ -196,9 +196,9 @@ class LibraryPanel(Panel):
     # --- exports
 
     def ask_export(self, opened_first: bool = False) -> None:
-        """The selected sessions, or the one that is open.
+        """The selected sessions, or the open one.
 
-        ``opened_first``: that one, unless others are chosen where the focus is.
+        ``opened_first``: the open one, unless others are selected in the focused list.
         """
         chosen, opened = [row.path for row in self.table.selected()], self._opened_paths()
         first = opened_first and not self.table.hasFocus()
@@ -209,7 +209,7 @@ class LibraryPanel(Panel):
         self.ask_export_of(paths)
 
     def ask_export_of(self, paths: list[Path]) -> None:
-        """Ask how; of the session that is replayed the chosen part is offered."""
+        """Show the export dialog, with the selected range of the session that is being replayed."""
         self.exporting.ask(paths, self.transport.range() if paths == self._opened_paths() else None)
 
     def _opened_paths(self) -> list[Path]:
@@ -228,7 +228,7 @@ class LibraryPanel(Panel):
         dialog.open()
 
     def compare_selected(self, beside: bool = False) -> None:
-        """Compare the two selected sessions, the older one first; ``beside``: as two takes."""
+        """Compare the two selected sessions, the older one first; ``beside``: as two recordings."""
         rows = self.table.selected()
         if len(rows) != 2:
             self.host.error.emit(self.tr("Select two sessions in the library."))
@@ -240,7 +240,7 @@ class LibraryPanel(Panel):
     # --- replay
 
     def crop(self) -> None:
-        """Make a session of the part between in and out point of the one that is open."""
+        """Create a session of the range between in and out point of the open one."""
         part = self.transport.range()
         if self._player is None or part is None:
             text = self.tr("Mark a range first: press I at its start and O at its end.")
@@ -267,7 +267,7 @@ class LibraryPanel(Panel):
         self._comparing.follow()
 
     def shut_down(self) -> None:
-        """Remember how wide the columns are; the folder is not watched any more."""
+        """Store the column widths; stop watching the folder."""
         self._scan.shut_down()
         self._comparing.shut_down()
         self.gaps.shut_down()

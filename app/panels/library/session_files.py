@@ -1,4 +1,4 @@
-"""What is done to session files: another name, tags, made whole, to the bin, folder shown."""
+"""Commands on session files: rename, tag, recover, crop, delete, show the folder."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ T = TypeVar("T")
 
 
 class SessionFiles(QObject):
-    """Asks and does it; ``changed`` when the folder is another one now."""
+    """Runs the commands; ``changed``: the contents of the folder have changed."""
 
     changed = Signal()
-    renamed = Signal(object, object)  # the Path that was, and the new one
+    renamed = Signal(object, object)  # the old Path and the new one
     binned = Signal(object)  # the `Binned` sessions
-    restored = Signal(object)  # the Paths that are back from the bin
-    made = Signal(object, str)  # the Path of a new session, and a sentence about it
-    removed = Signal(str, object)  # a sentence about tags, and what undoes it
+    restored = Signal(object)  # the Paths of restored files
+    made = Signal(object, str)  # the Path of a new session, and a message
+    removed = Signal(str, object)  # a message about tags, and a function that undoes the change
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
         super().__init__(parent)
@@ -46,7 +46,7 @@ class SessionFiles(QObject):
         dialog.open()
 
     def ask_tags(self, paths: Sequence[Path]) -> None:
-        """The words of the first one are offered; all of them get what is written."""
+        """Ask for tags, starting with those of the first session, and set them for all."""
         words = self.tr("Tags, separated by commas")
         title = self.tr("Tags of {}").format(paths[0].name)
         if len(paths) > 1:
@@ -56,8 +56,8 @@ class SessionFiles(QObject):
         dialog.open()
 
     def rename(self, path: Path, name: str) -> Path | None:
-        """Give it another name in its folder; it stays the one that is chosen. Where that cannot
-        be, why is said, and None comes back."""
+        """Rename a session in its folder and keep it selected. Returns None after reporting why
+        that is not possible."""
 
         def work() -> Path:
             new = rename(self._free(path), name)
@@ -67,7 +67,7 @@ class SessionFiles(QObject):
         return self._try(work)
 
     def tag(self, paths: Sequence[Path], text: str) -> None:
-        """Put these words on all of them, instead of those they had."""
+        """Replace the tags of all these sessions."""
 
         before = {path: read_tags(path) for path in paths}
         wanted = tags_of_text(text)
@@ -78,7 +78,7 @@ class SessionFiles(QObject):
             self.removed.emit(said, partial(self._put_tags, before))
 
     def _put_tags(self, tags: Mapping[Path, Sequence[str]]) -> None:
-        """Of each session; one that was renamed or deleted meanwhile is passed over."""
+        """Restore the tags of each session that still exists under its name."""
 
         def write() -> None:
             for path, words in tags.items():
@@ -88,7 +88,7 @@ class SessionFiles(QObject):
         self._try(write)
 
     def bin(self, paths: Sequence[Path]) -> None:
-        """Move them to the system's bin without a question: `restore` takes them back."""
+        """Move sessions to the system's bin without asking; `restore` undoes it."""
         moved: list[Binned] = []
 
         def move() -> None:
@@ -100,7 +100,7 @@ class SessionFiles(QObject):
             self.binned.emit(tuple(moved))
 
     def restore(self, binned: Sequence[Binned]) -> None:
-        """Take sessions back from the bin and select them."""
+        """Restore sessions from the bin and select them."""
 
         def move() -> bool:
             restore(binned)
@@ -110,12 +110,12 @@ class SessionFiles(QObject):
             self.restored.emit([session.path for session in binned])
 
     def recover(self, path: Path) -> None:
-        """Make a whole file of one that was cut off; the original stays."""
+        """Create a complete file from an interrupted recording; the original is not changed."""
         title = self.tr("Recovering {}").format(path.stem)
         self._tasks.run(title, recover_job(path), ended=self.changed.emit)
 
     def crop(self, path: Path, part: tuple[float, float]) -> None:
-        """Make a session of the part (s of the replay), in the background."""
+        """Create a session of a range (s of the replay), in the background."""
 
         def done(out: Path) -> None:
             length = duration_text(part[1] - part[0])
@@ -126,7 +126,7 @@ class SessionFiles(QObject):
         self._tasks.run(title, crop_job(path, part), done, self.changed.emit)
 
     def _free(self, path: Path) -> Path:
-        """Raises FileError for a session that is open or being recorded."""
+        """Raises FileError if a session is open or being recorded."""
         setup, request = self._host.setup, self._host.recording.request
         if request is not None and request.path == path:
             raise FileError(tr("{} is being recorded.").format(path.name))
@@ -145,5 +145,5 @@ class SessionFiles(QObject):
 
 
 def open_folder(folder: Path) -> None:
-    """In the system's file manager; a page in its browser."""
+    """Open a folder in the file manager, or a page in the browser."""
     QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder)))

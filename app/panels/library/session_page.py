@@ -1,4 +1,4 @@
-"""The recorded sessions, a search among them, and what can be done with the selected ones."""
+"""The list of recorded sessions, with a search field and commands."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ from app.viewmodels.library import SessionRow
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.one_line import OneLine
 
-SEARCH = (140, 280)  # px, at least and at most
-BUTTONS = 3  # times the room of the search
+SEARCH = (140, 280)  # px, minimum and maximum
+BUTTONS = 3  # width in multiples of the search field
 
 
 class SessionPage(QWidget):
-    """Says what is ``asked``: a key of `buttons` or of `actions`.
+    """``asked``: the key of one of `buttons` or `actions`.
 
     ``more``: titles of further actions on recordings, by key.
     """
 
     asked = Signal(str)
     head: QWidget
-    """Buttons and search. Not laid out here: it stands beside the tabs, where it takes no line of
-    its own."""
+    """Buttons and search field; the caller places them next to the tabs, where they need no extra
+    line."""
 
     def __init__(self, more: Mapping[str, str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -95,7 +95,7 @@ class SessionPage(QWidget):
             action.setShortcut(QKeySequence(shortcut))
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             action.triggered.connect(partial(self._ask, key))
-            self.table.addAction(action)  # its keys work where the table has the focus
+            self.table.addAction(action)  # its shortcut works while the table has the focus
         more = QToolButton()
         more.setText(self.tr("More"))
         more.setMenu(self.menu)

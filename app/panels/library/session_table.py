@@ -21,18 +21,18 @@ from app.viewmodels.library import THUMBNAIL_WIDTH, Details, SessionRow
 
 ROW_HEIGHT = 40
 QUALITY, TAGS = 5, 6
-WIDTHS = (260, 130, 70, 80, 110, 200, 140)  # px, until the user has chosen others
+WIDTHS = (260, 130, 70, 80, 110, 200, 140)  # px, until the user changes them
 NARROWEST = 48  # px
-LEAST_HEIGHT = 72  # px: a heading and a session
+LEAST_HEIGHT = 72  # px: heading and one session
 
 
 class SessionTable(QTableWidget):
-    """Rows are replaced as a whole by `show_rows`; `show_details` fills in what comes later."""
+    """`show_rows` replaces all rows; `show_details` adds details as they become available."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, len(WIDTHS), parent)
         self._rows: list[SessionRow] = []
-        self._coming: set[Path] = set()  # to be selected once it is listed
+        self._coming: set[Path] = set()  # to be selected once they are listed
         self._no_image = QIcon(no_image())
         self.setHorizontalHeaderLabels(
             [
@@ -50,7 +50,7 @@ class SessionTable(QTableWidget):
         vertical.setDefaultSectionSize(ROW_HEIGHT)
         self.setIconSize(QSize(THUMBNAIL_WIDTH, ROW_HEIGHT - 4))
         self.setShowGrid(False)
-        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names differ at their ends
+        self.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names often differ only at their ends
         self.setMinimumHeight(LEAST_HEIGHT)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -65,9 +65,9 @@ class SessionTable(QTableWidget):
         self.setAccessibleName(self.tr("Recorded sessions"))
 
     def set_widths(self, widths: Sequence[int]) -> None:
-        """Of the columns, px; the usual ones where they are not of this table. The last column has
-        what the others leave: were it as wide as it was once, the table would scroll sideways
-        where there is less room now."""
+        """Set the column widths, px; use the defaults if the number of columns differs. The last
+        column takes the remaining width, so that the table does not scroll sideways in a narrower
+        window."""
         good = len(widths) == len(WIDTHS) and all(NARROWEST <= w <= 2000 for w in widths)
         for column, width in enumerate((widths if good else WIDTHS)[:-1]):
             self.setColumnWidth(column, width)
@@ -77,7 +77,7 @@ class SessionTable(QTableWidget):
         return [self.columnWidth(column) for column in range(self.columnCount())]
 
     def show_only(self, words: str) -> None:
-        """Hide the sessions in which these words do not all stand."""
+        """Hide sessions that do not contain all these words."""
         self._wanted = words
         for i in range(len(self._rows)):
             self._show_or_hide(i)
@@ -88,10 +88,10 @@ class SessionTable(QTableWidget):
         self.setRowHidden(i, not held)
 
     def show_rows(self, rows: Sequence[SessionRow], known: dict[Path, Details]) -> None:
-        """``known``: what was found inside files earlier. The selection stays where it can.
+        """``known``: details found earlier. The selection is preserved where possible.
 
-        Where the selected sessions are gone nothing is selected: the next key would otherwise act
-        on a session that the user has not chosen. The first listing selects the newest.
+        If all selected sessions are gone, nothing is selected: the next key would otherwise act on
+        a session that the user has not chosen. The first listing selects the newest.
         """
         first = not self._rows
         before = self._coming or {row.path for row in self.selected()}
@@ -120,11 +120,11 @@ class SessionTable(QTableWidget):
             self._bring_in_sight(again[0])
 
     def choose(self, path: Path) -> None:
-        """Select this session, now or when `show_rows` brings it."""
+        """Select this session, now or when `show_rows` lists it."""
         self.choose_all([path])
 
     def choose_all(self, paths: Collection[Path]) -> None:
-        """Select these sessions, now or when `show_rows` brings them."""
+        """Select these sessions, now or when `show_rows` lists them."""
         rows = [i for i, row in enumerate(self._rows) if row.path in paths]
         self._coming = set() if len(rows) == len(paths) else set(paths)
         if rows and not self._coming:
@@ -132,7 +132,7 @@ class SessionTable(QTableWidget):
             self._bring_in_sight(rows[0])
 
     def _select(self, rows: Sequence[int]) -> None:
-        """All of them; `selectRow` by itself would leave the last one alone."""
+        """Select all of them; `selectRow` would select only the last one."""
         model, chosen = self.selectionModel(), QItemSelection()
         for i in rows:
             index = self.model().index(i, 0)
@@ -143,8 +143,7 @@ class SessionTable(QTableWidget):
             model.setCurrentIndex(self.model().index(rows[0], 0), flags.NoUpdate)
 
     def _bring_in_sight(self, row: int) -> None:
-        """Only of one that was called for: a list that is read anew stays where it is, with the
-        newest session on top."""
+        """Scroll to a session that was requested; otherwise the newest stays on top."""
         self.scrollTo(self.model().index(row, 0))
 
     def show_details(self, path: Path, details: Details) -> None:
@@ -161,13 +160,13 @@ class SessionTable(QTableWidget):
             name.setIcon(QIcon(pixmap(details.image)))
 
     def selected(self) -> list[SessionRow]:
-        """The selected rows from top to bottom; none that the search hides."""
+        """The selected rows from top to bottom, without those hidden by the search."""
         chosen = sorted({index.row() for index in self.selectedIndexes()})
         chosen = [i for i in chosen if not self.isRowHidden(i)]
         return [self._rows[i] for i in chosen if i < len(self._rows)]
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter replays, as a double click does."""
+        """Replay on Enter, as on a double-click."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.currentRow() >= 0:
             self.cellDoubleClicked.emit(self.currentRow(), 0)
         else:
@@ -175,14 +174,14 @@ class SessionTable(QTableWidget):
 
 
 def no_image() -> QPixmap:
-    """What stands where there is no image, so that all names begin at one place."""
+    """Placeholder without an image, so that all names are aligned."""
     pixmap = QPixmap(THUMBNAIL_WIDTH, ROW_HEIGHT - 4)
     pixmap.fill(Qt.GlobalColor.transparent)
     return pixmap
 
 
 def pixmap(image: NDArray[np.uint8]) -> QPixmap:
-    """Of (h, w, 3) BGR."""
+    """A pixmap of a BGR image (h, w, 3)."""
     height, width = image.shape[:2]
     pixels = np.ascontiguousarray(image)
     shown = QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_BGR888)

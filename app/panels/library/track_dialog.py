@@ -1,4 +1,4 @@
-"""What to track a recorded session with: engine, hand, glove, colours, settings."""
+"""Options for tracking a recorded session again: engine, hand, glove, colours, settings."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from tracker.offline.options import USUAL, TrackOptions
 
 
 class TrackDialog(QDialog):
-    """Asks, and says ``wanted(source, request)`` when the user starts it. Blocks nothing."""
+    """Emits ``wanted(source, request)`` when the user starts tracking; not modal."""
 
     wanted = Signal(object, object)  # Path, TrackOptions
 
@@ -105,7 +105,7 @@ class TrackDialog(QDialog):
         self.close()
 
     def request(self) -> TrackOptions:
-        """What is chosen."""
+        """The selected options."""
         return TrackOptions(
             engine=self.engine.currentData(),
             hand=self.hand.currentData(),

@@ -22,15 +22,15 @@ from app.widgets.timeline import Mark, TimelineBar
 from app.words import local, tr
 from tracker.messages import Event
 
-SAME_PLACE = 0.6  # s; while it plays one is soon past the note that one jumped to
+SAME_PLACE = 0.6  # s; during playback the position soon passes a note that was jumped to
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 class TransportBar(QWidget):
-    """Shown while there is a player. ``live_asked``: back to what was open before it."""
+    """Visible while there is a player. ``live_asked``: return to live tracking."""
 
     live_asked = Signal()
-    removed = Signal(str, object)  # a sentence, and what undoes it
+    removed = Signal(str, object)  # a message, and a function that undoes the change
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -48,12 +48,12 @@ class TransportBar(QWidget):
         self.set_player(None)
 
     def put_in_one_line(self, on: bool) -> None:
-        """The timeline beside the buttons, where there is more width than height."""
+        """Place the timeline next to the buttons, for a low and wide window."""
         beside, above = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
         self._lines.setDirection(beside if on else above)
 
     def _foot(self) -> QHBoxLayout:
-        """What moves the replay, and where it is."""
+        """The buttons and the position."""
         self.position = QLabel()
         self.live_button = QToolButton()
         self.live_button.setText(self.tr("Live"))
@@ -103,11 +103,11 @@ class TransportBar(QWidget):
         return row
 
     def offer_live(self, on: bool) -> None:
-        """Whether there is a live hand to go back to."""
+        """Set whether live tracking can be returned to."""
         self.live_button.setVisible(on)
 
     def set_player(self, player: Player | None) -> None:
-        """Show a session from its start; None while there is none."""
+        """Show a session from its start; None without one."""
         self._player = player
         self.setVisible(player is not None)
         if player is None:
@@ -135,7 +135,7 @@ class TransportBar(QWidget):
             self._player.seek(position)
 
     def jump(self, by: int) -> None:
-        """To the next note, or the one before where ``by`` is negative."""
+        """Jump to the next note, or to the previous one if ``by`` is negative."""
         if self._player is None:
             return
         here = self._player.position
@@ -153,7 +153,7 @@ class TransportBar(QWidget):
             self.refresh()
 
     def set_in(self) -> None:
-        """Begin the range where the replay stands; an out point before it goes to the end."""
+        """Set the start of the range to the position; an earlier out point moves to the end."""
         if self._player is not None:
             here, stop = self._player.position, self._player.range[1]
             self.set_range(here, stop if stop > here else self._player.duration)
@@ -174,7 +174,7 @@ class TransportBar(QWidget):
         self.removed.emit(text, lambda: self._put_back(player, part))
 
     def _put_back(self, player: Player, part: tuple[float, float]) -> None:
-        """Of the session that it was chosen in, if that is still open."""
+        """Restore the range if its session is still open."""
         if self._player is player:
             self.set_range(*part)
 
@@ -193,7 +193,7 @@ class TransportBar(QWidget):
     # --- what it shows
 
     def range(self) -> tuple[float, float] | None:
-        """The chosen part in s; None where it is the whole."""
+        """The selected range in s; None for the whole session."""
         if self._player is None or self._player.range == (0.0, self._player.duration):
             return None
         return self._player.range
@@ -215,7 +215,7 @@ class TransportBar(QWidget):
 
 
 def _mark(position: float, event: Event, words: str) -> Mark:
-    """A note is what people look for: it stands in the colour of text."""
+    """A mark on the timeline; notes have the text colour, since users look for them."""
     look = KINDS[kind_of(event)]
     colour = "" if event.kind == "note" else look.colour
     return Mark(position, f"{position_text(position)}  {words}", colour, look.sign)

@@ -1,5 +1,5 @@
-"""Two takes on one time axis: what cameras saw, a joint angle of both, their difference, and the
-offset between."""
+"""Comparison of two recordings on one time axis: camera images, a joint angle of both, their
+difference, and the time offset."""
 
 from __future__ import annotations
 
@@ -28,15 +28,16 @@ from app.widgets.image_view import ImageView
 from app.words import error_text, local
 from tracker.base.errors import GlovetrackError
 
-LONGEST = 86_400.0  # s of offset
-FRAME_S = 0.01  # a step of the box
+LONGEST = 86_400.0  # s, maximum offset
+FRAME_S = 0.01  # step of the field, s
 
 
 HIGH = 200  # px
 
 
 class TakePair(QSplitter):
-    """Images are read beside the window, the newest position alone; they move together."""
+    """The images of both, which zoom and move together; only the newest position is read, in the
+    background."""
 
     def __init__(self, takes: TwoTakes, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
@@ -53,7 +54,7 @@ class TakePair(QSplitter):
         self._reading = LatestJob(self.tr("Reading images"), self)
 
     def show_at(self, *positions: float) -> None:
-        """s after the first measurement of each take."""
+        """Show the images at s after the first measurement of each recording."""
         if positions == self._asked:
             return
         self._asked = positions
@@ -69,14 +70,14 @@ class TakePair(QSplitter):
             view.show_image(image)
 
     def shut_down(self) -> None:
-        """Wait for the image that is read, and close both files."""
+        """Wait for the image that is being read, and close both files."""
         self._reading.shut_down()
         for source in self._sources:
             source.close()
 
 
 class TwoTakesDialog(QDialog):
-    """Blocks nothing. ``moved`` has the new offset, ``sought`` a position in the first take, s."""
+    """Not modal. ``moved``: the new offset; ``sought``: a position in the first recording, s."""
 
     moved = Signal(float)
     sought = Signal(float)
@@ -165,7 +166,7 @@ class TwoTakesDialog(QDialog):
         return row
 
     def _by_movement(self) -> None:
-        """Where nothing fits it stays, and that is said."""
+        """Align by movement; without a match the offset stays and a message is shown."""
         try:
             found = self.takes.by_movement()
         except GlovetrackError as error:
@@ -185,7 +186,7 @@ class TwoTakesDialog(QDialog):
         self.figures.setText(self.tr("Saved to {}.").format(path.name))
 
     def set_offset(self, offset: float) -> None:
-        """Where on the first one's axis the second begins, s."""
+        """Set where the second recording starts on the axis of the first, s."""
         self._offset = float(np.clip(offset, -LONGEST, LONGEST))
         with QSignalBlocker(self.offset), QSignalBlocker(self.begin):
             self.offset.setValue(self._offset)
@@ -195,7 +196,7 @@ class TwoTakesDialog(QDialog):
         self.moved.emit(self._offset)
 
     def show_position(self, position: float) -> None:
-        """Where the replay of the first one stands, s."""
+        """Show the position of the replay of the first recording, s."""
         self._position = position
         self.images.show_at(position, position - self._offset)
         with QSignalBlocker(self.cursor_line):
@@ -203,7 +204,7 @@ class TwoTakesDialog(QDialog):
                 self.cursor_line.setValue(position)
 
     def done(self, result: int) -> None:
-        """Closed: the files are let go."""
+        """Close the files."""
         self.images.shut_down()
         super().done(result)
 

@@ -1,1 +1,1 @@
-"""The motion as numbers, bars and curves."""
+"""The Motion panel: angles and distances as numbers, bars and curves."""

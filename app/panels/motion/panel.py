@@ -1,4 +1,4 @@
-"""Measuring without leaving: angles, distances, their ranges and speeds, live and over a take."""
+"""Measurement of angles and distances, their ranges and speeds, live or over a recording."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ FIRST_ROWS = ("index_mcp_flexion", "index_pip_flexion")
 
 class MotionPanel(Panel):
     period = 1 / 10
-    removed = Signal(str, object)  # a sentence, and what undoes it
+    removed = Signal(str, object)  # a message, and a function that undoes the removal
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
@@ -178,7 +178,7 @@ class MotionPanel(Panel):
             self.removed.emit(text, lambda: self._put_back(model, before))
 
     def _put_back(self, model: MotionModel, pairs: list[tuple[str, str]]) -> None:
-        """The distances of before and those added since, of the hand that is still shown."""
+        """Restore removed distances next to those added since, if the same hand is still shown."""
         if model is self.model:
             added = [pair for pair in model.pairs if pair not in pairs]
             model.pairs = [*pairs, *added]
@@ -200,7 +200,7 @@ class MotionPanel(Panel):
             self.save_table(Path(name))
 
     def save_table(self, path: Path) -> None:
-        """As CSV."""
+        """Write the table as CSV."""
         if self.model is None:
             return
         try:

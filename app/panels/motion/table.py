@@ -51,7 +51,7 @@ class BarDelegate(QStyledItemDelegate):
 
 
 class MotionTable(QTableWidget):
-    """Rows are named once, and only their numbers change."""
+    """Rows are created once; then only their values change."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, 8, parent)
@@ -93,14 +93,14 @@ class MotionTable(QTableWidget):
             self._item(k, BAR).setData(SHARE, row.share)
 
     def show_figures(self, figures: Sequence[Sequence[float]], digits: Sequence[int]) -> None:
-        """Least, greatest, range and fastest of each row, as they are written."""
+        """Show minimum, maximum, range and peak speed of each row."""
         for k, values in enumerate(figures):
             for column, value in zip((LEAST, GREATEST, RANGE, FASTEST), values, strict=True):
                 self._put(k, column, f"{local(value):.{digits[k]}f}" if np.isfinite(value) else "–")
 
     def _item(self, row: int, column: int) -> QTableWidgetItem:
         item = self.item(row, column)
-        assert item is not None  # `name_rows` has made all
+        assert item is not None  # `name_rows` created all items
         return item
 
     def _put(self, row: int, column: int, text: str) -> None:
@@ -110,12 +110,12 @@ class MotionTable(QTableWidget):
 
     @property
     def chosen(self) -> list[int]:
-        """Rows that are selected."""
+        """The selected rows."""
         return sorted({index.row() for index in self.selectedIndexes()})
 
 
 class MotionPlot(CurvePlot):
-    """``sought``: a click at an instant (s from the take's first image)."""
+    """``sought``: a click at an instant (s from the recording's first image)."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent=parent)
@@ -124,11 +124,11 @@ class MotionPlot(CurvePlot):
         self.plot.addLegend(offset=(1, 1))
 
     def show_names(self, names: Sequence[str]) -> None:
-        """A curve for each, empty."""
+        """Create an empty curve for each name."""
         self.set_looks(curve_looks([shown_name(name) for name in names]))
 
     def show_curves(self, curves: Sequence[tuple[Array, Array]]) -> None:
-        """All of each curve."""
+        """Draw these curves completely."""
         t = [t for t, _ in curves if len(t)]
         if not t:
             return
@@ -140,7 +140,7 @@ class MotionPlot(CurvePlot):
 
 
 class MotionControls(OneLine):
-    """Widgets; `MotionPanel` does what they ask."""
+    """The row of controls; `MotionPanel` executes the requests."""
 
     def __init__(self, unit: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -161,7 +161,8 @@ class MotionControls(OneLine):
             self.add(widget)
 
     def offer_points(self, names: Sequence[str]) -> None:
-        """Points between which distances can be measured; the first and the last are chosen."""
+        """Offer the points between which distances can be measured; select the first and the
+        last."""
         for box in self.ends:
             box.clear()
             for name in names:
@@ -170,7 +171,7 @@ class MotionControls(OneLine):
 
     @property
     def pair(self) -> tuple[str, str]:
-        """The points chosen."""
+        """The selected points."""
         return self.ends[0].currentData(), self.ends[1].currentData()
 
     def enable(self, on: bool) -> None:
