@@ -1,4 +1,4 @@
-"""A colour profile being tuned: its changes, the way back, and what is shown of it."""
+"""A colour profile that is being tuned: its changes with undo and redo, and its display."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ CHANNELS = ("hue", "saturation", "value")
 
 @dataclass(frozen=True, eq=False)
 class Tuned:
-    """A profile, the sentence about how it came, and by hue the markers pointed at up to then."""
+    """A profile, a message about its origin, and the markers clicked so far, by hue."""
 
     profile: ColourProfile
     words: str = ""
     picks: Mapping[str, Pick] = field(default_factory=dict)
-    followed: bool = False  # nobody has asked for it: the engine followed the light
+    followed: bool = False  # changed by the engine, which follows the light
 
 
 class ProfileHistory:
@@ -65,7 +65,7 @@ class ProfileHistory:
         return self.now.profile
 
     def change(self, new: Tuned, merge: bool = False) -> None:
-        """Take a new profile; with ``merge`` (a slider still moving) no step of its own."""
+        """Set a new profile; ``merge`` (a slider is still moving) does not add a step."""
         if new.profile != self.profile:
             if not (merge and self._past):
                 self._past = [*self._past, self.now][-self._depth :]
@@ -73,14 +73,14 @@ class ProfileHistory:
         self.now = new
 
     def follow(self, new: Tuned, own_step: bool) -> None:
-        """Take what nobody has asked for; a light that goes on changing is one step, and without
-        an ``own_step`` it is none."""
+        """Set a profile that the engine has changed. Consecutive changes of the light are one step;
+        without ``own_step`` they are not a step."""
         if own_step and not self.now.followed:
             self.change(new)
         self.now = new
 
     def undo(self) -> bool:
-        """Whether there was a step to take back."""
+        """Go back one step; whether there was one."""
         if not self._past:
             return False
         self._future.append(self.now)
@@ -114,9 +114,9 @@ class ColourTuning:
     """The profile of one camera while it is tuned."""
 
     def __init__(self, setup: EngineSetup, kept: ColourProfile | None = None) -> None:
-        """``kept``: tuned earlier, in place of the one the engine has."""
+        """``kept``: a stored profile to use instead of the engine's."""
         self.setup = setup
-        self.hue = 0  # row of the one that is tuned
+        self.hue = 0  # row of the selected hue
         self.markers, self.live = MarkerWatch(setup), LiveImages(setup)
         self.last_words = tr("Colours of {}").format(setup.camera.name) if kept is not None else ""
         self.room, self.search, self._check = RoomColours(), ImageSearch(setup), PickCheck()
@@ -129,29 +129,30 @@ class ColourTuning:
 
     @property
     def hue_range(self) -> HueRange:
-        """Of the hue that is tuned."""
+        """The range of the selected hue."""
         return self.profile.hues[self.hue]
 
     # --- changes
 
     def move(self, channel: str, interval: tuple[int, int], held: bool) -> None:
-        """Set an end of a range; all that a slider does while it is ``held`` is one step."""
+        """Set an interval of the selected hue; all changes while a slider is ``held`` are one
+        step."""
         changed = with_range(self.profile, with_channel(self.hue_range, channel, interval))
         if changed != self.profile:
             self._change(Tuned(changed, picks=self._history.now.picks), merge=self._dragging)
         self._dragging = held
 
     def _change(self, new: Tuned, merge: bool = False) -> None:
-        """A step; what was said of the colours before is not said of these."""
+        """Add a step. Messages about the previous colours do not apply to the new ones."""
         self._history.change(new, merge)
-        if new.words or not self.live.wanted:  # it still says that a fit waits
+        if new.words or not self.live.wanted:  # the message that a fit is pending remains
             self.last_words = new.words
 
     def pick(self, image: Image, u: float, v: float, how: Eyedropper) -> bool:
-        """Take a pixel of the mask into the range, set the range by it, or leave it out.
+        """Include a pixel of the mask in the range, set the range from it, or exclude it.
 
-        False where it is grey, which is refused, or looks like another hue than the chosen one: a
-        second click there takes it. ``last_words`` says which.
+        False if the pixel is grey, or looks like another hue than the selected one, which a second
+        click accepts. ``last_words`` explains the reason.
         """
         at_u, at_v = u * MASK_STEP, v * MASK_STEP
         pixel = np.array(pixel_hsv(image, at_u, at_v))
@@ -175,12 +176,11 @@ class ColourTuning:
 
     @property
     def all_picked(self) -> bool:
-        """A marker of each hue was pointed at since the last `picked_fit`."""
+        """Whether a marker of each hue was clicked since the last `picked_fit`."""
         return self._history.now.picks.keys() == set(self.profile.hue_names)
 
     def picked_fit(self) -> FitWork:
-        """Learn from the markers that were pointed at, and from the images around them where there
-        are some, in another thread."""
+        """A fit to the clicked markers and, if available, the live images, for another thread."""
         picks = list(self._history.now.picks.values())
         self._history.now = replace(self._history.now, picks={})
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
@@ -188,24 +188,25 @@ class ColourTuning:
         return self.live.after(learned, self.setup.profile)
 
     def take(self, profile: ColourProfile, words: str) -> None:
-        """Another profile as one step that can be taken back, and a sentence about it."""
+        """Set another profile as one step, with a message."""
         self._change(Tuned(profile, words))
 
     def follow(self, profile: ColourProfile) -> None:
-        """The engine has changed the colours by itself: with the light, or on a replay's way.
+        """Use colours that the engine has changed, because the light or the replay position
+        changed.
 
-        What is changed from now on are these. A marker that was pointed at stays so.
+        Further changes start from these colours. Clicked markers are preserved.
         """
         live, before = self.setup.player is None, self._history.now
         words = tr("The light has changed; the colours were adapted.") if live else ""
         if before.picks or self.live.wanted:
-            words = self.last_words  # it still says what is waited for
+            words = self.last_words  # the message about the pending fit remains
         self._history.follow(Tuned(profile, words, before.picks, followed=True), live)
-        self._dragging = False  # what a hand at a slider does next is a step of its own
+        self._dragging = False  # the next movement of a slider is a step of its own
         self.last_words = words
 
     def undo(self) -> bool:
-        """Whether there was a step to take back."""
+        """Go back one step; whether there was one."""
         return self._went(self._history.undo())
 
     def redo(self) -> bool:
@@ -217,7 +218,7 @@ class ColourTuning:
         return there
 
     def load(self, path: Path) -> None:
-        """Take a profile out of a file. Raises GlovetrackError where it is none of this glove."""
+        """Import a profile. Raises GlovetrackError if it does not fit this glove."""
         loaded = load_profile(path)
         if loaded.hue_names != self.profile.hue_names:
             names = ", ".join(map(spoken, self.profile.hue_names))
@@ -245,7 +246,7 @@ class ColourTuning:
     # --- what is shown
 
     def rows(self, shown: ShownImage) -> list[HueRow]:
-        """One per hue."""
+        """One row per hue."""
         if shown.view is not None and not self.search.is_own(shown):
             return seen_rows(shown.view, self.profile, self.room.shares)
         counts = blob_counts([self.search.blobs], self.profile.hue_names, self.profile)
@@ -254,14 +255,14 @@ class ColourTuning:
         return hue_rows(self.profile, counts, expected, self.room.shares)
 
     def words(self, rows: list[HueRow]) -> str:
-        """What was done last, and what stands in the way of a hue."""
+        """The result of the last action, and problems of hues."""
         clashing = [f"▲ {spoken(row.name)}: {row.clash}" for row in rows if row.clash]
         return "\n".join([*([self.last_words] if self.last_words else []), *clashing])
 
     def mask(
         self, shown: ShownImage, rows: list[HueRow], picking: bool = False
     ) -> MaskShown | None:
-        """None without an image; ``picking``: with an eyedropper in hand."""
+        """The mask; None without an image. ``picking``: an eyedropper is selected."""
         if shown.image is None:
             return None
         pairs = zip(self.profile.hues, rows, strict=True)

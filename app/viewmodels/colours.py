@@ -1,4 +1,4 @@
-"""The colour profile on screen: what hues look like, how many blobs, which intervals clash."""
+"""Display of a colour profile: colours of the hues, numbers of blobs, overlapping ranges."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from tracker.vision.colours import HUES, ColourProfile
 
 
 def hue_hex(hue: float) -> str:
-    """A clear colour of this OpenCV hue, readable on a dark image."""
+    """A saturated colour of this OpenCV hue, visible on a dark image."""
     rgb = colorsys.hsv_to_rgb(hue / HUES, 0.85, 1.0)
     return "#" + "".join(f"{round(255 * x):02X}" for x in rgb)
 
 
 def hue_colours(profile: ColourProfile) -> dict[str, str]:
-    """Hue name to the colour it is drawn in."""
+    """The display colour of each hue, by name."""
     return {h.name: hue_hex(h.centre) for h in profile.hues}
 
 
 def nearest_hue(profile: ColourProfile, hsv: Array) -> tuple[str, bool]:
-    """The hue nearest to an HSV pixel (3,), and whether the pixel is in its range; a hue whose
-    range has the pixel goes first."""
+    """The hue nearest to an HSV pixel (3,), and whether the pixel is in its range; hues whose range
+    contains the pixel take precedence."""
     inside = [h.name for h in profile.hues if h.contains(hsv)]
     apart = {h.name: abs((hsv[0] - h.centre + HUES / 2) % HUES - HUES / 2) for h in profile.hues}
     return min(inside or apart, key=apart.__getitem__), bool(inside)
@@ -38,7 +38,7 @@ def nearest_hue(profile: ColourProfile, hsv: Array) -> tuple[str, bool]:
 
 @dataclass(frozen=True)
 class HueRow:
-    """One hue on screen: how many blobs there are, how many should be, what stands in its way."""
+    """One hue: the number of blobs, the expected number, and problems."""
 
     name: str
     colour: str
@@ -54,8 +54,8 @@ def hue_rows(
     expected: Mapping[str, float] | None = None,
     room: Mapping[str, float] | None = None,
 ) -> list[HueRow]:
-    """One row per hue. ``found`` and ``expected`` are blobs in one image, by hue; ``room`` is the
-    share of the image beside the hand that has the hue."""
+    """One row per hue. ``found`` and ``expected`` are numbers of blobs in one image, by hue;
+    ``room`` is the share of the background that has the hue."""
     colours, overlaps = hue_colours(profile), _overlaps(profile)
     rows = []
     for h in profile.hues:
@@ -79,7 +79,7 @@ def seen_rows(
 def blob_counts(
     sides: Sequence[Blobs | None], names: Sequence[str], profile: ColourProfile
 ) -> dict[str, float]:
-    """Hue name to blobs of it in one image: the mean over the sides. Empty without an image."""
+    """Number of blobs in one image by hue name: the mean over the sides. Empty without an image."""
     there = [b for b in sides if b is not None]
     if not there:
         return {}
@@ -91,8 +91,8 @@ def blob_counts(
 
 
 def expected_counts(view: Snapshot) -> dict[str, float]:
-    """Hue name to markers that should be seen in one image; empty while searching, and where the
-    tracker has not said what it expects, as in a session."""
+    """Number of visible markers expected in one image by hue name; empty while searching, and if
+    there are no predictions, as in a session."""
     if view.result is None or view.result.tracking != Tracking.TRACKING:
         return {}
     out: dict[str, float] = {}
@@ -121,7 +121,7 @@ def _count(
 
 
 def _overlaps(profile: ColourProfile) -> dict[str, str]:
-    """Hue name to the others that take the same pixels."""
+    """For each hue name, the hues whose ranges overlap with it."""
     out: dict[str, list[str]] = {}
     for clash in clashes(profile):
         for mine, other in ((clash.hue, clash.other), (clash.other, clash.hue)):

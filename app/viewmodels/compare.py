@@ -11,16 +11,17 @@ from app.viewmodels.names import engine_name, spoken
 from app.words import local, notice_text, tr
 from tracker.base.notices import Notice
 
-SHOWN = 0.005  # mm; less is not to be seen in the figures
+SHOWN = 0.005  # mm; smaller differences are not visible in the figures
 
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """``first`` and ``second`` tell one movement; figures as `tracker.session.compare` gives them.
+    """``first`` and ``second`` are trackings of one movement; figures as in
+    `tracker.session.compare`.
 
-    ``errors_mm``: mean distance of each keypoint from the truth, of both; empty without truth.
-    ``engines``: what tracked them; ``unused``: what of the recording the second tracking did not
-    use.
+    ``errors_mm``: mean distance of each keypoint from the truth, for both; empty without truth.
+    ``engines``: the engines that tracked them; ``unused``: parts of the recording that the second
+    tracking did not use.
     """
 
     first: Path
@@ -32,7 +33,7 @@ class Comparison:
 
     @property
     def names(self) -> tuple[str, str]:
-        """What tells them apart: their engines, or where that is one the files' names."""
+        """Names that distinguish them: their engines or, if these are the same, the file names."""
         first, second = self.engines
         if first and second and first != second:
             return engine_name(first), engine_name(second)
@@ -45,7 +46,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class CompareRow:
-    """``difference`` between both, each one's ``error`` against the truth; with their unit."""
+    """``difference`` between both, and the ``error`` of each against the truth, with units."""
 
     name: str
     difference: str
@@ -54,7 +55,7 @@ class CompareRow:
 
 
 def rows(c: Comparison) -> list[CompareRow]:
-    """All together, then each keypoint (mm), then each joint (degrees)."""
+    """All keypoints and joints, then each keypoint (mm), then each joint (degrees)."""
     f, (first, second) = c.figures, c.errors_mm
     out = [
         CompareRow(
@@ -72,7 +73,7 @@ def rows(c: Comparison) -> list[CompareRow]:
 
 
 def summary(c: Comparison) -> str:
-    """One sentence on both, and what was not used."""
+    """One sentence about both, and what was not used."""
     return " ".join([_in_common(c), *map(notice_text, c.unused)])
 
 
@@ -84,7 +85,7 @@ def _in_common(c: Comparison) -> str:
         "{} instants in common; keypoints differ by {} on average, joints by {} (rms)."
     ).format(f["compared"], _mm(f["mean_mm"]), _deg(f["rms_deg"]))
     first, second = (_mean(e) for e in c.errors_mm)
-    if abs(first - second) >= SHOWN:  # never of one that is not known
+    if abs(first - second) >= SHOWN:  # false if either is unknown
         better = c.names[second < first]
         nearer = tr("{} is closer to the truth: {} on average.")
         text = f"{text} {nearer.format(better, _mm(min(first, second)))}"

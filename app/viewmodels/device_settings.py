@@ -1,5 +1,5 @@
-"""Every value of the open devices as a tree: whether it can be changed, and whether the device has
-confirmed it."""
+"""All values of the connected devices as a tree: whether they can be changed, and whether the
+device has confirmed them."""
 
 from __future__ import annotations
 
@@ -22,13 +22,15 @@ from tracker.sensors.glove_report import GloveReport
 
 Value = str | float | int | bool | None
 AUTOMATIC = "automatic"
-"""The value of a control that the camera sets."""
+"""The value of a control that the camera sets automatically."""
 CONTROLS = {
     "exposure": mark("Exposure"),
     "gain": mark("Gain"),
     "white_balance": mark("White balance"),
 }
-RATE_TOLERANCE = 0.05  # share by which a measured rate may differ from what was asked for
+RATE_TOLERANCE = (
+    0.05  # relative difference of a measured rate from the requested one that is accepted
+)
 NOT_REPORTED = mark("not reported")
 LINK_STATES = {
     "unplugged": mark("unplugged"),
@@ -36,11 +38,11 @@ LINK_STATES = {
     "streaming": mark("receiving packets"),
     "silent": mark("no packets"),
 }
-"""By the value of a `LinkState`."""
+"""Texts by the value of a `LinkState`."""
 
 
 class Confirmed(Enum):
-    """How far a value is known to be that of the device."""
+    """How well it is known that a value is that of the device."""
 
     REPORTED = mark("reported by the device")
     MEASURED = mark("measured")
@@ -53,8 +55,8 @@ class Confirmed(Enum):
 
 @dataclass(frozen=True)
 class DeviceValue:
-    """``path`` are words of the tree, from the device to the value. Of one that can be changed
-    ``choices`` are all there are, or ``limits`` (least, greatest, step) bound it."""
+    """``path``: labels in the tree, from the device to the value. A value that can be changed has
+    either all its ``choices`` or ``limits`` (minimum, maximum, step)."""
 
     key: str
     path: tuple[str, ...]
@@ -73,7 +75,7 @@ class DeviceValue:
 
 
 def value_text(value: Value, unit: str = "") -> str:
-    """As the tree shows it."""
+    """A value as shown in the tree."""
     if value is None or value == "":
         return tr(NOT_REPORTED)
     if isinstance(value, bool):
@@ -85,7 +87,7 @@ def value_text(value: Value, unit: str = "") -> str:
 
 
 def device_values(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
-    """All values of all devices; ``asked`` are changes that were applied, by key."""
+    """All values of all devices; ``asked`` are applied changes, by key."""
     out: list[DeviceValue] = []
     for hand in sorted(view.setup.hands, key=lambda h: h.side):
         look = next((v for v in view.hands if v.setup.side == hand.side), view)
@@ -104,7 +106,7 @@ def _entry(
 
 
 def glove_device(side: str) -> str:
-    """The name of a glove in the tree."""
+    """The key of a glove in the tree."""
     return tr("Left glove") if side == "left" else tr("Right glove")
 
 
@@ -177,7 +179,7 @@ def _chip(prefix: str, device: str, r: GloveReport) -> list[DeviceValue]:
 
 
 def rate_state(r: GloveReport) -> Confirmed:
-    """The protocol has no answer to RATE: the packets' own times tell."""
+    """The protocol does not acknowledge RATE: the time stamps of the packets show the rate."""
     if r.rate_hz is None:
         return Confirmed.WAITING
     taken = abs(r.rate_hz / r.rate_asked_hz - 1) <= RATE_TOLERANCE
@@ -223,7 +225,7 @@ def _imu(
 
 
 def _bias(calibration: Calibration | None, segment: str, kind: str) -> str | None:
-    """x, y, z ± sd of the estimated bias; None where nothing is estimated."""
+    """x, y, z ± sd of the estimated bias; None if it is not estimated."""
     if calibration is None or segment not in calibration.segments:
         return None
     row = calibration.segments.index(segment)
@@ -304,7 +306,7 @@ def _control(control: Control, asked: Mapping[str, Value]) -> DeviceValue:
 
 
 def locks_of(values: Iterable[DeviceValue], edits: Mapping[str, Value]) -> Locks:
-    """What the camera's controls shall be, with ``edits``."""
+    """The camera locks, including ``edits``."""
     wanted: dict[str, float | None] = {}
     for value in values:
         device, _, name = value.key.partition(".")
@@ -315,7 +317,7 @@ def locks_of(values: Iterable[DeviceValue], edits: Mapping[str, Value]) -> Locks
 
 
 def is_allowed(value: DeviceValue, wanted: Value) -> bool:
-    """Whether a changeable value can be ``wanted``."""
+    """Whether a value can be changed to ``wanted``."""
     if not value.changeable:
         return False
     if wanted in value.choices:
@@ -329,7 +331,7 @@ def is_allowed(value: DeviceValue, wanted: Value) -> bool:
 
 
 def to_file(values: Sequence[DeviceValue]) -> str:
-    """TOML: a table for each device, a key for each value that is known."""
+    """TOML with a table for each device and a key for each known value."""
     tables: dict[str, dict[str, Any]] = {}
     for value in values:
         device, _, name = value.key.partition(".")
@@ -340,7 +342,7 @@ def to_file(values: Sequence[DeviceValue]) -> str:
 
 @dataclass(frozen=True)
 class DeviceDifference:
-    """A value of a file that is not the device's; ``now`` is None where there is none."""
+    """A value of a file that differs from the device's; ``now`` is None if the device has none."""
 
     key: str
     name: str
@@ -350,11 +352,11 @@ class DeviceDifference:
 
 
 LIVE = ("battery_v", "temperature_c", "state", "fps", "measured_rate_hz", "clock_skew_ppm")
-"""Figures that differ from one second to the next: no setting."""
+"""Measurements that change continuously and are not settings."""
 
 
 def differences(text: str, name: str, values: Sequence[DeviceValue]) -> list[DeviceDifference]:
-    """What of a file differs from ``values``. Raises FileError for what is not such a file."""
+    """Differences between a file and ``values``. Raises FileError for an invalid file."""
     known = {value.key: value for value in values}
     out = []
     for device, table in parse_toml(text, name).items():
@@ -372,7 +374,7 @@ def differences(text: str, name: str, values: Sequence[DeviceValue]) -> list[Dev
 
 
 def is_motor(value: DeviceValue) -> bool:
-    """Whether it is a motor that can be run."""
+    """Whether the value is a motor that can be run."""
     return value.key.partition(".")[2].startswith("motor_")
 
 

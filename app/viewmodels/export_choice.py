@@ -1,4 +1,4 @@
-"""What is exported and how, as it is remembered and kept under a name."""
+"""Export options, as stored in the settings and in presets."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from tracker.session.export.options import (
 
 @dataclass(frozen=True)
 class ExportChoice:
-    """``rate`` Hz, 0 as recorded; ``axes`` and ``units`` empty: as usual for the format; ``task``
-    and ``split`` of data sets: see `DatasetOptions`."""
+    """``rate`` Hz, 0 as recorded; ``axes`` and ``units`` empty: default of the format; ``task`` and
+    ``split`` of data sets: see `DatasetOptions`."""
 
     formats: tuple[str, ...] = ("csv",)
     rate: float = 0.0
@@ -50,12 +50,12 @@ class ExportChoice:
         )
 
     def as_dict(self) -> dict[str, Any]:
-        """For the settings."""
+        """As stored in the settings."""
         return {**asdict(self), "formats": list(self.formats)}
 
 
 def choice_from(data: object) -> ExportChoice:
-    """Of the settings; what another version or a hand has written there keeps its default."""
+    """The options from the settings; invalid or unknown entries are replaced by defaults."""
     found = data if isinstance(data, Mapping) else {}
     usual = ExportChoice()
     names = found.get("formats")

@@ -1,4 +1,4 @@
-"""Gaps of a replayed session: what the list shows of them, and how they look on the timeline."""
+"""Gaps of a replayed session as listed and as shown on the timeline."""
 
 from __future__ import annotations
 
@@ -54,8 +54,8 @@ _SIDES = {"left": mark("left"), "right": mark("right"), "hand": mark("hand")}
 
 @dataclass(frozen=True)
 class SessionGaps:
-    """What is read of a session: its gaps, and those that an edit filled. ``start_ns``: its first
-    stamp since 1970, from which positions are counted."""
+    """The gaps of a session, and those that an edit filled. ``start_ns``: its first time stamp
+    since 1970, the origin of positions."""
 
     path: Path
     gaps: tuple[Gap, ...]
@@ -68,7 +68,7 @@ class SessionGaps:
 
     @property
     def parts(self) -> tuple[str, ...]:
-        """In the order in which they come first."""
+        """Parts of the hand, in order of their first gap."""
         return tuple(dict.fromkeys(gap.part for gap in self.gaps))
 
     def is_interpolated(self, position: float) -> bool:
@@ -79,7 +79,7 @@ class SessionGaps:
 
 @dataclass(frozen=True)
 class Stretch:
-    """A part of the timeline from ``start`` to ``stop`` s, with what a tool tip says of it."""
+    """An interval of the timeline from ``start`` to ``stop`` s, with its tool tip."""
 
     start: float
     stop: float
@@ -89,7 +89,7 @@ class Stretch:
 
 @dataclass(frozen=True)
 class FilledSession:
-    """A new session with ``filled`` gaps; ``left`` of those that were chosen are as they were."""
+    """A new session with ``filled`` gaps; ``left`` of the selected ones were not filled."""
 
     path: Path
     filled: int
@@ -98,7 +98,8 @@ class FilledSession:
 
 @dataclass(frozen=True)
 class GapFilter:
-    """What is listed; an empty word lists all. What no sensor measures is listed on request."""
+    """Criteria of listed gaps; an empty word matches all. Parts without a sensor are listed on
+    request."""
 
     kind: str = ""
     part: str = ""
@@ -115,7 +116,7 @@ class GapFilter:
 
 
 def part_text(part: str) -> str:
-    """Of a hand: all of it, its wrist or a finger."""
+    """Name of a part: the whole hand, its wrist or a finger."""
     return tr(_SIDES[part]) if part in _SIDES else spoken(part)
 
 
@@ -128,7 +129,7 @@ def cause_text(gap: Gap) -> str:
 
 
 def tip_of(gap: Gap) -> str:
-    """Which keypoints are missing, and why it cannot be filled, if so."""
+    """The missing keypoints, and why the gap cannot be filled, if so."""
     text = ", ".join(spoken(name) for name in gap.keypoints)
     if gap.fillable:
         return text
@@ -137,7 +138,7 @@ def tip_of(gap: Gap) -> str:
 
 
 def stretches(found: SessionGaps, shown: Sequence[Gap]) -> list[Stretch]:
-    """Of the timeline: the listed gaps, then what was interpolated."""
+    """Intervals for the timeline: the listed gaps, then interpolated ones."""
     out = []
     for gap in shown:
         look = KINDS[gap.kind]
@@ -152,7 +153,7 @@ def stretches(found: SessionGaps, shown: Sequence[Gap]) -> list[Stretch]:
 
 
 def filled_text(made: FilledSession, source: str) -> str:
-    """What was made."""
+    """A message about the new session."""
     text = tr("Filled {} gaps of {} by interpolation in {}; the original is unchanged.")
     said = text.format(made.filled, source, made.path.name)
     return f"{said} {tr('Not filled: {}.').format(made.left)}" if made.left else said

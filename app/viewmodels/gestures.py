@@ -1,4 +1,4 @@
-"""Which gestures the hand shows, in words, and how much of each."""
+"""The gestures that the hand shows, as text with their strengths."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ WORDS = {
     "grasp": mark("grasp"),
     "poke": mark("poke"),
 }
-UNSURE = 0.5  # a confidence: below it is said that a gesture is inferred
-LONGEST_GAP = 0.5  # s between two estimates after which what was shown is forgotten
+UNSURE = 0.5  # confidence below which a gesture is marked as uncertain
+LONGEST_GAP = 0.5  # s between two estimates after which previous gestures are discarded
 
 
 class ShownGestures:
-    """Of one open engine, as the window sees its hand."""
+    """The gestures of one hand of the open engine."""
 
     def __init__(self, setup: EngineSetup) -> None:
         self._setup = setup
@@ -36,11 +36,11 @@ class ShownGestures:
         self._t = float("-inf")
 
     def line(self, estimate: Estimate | None) -> str:
-        """Those that are shown with the newest estimate, such as ``fist 100 %``."""
+        """Gestures of the newest estimate, such as ``fist 100 %``."""
         if estimate is None:
             return ""
         if not 0 <= estimate.t - self._t < LONGEST_GAP:
-            self._forget()  # a replay was sent elsewhere
+            self._forget()  # the replay position has changed
         if estimate.t > self._t:
             self._recogniser.feed(estimate)
             self._t = estimate.t

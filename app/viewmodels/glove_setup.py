@@ -1,6 +1,6 @@
-"""The glove's set-up as it runs: what is asked of the wearer now, and tables of what was found.
+"""Steps of the glove set-up: instructions for the wearer, and tables of the results.
 
-Time is that of the samples, so a run is a function of the samples it was shown.
+Time is that of the samples, so a run is a function of its samples.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from tracker.calibration.still import StillParams, StillPose, still_pose
 from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, moving
 from tracker.messages import Array, ImuSample
 
-READY = 1.5  # s to read what is asked
-PATIENCE = 10.0  # s without motion, then the step is asked for again
-GLANCE = 0.5  # s over which motion is judged live
+READY = 1.5  # s to read the instruction
+PATIENCE = 10.0  # s without motion after which the step is repeated
+GLANCE = 0.5  # s over which current motion is evaluated
 FULL_DPS = 200.0
-"""Rate that fills a bar."""
+"""Angular rate at the full length of a bar."""
 
 
 class SetUpPhase(Enum):
-    """Where a run stands."""
+    """State of a run."""
 
     READY = "ready"
     WAITING = "waiting"
@@ -36,7 +36,7 @@ class SetUpPhase(Enum):
 
 
 class WiggleRun:
-    """Leads through the steps of a wiggle test, hands free."""
+    """Leads through the steps of a wiggle test without keyboard or mouse."""
 
     def __init__(self, test: WiggleTest) -> None:
         self.test, self.step, self.phase = test, 0, SetUpPhase.READY
@@ -46,12 +46,12 @@ class WiggleRun:
 
     @property
     def part(self) -> str:
-        """What shall move now; "rest" at the end."""
+        """The part to be moved now; "rest" at the end."""
         return "rest" if self.phase == SetUpPhase.DONE else self.test.steps[self.step].part
 
     @property
     def words(self) -> str:
-        """What the wearer is asked."""
+        """The instruction for the wearer."""
         if self.phase == SetUpPhase.DONE:
             return notice_text(self.test.result().summary)
         asked = notice_text(self._hint or self.test.steps[self.step].instruction)
@@ -60,7 +60,7 @@ class WiggleRun:
         return tr("{} of {}: {}").format(self.step + 1, len(self.test.steps), asked)
 
     def look(self, recent: Sequence[ImuSample]) -> None:
-        """Go on by what the latest samples show."""
+        """Continue with the latest samples."""
         if not recent or self.phase == SetUpPhase.DONE:
             return
         now = recent[-1].t
@@ -102,7 +102,7 @@ class StillRun:
         self.share = 0.0
 
     def look(self, recent: Sequence[ImuSample]) -> None:
-        """Judge the latest samples."""
+        """Evaluate the latest samples."""
         if not recent or self.done:
             return
         now = recent[-1].t
@@ -132,7 +132,7 @@ def last(samples: Sequence[ImuSample], span: float) -> list[ImuSample]:
 
 @dataclass(frozen=True)
 class GloveRow:
-    """Cells of one table row, and the look of its last."""
+    """Cells of a table row, and the look of the last one."""
 
     texts: tuple[str, ...]
     look: StateLook
@@ -166,7 +166,7 @@ WIGGLE_LOOKS = {
 
 
 def wiggle_rows(result: WiggleResult) -> list[GloveRow]:
-    """IMU, state, words."""
+    """IMU, state, explanation."""
     return [
         GloveRow((spoken(r.name), r.state, notice_text(r.what)), WIGGLE_LOOKS.get(r.state, IDLE))
         for r in result.rows
@@ -174,6 +174,6 @@ def wiggle_rows(result: WiggleResult) -> list[GloveRow]:
 
 
 def motion_rows(samples: Sequence[ImuSample]) -> tuple[Array, list[int]]:
-    """(n,) share of a full bar of each IMU, and the rows of those that move now."""
+    """Bar length (n,) 0..1 of each IMU, and the rows of those that are moving."""
     motion = imu_motion(last(samples, GLANCE))
     return np.clip(np.nan_to_num(np.rad2deg(motion)) / FULL_DPS, 0, 1), moving(motion)

@@ -1,4 +1,4 @@
-"""Graphs that the user has put together: their signals, units, read-outs and tables."""
+"""User-defined graphs: their signals, units, read-outs and tables."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from app.words import local, tr
 from tracker.messages import Array
 
 SPANS = (5.0, 10.0, 30.0, 60.0)
-"""s that a live graph may show."""
+"""Time spans of a live graph, s."""
 WHOLE = 0.0
-"""The span of a graph of a whole recording."""
+"""Time span of a graph that shows a whole recording."""
 USUAL = 10.0
 MOST_CURVES, MOST_GRAPHS, MOST_UNITS = 12, 12, 2
 
 
 @dataclass(frozen=True)
 class Graph:
-    """Keys of its signals, and the s that it shows live and in a replay."""
+    """Keys of its signals, and its time spans for live data and replays, s."""
 
     keys: tuple[str, ...] = ()
     span: float = USUAL
@@ -34,12 +34,12 @@ class Graph:
 
 
 def to_setting(graphs: Sequence[Graph]) -> list[dict[str, Any]]:
-    """As the settings hold them."""
+    """As stored in the settings."""
     return [{"signals": list(g.keys), "span": g.span, "replay_span": g.replay_span} for g in graphs]
 
 
 def from_setting(value: object) -> list[Graph]:
-    """What `to_setting` wrote; of anything else what can be understood."""
+    """The graphs from the settings; invalid entries are ignored."""
     graphs = []
     for item in value if isinstance(value, list) else ():
         if isinstance(item, dict):
@@ -58,7 +58,7 @@ def from_setting(value: object) -> list[Graph]:
 
 
 def first_graphs(known: Iterable[Signal]) -> list[Graph]:
-    """For a user who has none yet: the bending of the index finger, and what its IMUs turn."""
+    """Graphs for new users: flexion of the index finger, and the angular rates of an IMU."""
     signals = list(known)
     angles = [
         s.key for s in signals if s.name in ("angle/index_mcp_flexion", "angle/index_pip_flexion")
@@ -73,12 +73,12 @@ def first_graphs(known: Iterable[Signal]) -> list[Graph]:
 
 
 def units_of(signals: Iterable[Signal]) -> list[str]:
-    """In the order of their first signals: of the left axis, then of the right one."""
+    """Units in the order of their first signals: that of the left axis, then of the right one."""
     return list(dict.fromkeys(signal.unit for signal in signals))
 
 
 def refusal(shown: Sequence[Signal], more: Signal) -> str:
-    """Why ``more`` has no room in a graph of ``shown``; empty where it has."""
+    """Why ``more`` cannot be added to a graph of ``shown``; empty if it can."""
     if len(shown) >= MOST_CURVES:
         return tr("A graph has at most {} curves. Add another graph.").format(MOST_CURVES)
     units = units_of(shown)
@@ -89,12 +89,12 @@ def refusal(shown: Sequence[Signal], more: Signal) -> str:
 
 
 def unit_name(unit: str) -> str:
-    """Of an axis; counts have none of their own."""
+    """Unit of an axis; counts have none."""
     return unit or tr("counts")
 
 
 def axis_title(signals: Sequence[Signal]) -> str:
-    """The unit, after the signal's name where there is only one."""
+    """The unit, preceded by the signal's name if there is only one signal."""
     if not signals:
         return ""
     unit = unit_name(signals[0].unit)
@@ -102,7 +102,7 @@ def axis_title(signals: Sequence[Signal]) -> str:
 
 
 def value_at(curve: Curve, t: float) -> float:
-    """The value at the instant nearest to ``t`` (s); NaN where there is none."""
+    """The value at the instant nearest to ``t`` (s); NaN without data."""
     times, values = curve
     if len(times) == 0:
         return float("nan")
@@ -114,13 +114,14 @@ def value_at(curve: Curve, t: float) -> float:
 
 
 def number(value: float) -> str:
-    """As a read-out shows it."""
+    """A value as shown in a read-out."""
     return f"{local(value):.4g}" if np.isfinite(value) else "–"
 
 
 def table(curves: Mapping[Signal, Curve], begin: float, end: float, zero: float) -> str:
-    """CSV of what is between ``begin`` and ``end`` (s): a column for each signal, a line for each
-    instant of any of them, s from ``zero``; empty where a signal has none at that instant."""
+    """CSV of the data between ``begin`` and ``end`` (s): a column for each signal, a row for each
+    instant of any of them, s from ``zero``; empty cells where a signal has no value at that
+    instant."""
     columns, times = [], []
     for t, values in curves.values():
         there = (t >= begin) & (t <= end) & np.isfinite(values)

@@ -1,8 +1,8 @@
-"""Led through held poses: which pose is asked for, how far it is held, and what is told of it.
+"""Guided poses: the requested pose, how far it has been held, and the notices about it.
 
-A pose is told to begin when it is first held well and to end when it was held for `HELD` s, so
-that what the engine learns from was held; a wearer who loses it begins again. One whom the
-judgement does not believe may insist, one who cannot may skip.
+The engine is notified that a pose begins when it is first held well, and that it ends after `HELD`
+s; if the wearer loses the pose, it starts again. A wearer can accept a pose that is not detected,
+or skip one.
 """
 
 from __future__ import annotations
@@ -14,26 +14,28 @@ from app.engines.engine import LivePart
 from tracker.hand.holding import NOTHING_ARRIVES, Holding
 from tracker.hand.poses import BETWEEN, HELD, POSES
 
-SLACK = 0.4  # s for which a pose may look badly held before it counts as let go
-PATIENCE = 12.0  # s of a hand that is seen and does not hold the pose, which is left out then
-LONGEST_STEP = 0.25  # s between two looks that count as held; a stalled window proves nothing
+SLACK = 0.4  # s for which a pose may be held badly before it counts as released
+PATIENCE = 12.0  # s after which a pose that a visible hand does not hold is skipped
+LONGEST_STEP = (
+    0.25  # maximum s between two evaluations that count as held, for example if the window stalls
+)
 UNSEEN = ("", NOTHING_ARRIVES)
-"""In place of a joint where there is no hand to be judged."""
+"""Replaces the joint if there is no hand to evaluate."""
 Judge = Callable[[str], Holding]
-"""How the pose of that name is held at this instant."""
+"""Returns how the pose of that name is held at this instant."""
 
 
 class GuidedPhase(Enum):
-    WAITING = "waiting"  # not begun
+    WAITING = "waiting"  # not started
     REACHING = "reaching"
     HOLDING = "holding"
     DONE = "done"
 
 
 class GuidedRun:
-    """``tick`` it with a clock's time in s; ``share`` 0..1 says how full the ring is.
+    """Call ``tick`` with a clock's time in s; ``share`` 0..1 is the filled part of the ring.
 
-    ``held`` are the outcomes so far by pose: True held, False left out.
+    ``held`` are the outcomes so far by pose: True held, False skipped.
     """
 
     def __init__(self, live: LivePart, judge: Judge, poses: Sequence[str] = tuple(POSES)) -> None:
@@ -44,13 +46,13 @@ class GuidedRun:
         self.share = 0.0
         self.holding = Holding(True)
         self.held: dict[str, bool] = {}
-        self.insisted = False  # the wearer says that it is held
-        self.late = False  # the pose could be held by now, and is not
+        self.insisted = False  # the wearer accepted the pose
+        self.late = False  # there was enough time for the pose, but it is not held
         self._asked = self._well = self._last = self._missed = 0.0
 
     @property
     def pose(self) -> str:
-        """The one asked for; the last one when all are done."""
+        """The requested pose; the last one at the end."""
         return self.poses[min(self.number, len(self.poses) - 1)]
 
     @property
@@ -58,41 +60,42 @@ class GuidedRun:
         return self.phase in (GuidedPhase.REACHING, GuidedPhase.HOLDING)
 
     def may_begin(self, t: float) -> bool:
-        """Whether the wearer has had the time to come to the pose."""
+        """Whether there was enough time to take the pose."""
         return t - self._asked >= BETWEEN
 
     @property
     def is_well(self) -> bool:
-        """Whether the pose is held by all that is known, or by the word of a wearer who is seen."""
+        """Whether the pose is held according to the evaluation, or accepted by a visible wearer."""
         return self.holding.is_held or (self.insisted and not self._is_unseen)
 
     @property
     def _is_unseen(self) -> bool:
-        """There is no hand to be judged, nor one to be learned from."""
+        """Whether there is no hand to evaluate."""
         return not self.holding.is_held and self.holding.joint in UNSEEN
 
     # --- what the wearer asks
 
     def start(self, t: float) -> None:
-        """From the first pose on."""
+        """Start from the first pose."""
         self.held = {}
         self._ask(0, t)
 
     def insist(self, t: float) -> None:
-        """It is held, whatever it looks like: the engine judges for itself what it believes."""
+        """Accept the pose whatever the evaluation; the engine checks its measurements itself."""
         if self.phase == GuidedPhase.REACHING and not self._is_unseen:
             self.insisted = True
             self._begin(t)
 
     def skip(self, t: float) -> None:
-        """Leave this pose out."""
+        """Skip this pose."""
         if self.is_running:
             if self.phase == GuidedPhase.REACHING:
-                self._hand.hold(self.pose)  # a recording tells what was skipped
+                self._hand.hold(self.pose)  # the recording contains which pose was skipped
             self._end(False, t)
 
     def repeat(self, t: float) -> None:
-        """This pose again, or the one before where this one has not begun; the last when done."""
+        """Repeat this pose, or the previous one if this one has not begun; at the end, the last
+        one."""
         if self.phase == GuidedPhase.WAITING:
             return
         if self.phase == GuidedPhase.HOLDING:
@@ -102,7 +105,7 @@ class GuidedRun:
             self._ask(max(self.number - 1, 0), t)
 
     def cancel(self) -> None:
-        """Nothing more is asked for; what was held counts."""
+        """Stop; poses held so far are used."""
         if self.phase == GuidedPhase.HOLDING:
             self._hand.let_go(self.pose, False)
         if self.is_running:
@@ -112,7 +115,7 @@ class GuidedRun:
     # --- as time goes on
 
     def tick(self, t: float) -> None:
-        """Look how the pose is held."""
+        """Evaluate the pose."""
         step, self._last = min(t - self._last, LONGEST_STEP), t
         if not self.is_running:
             return
@@ -121,7 +124,7 @@ class GuidedRun:
         if self.phase == GuidedPhase.REACHING:
             if self.late and self.holding.is_held:
                 self._begin(t)
-            elif self.late and not self._is_unseen:  # who is not seen is waited for
+            elif self.late and not self._is_unseen:  # wait for a hand that is not visible
                 self._missed += step
                 if self._missed > PATIENCE:
                     self.skip(t)
@@ -135,7 +138,7 @@ class GuidedRun:
             self._end(True, t)
 
     def _show(self, pose: str) -> None:
-        """To a simulated wearer, who takes the pose; a real one reads the screen."""
+        """Instruct a simulated wearer; a real one reads the screen."""
         if self._wearer is not None:
             self._wearer.show(pose)
 
@@ -150,7 +153,7 @@ class GuidedRun:
         self._hand.hold(self.pose)
 
     def _lost(self, t: float) -> None:
-        """Let go too early: the same pose from its beginning, without a pause."""
+        """Restart a pose that was released too early, without a pause."""
         self._hand.let_go(self.pose, False)
         self.phase, self.share, self._asked = GuidedPhase.REACHING, 0.0, t - BETWEEN
 

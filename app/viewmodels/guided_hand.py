@@ -1,6 +1,6 @@
-"""The hand that shows what to do: poses as they are drawn, and the way from one to the next.
+"""The hand that demonstrates poses, and its movement from one pose to the next.
 
-Of the wearer's own hand file, so that a left hand is shown a left hand.
+Uses the wearer's hand file, so that a left hand is shown for a left glove.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from tracker.simulation.postures import posture
 from tracker.simulation.smooth import minimum_jerk
 
 MOVE = 0.9  # s from one pose to the next
-REST = 0.35  # s that the hand stays relaxed where it shows the way again
-AGAIN = 4.0  # s after which the way is shown again
+REST = 0.35  # s for which the hand is relaxed before the movement is repeated
+AGAIN = 4.0  # s after which the movement is repeated
 Degrees = dict[str, float]
 
 
 class Shown(NamedTuple):
-    """Segments R (S, 3, 3), p (S, 3) m of the drawn hand, its middle p_middle (3,) m; ``eye`` (3,)
-    the direction from there to whoever looks."""
+    """Segments R (S, 3, 3), p (S, 3) m of the drawn hand, its centre p_middle (3,) m; ``eye`` (3,)
+    the direction from there to the viewer."""
 
     R: Array
     p: Array
@@ -75,16 +75,16 @@ DRAWN: dict[str, Degrees] = {
     "grip": _fingers(35, 45) | _thumb(12, -8, 0, 20),
     "turn": _fingers(0, 0) | _thumb(-8, 0, 0, 0),
 }
-"""Degrees of a right hand whose pads meet at the nominal size."""
+"""Joint angles in degrees of a right hand whose fingertips meet at the nominal size."""
 TURNING = 70.0
-"""Degrees of the forearm's turn to either side of the pose ``turn``, which goes on."""
+"""Degrees by which the forearm turns to either side in the continuous pose ``turn``."""
 TURN_PERIOD = 3.0  # s
 
 BACK, THUMB_SIDE, PALM = (-0.55, 0.25, 0.8), (0.25, 0.9, 0.25), (0.45, 0.75, -0.35)
-"""From where a right hand is looked at: x along the fingers, y to the thumb, z off the back."""
+"""Viewing directions of a right hand: x along the fingers, y to the thumb, z out of the back."""
 EYES = {"flat": BACK, "spread": BACK, "fist": THUMB_SIDE, "thumb_up": THUMB_SIDE}
 ROLLED = {"fist": 90.0, "thumb_up": 90.0}
-"""Degrees by which a right hand is turned about the forearm, its thumb up."""
+"""Degrees by which a right hand is turned about the forearm, thumb up."""
 
 
 class DrawnHand:
@@ -100,8 +100,8 @@ class DrawnHand:
         return self._angles[pose]
 
     def shown(self, before: str, pose: str, since: float, again: bool = False) -> Shown:
-        """``since`` s after ``pose`` was asked for, the hand coming from ``before`` (empty: from
-        rest); ``again``: after a while it shows the way anew."""
+        """The hand ``since`` s after ``pose`` was requested, moving from ``before`` (empty: from
+        rest); ``again``: the movement is repeated."""
         start = self._angles[before] if before else self._relaxed
         eye_before, roll = self._eye(before or pose), self._roll(before or pose)
         if again and since > AGAIN:
@@ -119,16 +119,16 @@ class DrawnHand:
 
     @property
     def _side(self) -> float:
-        """The sign of what a left hand has mirrored."""
+        """Sign of mirrored quantities."""
         return -1.0 if self._hand.side == "left" else 1.0
 
     def _eye(self, pose: str) -> Array:
         return np.array(EYES.get(pose, PALM)) * [1.0, self._side, 1.0]
 
     def _roll(self, pose: str) -> float:
-        """rad."""
+        """Roll angle, rad."""
         return float(np.deg2rad(self._side * ROLLED.get(pose, 0.0)))
 
     def distance(self) -> float:
-        """m from the eye to the hand at which it fills the view."""
+        """Distance of the viewer at which the hand fills the view, m."""
         return 2.1 * self._hand.length

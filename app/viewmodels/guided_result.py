@@ -1,7 +1,7 @@
-"""What guided poses have taught, in plain words and figures: before and after.
+"""The results of guided poses as sentences and figures, before and after.
 
-Only what they tell of: an end joint of which nothing is known bends as its neighbours do. A change
-is worth a word where it is larger than what is left unsure.
+Only parameters that the poses measure are listed: an end joint without measurements bends like its
+neighbours. A change is reported if it exceeds the remaining uncertainty.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from tracker.messages import Array, Calibration
 
 BENT_DEG = {"thumb": 45.0}
 FINGER_BENT_DEG = 90.0
-"""Flexion of the joint before the end joint at which that is told, as in a fist."""
-CLEAR_DEG, CLEAR_MM = 2.0, 0.5  # changes worth a sentence
+"""Flexion of the neighbouring joint for which an end joint is reported, as in a fist."""
+CLEAR_DEG, CLEAR_MM = 2.0, 0.5  # minimum changes that are reported
 DIGITS = {
     "thumb": mark("thumb"),
     "index": mark("index finger"),
@@ -31,10 +31,10 @@ DIGITS = {
 
 
 class WearerNow(NamedTuple):
-    """What an engine knows: gains (k, 2) ratio and offset (rad) of the hand's synergies, aside
-    (S,) rad; ``ends``, by the digits of which poses tell, the covariance (3, 3) of ratio, offset
-    and aside; calibration; ``remembered``, by which it can be taken back. ``frozen``: nothing is
-    learned; ``learning``: of the last pose it is not decided yet what it tells."""
+    """What an engine has estimated: gains (k, 2) ratio and offset (rad) of the hand's synergies,
+    abduction (S,) rad; ``ends``, by the digits that poses measure, the covariance (3, 3) of ratio,
+    offset and abduction; calibration; ``remembered``, a snapshot to restore it. ``frozen``: not
+    updated; ``learning``: the last pose is still being evaluated."""
 
     gains: Array
     aside: Array
@@ -46,14 +46,14 @@ class WearerNow(NamedTuple):
 
 
 class Figure(NamedTuple):
-    """Something known, and its standard deviation in the same unit."""
+    """A value and its standard deviation in the same unit."""
 
     value: float
     sd: float
 
 
 class LearnedRow(NamedTuple):
-    """One figure; ``change`` in its unit, ``is_clear`` where it is worth a word."""
+    """One value; ``change`` in its unit, ``is_clear`` if it is reported."""
 
     what: str
     before: str
@@ -63,14 +63,14 @@ class LearnedRow(NamedTuple):
 
 
 class LearnedWords(NamedTuple):
-    """``words``: sentences, none where nothing worth one has changed."""
+    """``words``: sentences; empty if no change is reported."""
 
     rows: list[LearnedRow]
     words: list[str]
 
 
 def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> LearnedWords:
-    """The end joints of all digits that follow another joint, the thumb's stand and the size."""
+    """End joints of all digits that follow another joint, thumb abduction, and the size."""
     rows: list[LearnedRow] = []
     words: list[str] = []
     for digit in DIGITS:
@@ -93,7 +93,7 @@ def learned(hand: HandModel, before: WearerNow, after: WearerNow) -> LearnedWord
 
 
 def _link(hand: HandModel, digit: str) -> int | None:
-    """Row of the synergy that bends a digit's end joint."""
+    """Row of the synergy of a digit's end joint."""
     chain = CHAINS[digit][-1]
     name = next((f"{j.name}_flexion" for j in hand.joints if j.child == chain), "")
     return next((k for k, s in enumerate(hand.synergies) if s.angle == name), None)
@@ -120,7 +120,7 @@ def _bend_words(name: str, old: Figure, new: Figure) -> list[str]:
 
 
 def _stand(hand: HandModel, before: WearerNow, after: WearerNow) -> list[LearnedRow]:
-    """How far the thumb's end stands to the side."""
+    """Thumb abduction."""
     row = hand.index.get(CHAINS["thumb"][-1], -1)
     if row < 0 or "thumb" not in after.ends or "thumb" not in before.ends:
         return []

@@ -1,4 +1,4 @@
-"""What the wearer is told while being led through poses: what to do, and what is amiss."""
+"""Texts of guided poses: instructions and corrections."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tracker.hand.model import HandModel
 from tracker.hand.poses import POSES
 from tracker.messages import Estimate
 
-SILENT = 1.0  # s without a new estimate from which nothing is known of the hand
+SILENT = 1.0  # s without a new estimate after which the hand is unknown
 POSE_WORDS = {
     "flat": mark("Hand flat on the table, fingers together"),
     "spread": mark("Flat on the table, fingers and thumb spread"),
@@ -53,7 +53,7 @@ NOT_JUDGED = mark("Hold it: this finger has no sensor")
 
 
 class LiveJudge:
-    """Judges the newest estimate; one that does not change any more is not the hand as it is."""
+    """Evaluates the newest estimate, unless it is outdated."""
 
     def __init__(
         self,
@@ -74,7 +74,7 @@ class LiveJudge:
 
 
 def amiss(holding: Holding) -> str:
-    """What to do to hold it well, in the user's language."""
+    """How to correct the pose, in the user's language."""
     if holding.is_held:
         return ""
     if holding.joint == NOTHING_ARRIVES:
@@ -88,7 +88,7 @@ def amiss(holding: Holding) -> str:
 
 
 def word(run: GuidedRun, t: float) -> str:
-    """The one large word at this instant."""
+    """The large text at this instant."""
     if run.phase == GuidedPhase.HOLDING:
         if run.holding.is_held and run.holding.joint and not run.insisted:
             return tr(NOT_JUDGED)
@@ -99,14 +99,14 @@ def word(run: GuidedRun, t: float) -> str:
 
 
 def colour(run: GuidedRun) -> str:
-    """Of ring and word."""
+    """Colour of ring and text."""
     if run.phase == GuidedPhase.HOLDING:
         return BLUISH_GREEN if run.is_well else ORANGE
     return ORANGE if run.late else SKY
 
 
 def chips(run: GuidedRun) -> list[tuple[str, str]]:
-    """(sign, name) of each pose: held, left out, now, still to come."""
+    """(sign, name) of each pose: held, skipped, current, pending."""
     out = []
     for number, pose in enumerate(run.poses):
         if run.is_running and number == run.number:

@@ -19,19 +19,19 @@ from tracker.messages import SEEN_LATELY, Array, Estimate, FrameResult, IntArray
 TRAIL_POINTS = 90  # 3 s of images at 30 a second
 FOLLOW = 0.3
 FOLLOW_S = 1 / 30
-"""Share of the way that the view's centre goes to the hand in this time, however often the view is
-drawn: on a busy computer too the hand stays in sight."""
-JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
-ASIDE = 0.09  # m from the middle, of each of two hands whose place is unknown
+"""Relative movement of the view's centre towards the hand in this time, independent of the frame
+rate."""
+JUMP = 0.25  # m; a hand this far from the view's centre is centred at once
+ASIDE = 0.09  # m from the centre, of each of two hands whose position is unknown
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
 
 
 CELL = 0.05  # m
-HALF = 6  # cells from the middle to the border
-UNDER = 0.06  # m from the lowest point of the hand to the ground, at least, when it is laid
-FAR = 0.3  # m above the ground from which it is laid anew
-AXIS = CELL  # m, length of the axes that are drawn: the scale stands beside one of them
-STRONG, FAINT = 0.34, 0.16  # lines a decimetre apart, and those between
+HALF = 6  # cells from the centre to the edge
+UNDER = 0.06  # m, minimum distance of the ground below the hand when it is placed
+FAR = 0.3  # m above the ground at which the ground is placed again
+AXIS = CELL  # m, length of the drawn axes, with the scale next to one of them
+STRONG, FAINT = 0.34, 0.16  # every second line, and those between
 
 
 WIDEST = 0.0024  # m, at the fingertip
@@ -39,7 +39,7 @@ SMOOTH = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
 
 
 def ribbon_faces(points: int) -> IntArray:
-    """(F, 3) triangles between the sides of a ribbon of so many points, seen from either side."""
+    """(F, 3) triangles of a ribbon of so many points, visible from both sides."""
     i = 2 * np.arange(points - 1)
     one = np.concatenate([np.stack([i, i + 1, i + 2], 1), np.stack([i + 2, i + 1, i + 3], 1)])
     return np.concatenate([one, one[:, ::-1]])
@@ -66,7 +66,8 @@ def ribbon(trail: Array, eye: Array, colour: tuple[float, ...]) -> tuple[Array, 
 
 @dataclass(frozen=True, eq=False)
 class GroundGrid:
-    """Lines (M, 6) m in G from end to end with strength (M,); corner (3,), where the axes stand."""
+    """Lines (M, 6) m in G from end to end with strength (M,); corner (3,), the position of the
+    axes."""
 
     ends: Array
     strength: Array
@@ -74,14 +75,14 @@ class GroundGrid:
 
 
 class HandGround:
-    """Stays where it is until the hand leaves it."""
+    """A grid that stays in place until the hand leaves it."""
 
     def __init__(self) -> None:
         self._middle: Array | None = None
         self.grid = GroundGrid(np.empty((0, 6)), np.empty(0), np.zeros(3))
 
     def follow(self, points: Array) -> bool:
-        """Be under a hand's points (N, 3) m; whether the ground has changed."""
+        """Place the grid below the points (N, 3) m of a hand; whether it has moved."""
         low, at = float(points[:, 2].min()), points.mean(axis=0)
         if self._middle is not None:
             above, aside = low - self._middle[2], np.abs(at - self._middle)[:2].max()
@@ -108,7 +109,7 @@ def _grid(middle: Array) -> GroundGrid:
 
 @dataclass(frozen=True)
 class ShownParts:
-    """What the user wants to see beside the hand."""
+    """Optional parts of the 3D view."""
 
     markers: bool = True
     uncertainty: bool = True
@@ -120,12 +121,12 @@ class ShownParts:
 
 @dataclass(frozen=True, eq=False)
 class HandScene:
-    """What the 3D view draws, all in G.
+    """The contents of the 3D view, all in G.
 
     segment_R (S, 3, 3), segment_p (S, 3); segment_state (S,) `Validity`; markers (M, 3) m;
-    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; scale (S, 3) of the wearer;
-    reference, the second hand (R (S, 3, 3), p (S, 3)) or None; R_GC, p_GC of the camera; trail
-    (`TRAIL_POINTS`, 3) m, the way of a fingertip, oldest first.
+    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; scale (S, 3) of the wearer; reference, the
+    second hand (R (S, 3, 3), p (S, 3)) or None; R_GC, p_GC of the camera; trail (`TRAIL_POINTS`, 3)
+    m, path of a fingertip, oldest first.
     """
 
     segment_R: Array
@@ -144,10 +145,11 @@ class HandScene:
 
 
 class HandSceneModel:
-    """Makes a `HandScene` of each snapshot; remembers when each marker was last matched."""
+    """Creates a `HandScene` from each snapshot; stores when each marker was last matched."""
 
     def __init__(self, setup: EngineSetup, of_two: bool = False) -> None:
-        """``of_two``: another hand is drawn, too, so one without a place stands on its own side."""
+        """``of_two``: another hand is drawn, too; a hand of unknown position is drawn on its own
+        side."""
         self._setup = setup
         aside = {"left": ASIDE, "right": -ASIDE}[setup.side] if of_two else 0.0
         self._nowhere = np.array([0.0, aside, 0.0])
@@ -161,12 +163,12 @@ class HandSceneModel:
 
     @property
     def tip_names(self) -> list[str]:
-        """Fingertips that a trail can be drawn of."""
+        """Fingertips with an optional trail."""
         names = self._setup.glove.keypoint_names(self._setup.hand)
         return [names[i].removesuffix("_tip") for i in self._tip_rows]
 
     def set_trail(self, tip: str) -> None:
-        """Draw the way of this fingertip from now on; empty for none."""
+        """Draw the path of this fingertip; empty for none."""
         names = self.tip_names
         self._trail_of = self._tip_rows[names.index(tip)] if tip in names else None
         self._trail.clear()
@@ -183,7 +185,7 @@ class HandSceneModel:
         return out
 
     def scene(self, view: Snapshot, with_reference: bool = False) -> HandScene | None:
-        """None before the first estimate with a pose."""
+        """The scene; None before the first estimate with a pose."""
         estimate = view.estimate
         if estimate is None:
             return None
@@ -218,13 +220,13 @@ class HandSceneModel:
         )
 
     def _segment_states(self, view: Snapshot, estimate: Estimate, located: bool) -> IntArray:
-        """Lost as a whole where neither glove nor camera says anything any more."""
+        """All lost if neither glove nor camera sends data any more."""
         if len(view.imu) > 0 and not (view.packets_arrive or view.images_arrive):
             return np.full(len(view.setup.hand.segments), int(Validity.LOST), np.int64)
         return segment_states(view.setup.hand, estimate, located)
 
     def _at_last_place(self, p_GB: Array) -> Array:
-        """(S, 3) m: a hand whose place is lost turns and bends where its root stood last."""
+        """(S, 3) m: a hand of unknown position turns and bends at the last position of its root."""
         place = self._last[1][0] if self._last is not None else self._nowhere
         return np.asarray(p_GB - p_GB[0] + place)
 
@@ -256,7 +258,8 @@ class HandSceneModel:
 
 
 def view_direction(name: str, R_GB: Array) -> Array:
-    """(3,) from a dorsum of rotation ``R_GB`` (3, 3) to the eye: "back", "palm" or "side"."""
+    """(3,) direction from a dorsum of rotation ``R_GB`` (3, 3) to the viewer: "back", "palm" or
+    "side"."""
     x, y, z = R_GB.T
     return {"back": z - 0.35 * x, "palm": -z - 0.35 * x, "side": y + 0.2 * z}[name]
 
@@ -264,8 +267,8 @@ def view_direction(name: str, R_GB: Array) -> Array:
 def followed(
     target: Array, scenes: Sequence[HandScene], found_before: bool, elapsed: float = FOLLOW_S
 ) -> Array:
-    """(3,) where the view's centre goes from ``target`` in ``elapsed`` s: some of the way to the
-    hand or between both, or at once to one that has just been found or is far away."""
+    """(3,) new centre of the view, moved from ``target`` towards the hand or the centre of both
+    within ``elapsed`` s; immediately if a hand has just been found or is far away."""
     share = 1.0 - (1.0 - FOLLOW) ** (max(elapsed, 0.0) / FOLLOW_S)
     centre = np.mean([scene.segment_p.mean(axis=0) for scene in scenes], axis=0)
     near = found_before and float(np.linalg.norm(centre - target)) < JUMP
@@ -273,8 +276,8 @@ def followed(
 
 
 def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:
-    """(S,) how each segment is known: as the worst of its joint's angles; the root as the wrist,
-    and lost with the hand's place."""
+    """(S,) state of each segment: the worst of its joint's angles; the root as the wrist, and lost
+    if the position is."""
     out = np.empty(len(hand.segments), np.int64)
     for i, s in enumerate(hand.segments):
         columns = [c for c in hand.axis_columns[i] if c >= 0]
@@ -286,7 +289,7 @@ def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArr
 
 
 def visible_count(result: FrameResult | None) -> tuple[int, int]:
-    """Markers matched in any image, and those expected to be seen."""
+    """Number of markers matched in any image, and of those expected to be visible."""
     if result is None:
         return 0, 0
     matched = (result.match_left >= 0) | (result.match_right >= 0)

@@ -1,4 +1,4 @@
-"""The skin of a hand and the glove's patches on it, posed and dressed for the 3D view."""
+"""The mesh of a hand with the patches of the glove, posed and coloured for the 3D view."""
 
 from __future__ import annotations
 
@@ -14,14 +14,15 @@ from tracker.hand.model import HandModel
 from tracker.hand.skin.posing import Rest, posed, rest_of
 from tracker.messages import Array, Calibration, IntArray, Validity
 
-LOOK = 7  # numbers of a point's look: red, green, blue, cover, ambient, hatch, dots
+LOOK = 7  # values per point: red, green, blue, opacity, ambient, hatch, dots
 TINT = {Validity.MEASURED: 0.38, Validity.INFERRED: 0.45, Validity.LOST: 0.6}
-"""How much of a state's colour is in the skin; hatching and dots say the same without colour."""
-ARM_FROM, ARM_TO = 0.005, 0.03  # m behind the wrist where skin turns into plain forearm
-FADE_FROM, FADE_TO = 0.05, 0.125  # and where the forearm, which nothing tracks, fades away
+"""Share of the state's colour in the mesh; hatching and dots show the same without colour."""
+ARM_FROM, ARM_TO = 0.005, 0.03  # m behind the wrist where the hand changes into the plain forearm
+FADE_FROM, FADE_TO = 0.05, 0.125  # and where the forearm, which is not tracked, fades out
 OUTER, INNER = (0, 1, 2, 3), (0, 1)
-"""Rings of a patch that is seen now; of one seen lately. One never seen is the last ring alone."""
-NOTICEABLE = 1e-3  # change of a scale from which the skin is made to size again
+"""Rings of a patch that is visible now, and of one visible recently; one never seen is the last
+ring only."""
+NOTICEABLE = 1e-3  # change of scale after which the mesh is resized
 Faces = npt.NDArray[np.bool_]
 
 
@@ -35,8 +36,8 @@ class Draped:
 
 
 class HandSkin:
-    """A hand's skin at the wearer's size. Making one that is not in `MADE` takes about a second:
-    beside the window."""
+    """The mesh of a hand at the wearer's size. Generating one that is not in `MADE` takes about a
+    second: do it in the background."""
 
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
         self._hand = hand
@@ -46,11 +47,13 @@ class HandSkin:
         self._looks = np.empty((0, LOOK))
         self._states: IntArray | None = None
         self._fit(np.ones((len(hand.segments), 3)))
-        posed(self._rest_patches, self.skin.bind_R, self.skin.bind_p)  # compiled here, if need be
+        posed(
+            self._rest_patches, self.skin.bind_R, self.skin.bind_p
+        )  # compiles the kernel if necessary
 
     @property
     def part(self) -> IntArray:
-        """(F,) the segment that each face of the skin follows most."""
+        """(F,) segment that each face follows most."""
         return np.asarray(self.skin.bones[self.skin.faces[:, 0], 0])
 
     def _fit(self, scale: Array) -> None:
@@ -59,18 +62,18 @@ class HandSkin:
         self._rest_patches: Rest = rest_of(self.patches, self._hand, scale)
 
     def fit(self, scale: Array) -> None:
-        """To a wearer whose segments are ``scale`` (S, 3) times the file's."""
+        """Resize for a wearer whose segments are ``scale`` (S, 3) times those of the file."""
         if np.abs(scale - self._scale).max() > NOTICEABLE:
             self._fit(scale)
 
     def draped(self, R: Array, p: Array, states: IntArray) -> Draped:
-        """The skin on segments at R (S, 3, 3), p (S, 3) whose `Validity` is ``states`` (S,)."""
+        """The mesh for segments at R (S, 3, 3), p (S, 3) whose `Validity` is ``states`` (S,)."""
         if self._states is None or not np.array_equal(states, self._states):
             self._states, self._looks = np.array(states), self._dressed(states)
         return Draped(*posed(self._rest, R, p), self._looks)
 
     def plain(self, R: Array, p: Array) -> Draped:
-        """The skin of a second hand, of which only the outline is drawn."""
+        """The mesh of a reference hand, of which only the outline is drawn."""
         points, normals = posed(self._rest, R, p)
         return Draped(points, normals, np.ones((len(points), LOOK)))
 
@@ -84,19 +87,19 @@ class HandSkin:
         return np.asarray(looks)
 
     def draped_patches(self, R: Array, p: Array, colours: list[str]) -> Draped:
-        """The glove's patches in ``colours`` by marker."""
+        """The patches of the glove in ``colours`` by marker."""
         rows = np.array([[*_rgb(c), 1.0, 0.45, 0.0, 0.0] for c in colours]).reshape(-1, LOOK)
         return Draped(*posed(self._rest_patches, R, p), np.repeat(rows, PATCH_POINTS, axis=0))
 
     def patch_faces(self, now: Faces, lately: Faces) -> Faces:
-        """(F,) which faces of the patches are drawn, of markers (M,) seen now and lately."""
+        """(F,) faces of the patches to draw, for markers (M,) visible now and recently."""
         now, lately = now[self._owner], lately[self._owner] & ~now[self._owner]
         ring = self._ring
         return np.asarray(np.where(now, True, np.where(lately, ring < len(INNER), ring == 3)))
 
 
 def scales(hand: HandModel, calibration: Calibration | None) -> Array:
-    """(S, 3) of all segments: of one without an estimate that of its finger, else of the hand."""
+    """(S, 3) scale of all segments: without an estimate, that of the finger or else of the hand."""
     out = np.full((len(hand.segments), 3), np.nan)
     if calibration is not None:
         for name, row in zip(calibration.segments, calibration.scale, strict=True):

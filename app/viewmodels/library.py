@@ -1,4 +1,4 @@
-"""The sessions in a folder: at once what their index tells, later what their content looks like."""
+"""The sessions in a folder: first the contents of their index, later quality and thumbnails."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ BEING_RECORDED = StateLook(SKY, "●", mark("being recorded"))
 
 @dataclass(frozen=True)
 class SessionRow:
-    """One file on screen; ``problem`` is a sentence where it cannot be replayed."""
+    """One file; ``problem`` is a message if it cannot be replayed."""
 
     path: Path
     name: str
@@ -35,23 +35,23 @@ class SessionRow:
     look: StateLook
     integrity: str
     problem: str
-    stamp: tuple[int, int] = (0, 0)  # time of change in ns, and size: other content, other stamp
+    stamp: tuple[int, int] = (0, 0)  # modification time in ns, and size, to detect changes
     tags: tuple[str, ...] = ()
 
     def holds(self, words: str, quality: str = "") -> bool:
-        """Whether each of the words stands in its name, tags, date or quality."""
+        """Whether each of the words occurs in its name, tags, date or quality."""
         text = " ".join((self.name, *self.tags, self.when, self.integrity, quality)).casefold()
         return all(word in text for word in words.casefold().split())
 
     @property
     def recoverable(self) -> bool:
-        """Cut off, or not to be read as it is."""
+        """Whether it was interrupted or cannot be read."""
         return self.look in (BAD, WARN)
 
 
 @dataclass(frozen=True, eq=False)
 class Details:
-    """What is inside. ``image`` (h, w, 3) BGR; None where there are no images."""
+    """Contents of a session. ``image`` (h, w, 3) BGR; None without images."""
 
     quality: str
     look: StateLook | None
@@ -59,7 +59,7 @@ class Details:
 
 
 def session_row(path: Path, recording: Path | None = None) -> SessionRow:
-    """Look into a file: its index alone is read, so that an hour takes no longer than a second."""
+    """Read only the index of a file, so that an hour takes no longer than a second."""
     stat = path.stat()
     when = datetime.fromtimestamp(stat.st_mtime).strftime("%Y-%m-%d %H:%M")
     duration, look, integrity, problem = "–", BAD, tr("unreadable"), ""
@@ -106,7 +106,7 @@ def look_inside(
     found: Callable[[SessionRow, Details], None],
     progress: Callable[[float, str], None],
 ) -> None:
-    """Tell ``found`` the details of each row, one after the other."""
+    """Pass the details of each row to ``found``."""
     for i, row in enumerate(rows):
         progress(i / len(rows), row.name)
         if not row.problem and row.look != BEING_RECORDED:
@@ -114,7 +114,7 @@ def look_inside(
 
 
 def details(path: Path) -> Details:
-    """Quality and thumbnail; a sentence for the quality where the file does not yield them."""
+    """Quality and thumbnail; a message instead of the quality if the file is damaged."""
     try:
         with SessionReader(path) as reader:
             text, look = quality_text(quality(reader))
@@ -124,7 +124,7 @@ def details(path: Path) -> Details:
 
 
 def quality_text(q: Quality) -> tuple[str, StateLook | None]:
-    """``tracked 97 %, 2 packets lost`` and how that is to be seen."""
+    """``tracked 97 %, 2 packets lost`` and its look."""
     if q.tracked is None:
         return tr("not tracked"), None
     if q.by_imus:

@@ -1,4 +1,4 @@
-"""The light meter on screen: one line, what to change, and the markers that are missed."""
+"""The light meter: one line, recommendations, and missed markers."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.vision.colours import ColourProfile
 
 Image = NDArray[np.uint8]
-EVERY = 1.0  # s of images from one reading to the next
-KEPT = 10.0  # s that a reading stays while no hand is seen
+EVERY = 1.0  # s of images between two measurements
+KEPT = 10.0  # s for which a measurement is valid while no hand is visible
 MISSED_COLOUR = "#FF4FD8"
 SHORT = {
     "clipped": mark("too bright"),
@@ -30,7 +30,7 @@ SHORT = {
 
 
 class LightWatch:
-    """The newest reading of the images shown, and when to take another."""
+    """The newest measurement of the displayed images, and when to repeat it."""
 
     def __init__(self) -> None:
         self.reading: LightReading | None = None
@@ -38,14 +38,14 @@ class LightWatch:
         self._image: Image | None = None
         self._profile: ColourProfile | None = None
         self._asked = self._read_at = -np.inf
-        self._read: Image | None = None  # the image of the reading
+        self._read: Image | None = None  # the measured image
 
     def work(
         self, image: Image | None, profile: ColourProfile, fx: float, t: float | None
     ) -> Callable[[], tuple[LightMeter, LightReading]] | None:
-        """How to read an image, for a background thread; None where nothing new is to be read.
+        """A measurement for a background thread; None if it is not due.
 
-        ``t`` (s) is a live image's exposure, None for one that stays: a kept or a frozen one.
+        ``t`` (s) is the exposure time of a live image, None for a stored or frozen one.
         """
         early = image is self._image or (t is not None and 0 <= t - self._asked < EVERY)
         if image is None or (early and profile == self._profile):
@@ -62,7 +62,7 @@ class LightWatch:
         return read
 
     def took(self, answer: tuple[LightMeter, LightReading]) -> None:
-        """What `work` has brought. A moment of live images without the hand does not count."""
+        """Use the result of `work`. Live images without a hand are ignored."""
         self._meter, reading = answer
         has_hand = all(a.kind != "hand" for a in reading.advice)
         is_kept = not np.isfinite(self._asked)
@@ -70,7 +70,7 @@ class LightWatch:
             self.reading, self._read_at, self._read = reading, self._asked, self._image
 
     def is_of(self, image: Image | None) -> bool:
-        """Whether the reading is of this very image."""
+        """Whether the measurement belongs to this image."""
         return image is not None and image is self._read
 
     # ---- what is shown
@@ -86,14 +86,14 @@ class LightWatch:
         return self.reading is not None and any(a.kind == "hand" for a in self.reading.advice)
 
     def line(self) -> str:
-        """The light in a few words."""
+        """The state of the light in a few words."""
         if self.reading is None or self._without_hand:
             return "–"
         said = [tr(SHORT[a.kind]) for a in self.reading.advice if a.kind in SHORT]
         return ", ".join(said) or tr("good")
 
     def sentences(self) -> list[str]:
-        """What to change, and the figures that say so."""
+        """Recommendations with measured values."""
         r = self.reading
         if r is None:
             return [tr("No image has been looked at yet.")]
@@ -113,7 +113,8 @@ class LightWatch:
         return [*words, ", ".join(figures) + "."]
 
     def rings(self, step: int) -> list[Ring]:
-        """Round the markers that these colours miss, in an image ``step`` times smaller."""
+        """Rings around markers that are missed with these colours, in an image ``step`` times
+        smaller."""
         if self.reading is None:
             return []
         at = self.reading.missed / step

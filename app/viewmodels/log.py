@@ -1,4 +1,4 @@
-"""The log: events as lines, bounded, filtered by kind and by words."""
+"""The log: events as lines, limited in number, filtered by kind and text."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ KINDS: dict[str, StateLook] = {
     "note": StateLook(GREY, "✎", mark("Notes")),
 }
 DEVICES = {"pulse", "motor", "robot"}
-"""Kinds that belong to the devices; those that stand nowhere here belong to the tracking."""
+"""Kinds of device events; kinds that are not listed belong to tracking."""
 
 
 def kind_of(event: Event) -> str:
-    """Among `KINDS`."""
+    """One of `KINDS`."""
     if event.kind in KINDS:
         return event.kind
     return "device" if event.kind in DEVICES else "tracking"
 
 
 def words_of(event: Event) -> str:
-    """As the user reads it; empty for what programs alone read, such as gestures."""
+    """The text for the user; empty for events that only programs read, such as gestures."""
     if event.kind == "note" and wording_of(event) > 0:
         return tr("changed to: {}").format(event.text) if event.text else tr("a note was deleted")
     return event_text(event)
@@ -52,7 +52,7 @@ class EventLog:
         self._entries: deque[LogEntry] = deque(maxlen=capacity)
 
     def add(self, event: Event, now: datetime | None = None) -> LogEntry:
-        """Take an event; its line carries the wall clock's time of arrival."""
+        """Add an event with the time of its arrival."""
         kind = kind_of(event)
         look = KINDS[kind]
         clock = (now or datetime.now()).strftime("%H:%M:%S")
@@ -61,7 +61,7 @@ class EventLog:
         return entry
 
     def ends_with(self, text: str) -> bool:
-        """Whether one of the last few events says just this."""
+        """Whether one of the last few events has this text."""
         return any(e.line.endswith(text) for e in list(self._entries)[-3:])
 
     @staticmethod

@@ -1,4 +1,4 @@
-"""Skins of hands as their files have them, made once: a second's work each."""
+"""Cache of hand meshes at the size of the hand file; generating one takes a second."""
 
 from __future__ import annotations
 
@@ -14,15 +14,16 @@ from tracker.hand.model import HandModel
 from tracker.hand.skin.mesh import Skin, SkinMaker
 from tracker.messages import Array, IntArray
 
-PROUD = 0.0004  # m that a patch lies above the skin
-RINGS = (0.45, 0.7, 0.8, 1.0)  # shares of a patch's half size
+PROUD = 0.0004  # m by which a patch is above the skin
+RINGS = (0.45, 0.7, 0.8, 1.0)  # relative to a patch's half size
 SPOKES = 16
-KEPT = 6  # skins, of 0.6 MB each
+KEPT = 6  # meshes, of 0.6 MB each
 
 
 @dataclass(frozen=True, eq=False)
 class MadeSkin:
-    """A hand's skin, the glove's patches on it, and the ring (F,) of each face of the patches."""
+    """A hand's mesh, the patches of the glove on it, and the ring (F,) of each face of the
+    patches."""
 
     skin: Skin
     patches: Skin
@@ -30,18 +31,18 @@ class MadeSkin:
 
 
 class MadeSkins:
-    """The newest few, by what they were made of. May be asked from several threads."""
+    """The newest few meshes by hand and glove; thread-safe."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._made: dict[bytes, MadeSkin] = {}
 
     def has(self, hand: HandModel, glove: GloveModel) -> bool:
-        """Whether `get` answers at once."""
+        """Whether `get` returns immediately."""
         return _key(hand, glove) in self._made
 
     def get(self, hand: HandModel, glove: GloveModel) -> MadeSkin:
-        """Makes it where it is not there; who else asks meanwhile waits."""
+        """The mesh, generated if necessary; concurrent calls wait for it."""
         key = _key(hand, glove)
         made = self._made.get(key)
         if made is not None:
@@ -59,7 +60,7 @@ MADE = MadeSkins()
 
 @lru_cache(maxsize=2 * KEPT)
 def _key(hand: HandModel, glove: GloveModel) -> bytes:
-    """Of all numbers in both, with eight digits; computed once for each pair of objects."""
+    """A key of all numbers in both, rounded to eight digits; computed once per pair of objects."""
     return hashlib.sha256(repr((hand, glove)).encode()).digest()
 
 
@@ -73,7 +74,7 @@ PATCH_FACES = SPOKES * (2 * len(RINGS) - 1)
 
 
 def _patches(maker: SkinMaker, hand: HandModel, glove: GloveModel) -> tuple[Skin, IntArray]:
-    """All patches in one, and the ring (F,) that each face ends at."""
+    """All patches in one mesh, and the outer ring (F,) of each face."""
     faces, ring = _patch_faces()
     points = [_patch_points(maker, hand, m) for m in glove.markers]
     every = [faces + PATCH_POINTS * k for k in range(len(points))]

@@ -1,4 +1,5 @@
-"""The motion as numbers: what each angle and distance is now, was lately, and over a take."""
+"""Angles and distances as numbers: current values, and statistics of the last seconds or of a
+recording."""
 
 from __future__ import annotations
 
@@ -26,14 +27,14 @@ from tracker.session.motion import (
     take_of,
 )
 
-LATELY = 10.0  # s that are shown live
-STEP = 0.04  # s at least between two of them: well below the shortest hole
+LATELY = 10.0  # s of live data
+STEP = 0.04  # minimum s between two values; well below the shortest hole
 
 
 @dataclass(frozen=True)
 class MotionRow:
-    """One line: value and limits in the unit; ``share`` of the range that the value is at, NaN
-    where it has no limits; the state's `Validity`."""
+    """One row: value and limits in the unit; ``share``, the position within the range, NaN without
+    limits; the state's `Validity`."""
 
     name: str
     unit: str
@@ -43,12 +44,13 @@ class MotionRow:
 
 
 def shown_name(name: str) -> str:
-    """Of an angle or a distance, in the user's words."""
+    """The name of an angle or a distance, in the user's language."""
     return " - ".join(spoken(part) for part in name.split(" - "))
 
 
 class MotionModel:
-    """Of one open engine. ``pairs`` are points whose distance is measured."""
+    """Measurements of one hand of the open engine. ``pairs`` are points whose distance is
+    measured."""
 
     def __init__(self, setup: EngineSetup) -> None:
         hand = setup.hand
@@ -65,13 +67,13 @@ class MotionModel:
         self.units = Units(degrees=angle_unit == "deg")
 
     def use_take(self, take: object) -> bool:
-        """Measure a whole take from now on; False where there is none, or of another hand."""
+        """Measure a whole recording; False without one, or if it is of another hand."""
         if isinstance(take, Take) and take.angle_names == self.angle_names:
             self.take = take
         return self.take is not None
 
     def add_pair(self, pair: Pair) -> bool:
-        """Measure another distance; False where that is none, or is measured already."""
+        """Measure another distance; False if it is invalid or is measured already."""
         known = {frozenset(p) for p in self.pairs}
         if pair[0] == pair[1] or frozenset(pair) in known:
             return False
@@ -79,24 +81,24 @@ class MotionModel:
         return True
 
     def remove_pair(self, row: int) -> Pair:
-        """Of the table's row; returns it."""
+        """Remove the distance of a table row and return it."""
         return self.pairs.pop(row - len(self.angle_names))
 
     @property
     def names(self) -> list[str]:
-        """Of all rows: angles, then distances."""
+        """Names of all rows: angles, then distances."""
         return [*self.angle_names, *(pair_name(p) for p in self.pairs)]
 
     def is_angle(self, row: int) -> bool:
         return row < len(self.angle_names)
 
     def feed(self, estimates: Sequence[Estimate]) -> None:
-        """Takes what is new of the last estimates, oldest first, at steps of `STEP` and more."""
+        """Add new estimates, oldest first, at intervals of at least `STEP`."""
         if not estimates:
             return
         now = estimates[-1].t
         if self._lately and now < self._lately[-1].t:
-            self._lately.clear()  # a replay went back
+            self._lately.clear()  # the replay moved back
         due = self._lately[-1].t + STEP if self._lately else -np.inf
         for estimate in estimates[bisect_left(estimates, due - 1e-9, key=lambda e: e.t) :]:
             if estimate.t >= due - 1e-9:
@@ -106,7 +108,7 @@ class MotionModel:
             self._lately.popleft()
 
     def rows(self, estimate: Estimate) -> list[MotionRow]:
-        """What everything is now."""
+        """The current values."""
         out = []
         for j, name in enumerate(self.angle_names):
             low, high = self.limits[j]
@@ -131,8 +133,8 @@ class MotionModel:
         return away, state
 
     def curve(self, row: int) -> tuple[Array, Array]:
-        """t (N,) s and values (N,) in the unit: the whole take where it is read, else the last
-        seconds, up to 0; NaN where it is lost and in holes."""
+        """t (n,) s and values (n,) in the unit: of the whole recording once it is read, else of the
+        last seconds, up to 0; NaN where lost and in holes."""
         take = self.take or self._recent()
         if take is None:
             return np.empty(0), np.empty(0)
@@ -148,12 +150,12 @@ class MotionModel:
         return take_of(list(self._lately), self.angle_names, self.limits, self.point_names, now)
 
     def measures(self) -> list[Measure]:
-        """Of the whole take where it is read, else of the last seconds."""
+        """Statistics of the whole recording once it is read, else of the last seconds."""
         take = self.take or self._recent()
         return [] if take is None else measures(take, self.pairs)
 
     def figures(self) -> tuple[list[list[float]], list[int]]:
-        """Least, greatest, range and fastest of each row as written, and digits of it."""
+        """Minimum, maximum, range and peak speed of each row as written, and their digits."""
         out, digits = [], []
         for m in self.measures():
             values = (m.least, m.greatest, m.range, m.fastest)
@@ -162,5 +164,5 @@ class MotionModel:
         return out, digits
 
     def table(self, separator: str) -> str:
-        """All measures as text."""
+        """The table as text."""
         return table(self.measures(), self.units, separator)

@@ -1,4 +1,4 @@
-"""Names of joints, segments, sensors and hues, which are words of files, as a person says them."""
+"""Display names of joints, segments, sensors and hues, which the files identify by words."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ WORDS = {
     "blue": mark("blue"),
     "yellow": mark("yellow"),
 }
-"""What the files that come with the program are made of; other files' words stay as they are."""
+"""Words used in the shipped files; words of other files are not translated."""
 
 
 BONES = {
@@ -49,7 +49,7 @@ BONES = {
     "little_distal": mark("little finger, third bone"),
     "dorsum": mark("back of the hand"),
 }
-"""Segments that a glove has IMUs on, in a sentence."""
+"""Names of the segments with IMUs, for use in a sentence."""
 
 
 def bone(segment: str) -> str:
@@ -58,8 +58,8 @@ def bone(segment: str) -> str:
 
 
 def engine_name(name: str) -> str:
-    """``vist`` as ``VIST``: where its whole title is too long. The name itself for an engine that
-    is not installed, as recordings may have it."""
+    """``vist`` as ``VIST``, where the whole title is too long. The unchanged name for an engine
+    that is not installed, as in recordings."""
     try:
         return tr(ENGINES.get(name).short) or name
     except ConfigError:

@@ -1,4 +1,4 @@
-"""What the start page offers of earlier work: the sessions used last, and a recording cut off."""
+"""Recent sessions and interrupted recordings for the start page."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from app.viewmodels.states import GOOD
 from app.words import tr
 
 MOST = 5
-LOOKED_AT = 20  # of the newest files, for a recording that was cut off
+LOOKED_AT = 20  # newest files that are checked for an interrupted recording
 SUFFIX = ".mcap"
-LOOKS, LOOK_S = 12, 0.5  # at a recording that its process may still be finishing
+LOOKS, LOOK_S = 12, 0.5  # checks of a recording that its process may still be finishing
 
 
 @dataclass(frozen=True, eq=False)
 class RecentSession:
-    """``age`` in words, of the file."""
+    """``age`` as text, of the file."""
 
     row: SessionRow
     age: str
@@ -29,20 +29,20 @@ class RecentSession:
 
 @dataclass(frozen=True, eq=False)
 class Earlier:
-    """``unfinished``: recordings that were cut off and not recovered since, newest first."""
+    """``unfinished``: interrupted recordings that have not been recovered, newest first."""
 
     recent: tuple[RecentSession, ...]
     unfinished: tuple[Path, ...]
 
 
 def with_recent(known: Sequence[str], path: Path) -> list[str]:
-    """The paths used last, ``path`` first."""
+    """The recently used paths, ``path`` first."""
     name = str(path.absolute())
     return [name, *(p for p in known if p != name)][:MOST]
 
 
 def renamed(known: Sequence[str], before: Path, path: Path) -> list[str]:
-    """The paths used last, where the session ``before`` is ``path`` now."""
+    """The recently used paths after the session ``before`` was renamed to ``path``."""
     names = {str(before.absolute()): str(path.absolute())}
     return list(dict.fromkeys(names.get(p, p) for p in known))
 
@@ -59,8 +59,8 @@ def newest(folder: Path) -> list[Path]:
 def look_back(
     known: Sequence[str], folder: Path, now: datetime, progress: Callable[[float, str], None]
 ) -> Earlier:
-    """Look into the newest session of the folder, those used last, then the rest of the folder;
-    those that are found come in the order of their age."""
+    """Check the newest session of the folder, the recent ones, then the rest of the folder; results
+    are sorted by age."""
     here = newest(folder)
     used = [Path(p) for p in known if Path(p).is_file()]
     candidates = list(dict.fromkeys([*here[:1], *used, *here]))
@@ -83,9 +83,9 @@ def look_back(
 
 
 def is_complete(path: Path, progress: Callable[[float, str], None]) -> bool:
-    """Whether a recording has its end.
+    """Whether a recording is complete.
 
-    Its own process writes that after the window's is gone, and is given some seconds for it.
+    Its process writes the end after the window has closed, and is given some seconds for it.
     """
     for _ in range(LOOKS):
         progress(-1.0, path.name)
@@ -96,12 +96,12 @@ def is_complete(path: Path, progress: Callable[[float, str], None]) -> bool:
 
 
 def is_unfinished(path: Path) -> bool:
-    """Whether it was cut off and nobody has recovered it yet."""
+    """Whether it was interrupted and has not been recovered."""
     return not recovered(path).exists() and session_row(path).recoverable
 
 
 def recovered(path: Path) -> Path:
-    """What a recording becomes when it is recovered."""
+    """The path of the recovered file."""
     return path.with_name(f"{path.stem}_recovered{SUFFIX}")
 
 

@@ -27,9 +27,9 @@ _SUFFIX = ".mcap"
 
 
 class RecordingPlan:
-    """Who and what is recorded next, and where to; kept in the settings from one start to the next.
+    """Names and folder of the next recording, stored in the settings.
 
-    ``participant`` and ``task`` are as the user has typed them last.
+    ``participant`` and ``task`` are the last texts that the user entered.
     """
 
     def __init__(self, store: SettingsStore) -> None:
@@ -48,13 +48,13 @@ class RecordingPlan:
         return self._store.value.recording_name or USUAL
 
     def set_template(self, template: str) -> None:
-        """Name recordings by it (see `take_names`). Raises ConfigError for a wrong one."""
+        """Set the file name template (see `take_names`). Raises ConfigError if it is invalid."""
         check_template(template or USUAL)
         self._store.update(recording_name=template)
 
     @property
     def countdown(self) -> int:
-        """s that are counted down before a recording; 0: none."""
+        """Countdown before a recording, s; 0: none."""
         return self._store.value.countdown if self._store.value.countdown in COUNTDOWNS else 0
 
     @property
@@ -66,13 +66,13 @@ class RecordingPlan:
         self._store.update(countdown=countdown, countdown_sound=sound)
 
     def request(self) -> RecordingRequest:
-        """A file of now that is not there yet. Raises FileError where the folder cannot be."""
+        """A request for a new file. Raises FileError if the folder cannot be created."""
         participant, task = self.participant.strip(), self.task.strip()
         self._store.update(participant=participant, task=task)
         return self.request_for(task)
 
     def request_for(self, task: str) -> RecordingRequest:
-        """`request` of another task than the user's, which stays as it is."""
+        """A `request` for another task, without changing the user's."""
         participant = self.participant.strip()
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
@@ -99,7 +99,7 @@ def size_text(size: float) -> str:
 
 
 def duration_text(seconds: float) -> str:
-    """Whole seconds, cut off after the hundredths that `position_text` shows were rounded."""
+    """Whole seconds, truncated after rounding to the hundredths that `position_text` shows."""
     whole = max(0, round(seconds * 100)) // 100
     hours, minutes = whole // 3600, whole // 60 % 60
     return f"{hours}:{minutes:02d}:{whole % 60:02d}" if hours else f"{minutes}:{whole % 60:02d}"
@@ -112,7 +112,7 @@ def position_text(seconds: float) -> str:
 
 
 def losses_text(values: Mapping[str, float]) -> str:
-    """What a recording's status counts as lost."""
+    """The losses in a recording's status."""
     lost = round(values.get("imu_lost", 0))
     thinned = round(values.get("pictures_thinned", 0))
     overflow = round(values.get("imu_overflow", 0) + values.get("messages_unrecorded", 0))
@@ -124,7 +124,7 @@ def losses_text(values: Mapping[str, float]) -> str:
 
 @dataclass(frozen=True)
 class Disk:
-    """Space left and what to say about it."""
+    """Free space and a warning about it."""
 
     text: str
     warning: str
@@ -144,7 +144,7 @@ def disk(free: int, bytes_per_second: float) -> Disk:
 
 
 class RateMeter:
-    """How fast a file or a count grows per second, over the last few looks."""
+    """Growth rate of a file or a count per second, over the last few measurements."""
 
     def __init__(self, looks: int = 8) -> None:
         self._looks: list[tuple[float, int]] = []
@@ -157,7 +157,7 @@ class RateMeter:
 
 
 def check_template(template: str) -> None:
-    """Raises ConfigError for one that names nothing, or something that is not known."""
+    """Raises ConfigError for a template without or with unknown placeholders."""
     known = ", ".join(f"{{{name}}}" for name in FIELDS)
     for found in _FIELD.finditer(template):
         if found[1] not in FIELDS:
@@ -174,7 +174,7 @@ def check_template(template: str) -> None:
 def take_path(
     folder: Path, participant: str, task: str, now: datetime, template: str = USUAL
 ) -> Path:
-    """A path in ``folder`` that no file has yet. Raises ConfigError for a wrong template."""
+    """A new path in ``folder``. Raises ConfigError for an invalid template."""
     check_template(template)
     values = {
         "participant": name_part(participant),
@@ -192,7 +192,7 @@ def take_path(
 
 
 def _part(text: str) -> str:
-    """Text beside the number, which may come to it with a ``-``."""
+    """Text next to the number, which may be joined by a ``-``."""
     return re.sub(r"[^\w-]+", "-", _FIELD.sub("", text))
 
 

@@ -1,4 +1,4 @@
-"""The IMUs as curves and states."""
+"""State and curves of the IMUs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LINK_WORDS = {
     "glove_skew_ppm": mark("Skew of the host's clock against the glove's, ppm"),
     "link_latency_ms": mark("Latency timer of the USB adapter, ms"),
 }
-"""Counters of the status, as people call them."""
+"""Display names of counters of the status."""
 LINK_ERRORS = tuple(key for key in LINK_WORDS if key.endswith("_errors"))
 
 
@@ -39,7 +39,7 @@ class ImuState:
 def imu_states(
     names: tuple[str, ...], samples: Sequence[ImuSample], running: bool
 ) -> list[ImuState]:
-    """Per IMU: answers, answers with gaps, or silent; judged over the last second."""
+    """State of each IMU over the last second: responding, with gaps, or not responding."""
     if not samples or not running:
         return [ImuState(n, IDLE, tr("no samples")) for n in names]
     now = samples[-1].t
@@ -65,7 +65,8 @@ def jitter_ms(samples: Sequence[ImuSample]) -> float:
 
 
 def glove_figures(status: Status | None, samples: Sequence[ImuSample]) -> list[str]:
-    """The link as a whole: rate, loss, jitter, battery, temperature, as far as they are known."""
+    """Statistics of the link: rate, loss, jitter, battery, temperature, as far as they are
+    known."""
     v = status.values if status is not None else {}
     lost, jitter = v.get("imu_lost"), jitter_ms(samples)
     figures = (
@@ -86,7 +87,7 @@ def _battery_pattern(values: Mapping[str, float]) -> str:
 
 
 def _link_figures(values: Mapping[str, float]) -> list[str]:
-    """Of the line and the glove's clock: what has gone wrong, and nothing where nothing has."""
+    """Errors of the line and the glove's clock; empty without errors."""
     counts = (
         (
             sum(values.get(key, 0.0) for key in LINK_ERRORS),
@@ -122,7 +123,7 @@ def _counted(count: float, one: str, many: str) -> str:
 
 
 def link_tip(status: Status | None) -> str:
-    """Each counter of the link with its own name, for who looks for a fault."""
+    """All counters of the link by name, for diagnosis."""
     v = status.values if status is not None else {}
     lines = [f"{tr(words)}: {local(v[key]):g}" for key, words in LINK_WORDS.items() if key in v]
     return "\n".join(lines)
@@ -133,7 +134,7 @@ def _figure(value: float | None, pattern: str) -> str:
 
 
 def finger_angles(joint_names: Sequence[str]) -> dict[str, list[int]]:
-    """Finger to the columns of its angles, in the order of ``joint_names``."""
+    """Columns of each finger's angles, in the order of ``joint_names``."""
     out: dict[str, list[int]] = {}
     for column, name in enumerate(joint_names):
         out.setdefault(name.split("_")[0], []).append(column)

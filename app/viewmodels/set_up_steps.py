@@ -1,4 +1,4 @@
-"""A step of the set-up: done, to be checked or open; and what stays done once it was."""
+"""A step of the set-up: done, to be checked or open; done steps remain done."""
 
 from __future__ import annotations
 
@@ -17,19 +17,20 @@ LASTING = {
     "hand": ("glove", "camera"),
     "calibration": ("glove",),
 }
-"""Steps that vary with the moment, and the devices without which they are open again."""
+"""Steps whose state fluctuates, and the devices whose loss reopens them."""
 LOST_AFTER = 3.0
-"""s without packets or images, after which the device is lost; a loaded computer may miss some."""
+"""s without packets or images after which a device counts as lost; a loaded computer may miss
+some."""
 MEASURED = ("still", "calibration")
-"""Those with a figure and a lower bound of their own, below which they are open again."""
+"""Steps with a measured value and a lower limit below which they are open again."""
 
 
 @dataclass(frozen=True)
 class SetUpStep:
-    """``command`` is a key of the window's commands, or empty where nothing is to be done.
+    """``command`` is a key of the window's commands; empty if there is nothing to do.
 
-    A step is done, or it works but should be checked (``check``), or it is open. An open one
-    ``waits`` where what arrives now does not tell whether it is done.
+    A step is done, or it works but should be checked (``check``), or it is open. An open step
+    ``waits`` if the current data do not show whether it is done.
     """
 
     name: str
@@ -42,7 +43,7 @@ class SetUpStep:
 
     @property
     def passes(self) -> bool:
-        """Whether the next step can be worked on."""
+        """Whether the user can continue with the next step."""
         return self.done or self.check
 
     def look(self, reachable: bool) -> StateLook:
@@ -52,7 +53,7 @@ class SetUpStep:
 
 
 class SettledSteps:
-    """Keeps steps that were done from falling back until a device that they need is lost."""
+    """Keeps done steps from being reopened until a device that they need is lost."""
 
     def __init__(self) -> None:
         self._setup: EngineSetup | None = None
@@ -62,7 +63,7 @@ class SettledSteps:
         return key in self._done
 
     def follow(self, view: Snapshot | None) -> None:
-        """Forget steps of other devices and of devices that are gone."""
+        """Discard steps of other devices and of devices that were lost."""
         setup = view.setup if view is not None else None
         same = (
             self._setup is not None and setup is not None and self._setup.tracked is setup.tracked
@@ -75,7 +76,7 @@ class SettledSteps:
         self._setup = setup
 
     def take(self, key: str, step: SetUpStep) -> SetUpStep:
-        """What is shown of a step: once done, it is checked rather than open."""
+        """The displayed state of a step: once done, it is to be checked rather than open."""
         if key not in LASTING:
             return step
         if step.done:
@@ -90,7 +91,7 @@ class SettledSteps:
 
 
 def summary(shown: Collection[SetUpStep]) -> str:
-    """How far the set-up is, in a few words."""
+    """Progress of the set-up in a few words."""
     done, check = sum(s.done for s in shown), sum(s.check for s in shown)
     if done + check < len(shown):
         return tr("{} of {} done").format(done, len(shown))
@@ -106,7 +107,7 @@ def images_arrive(view: Snapshot | None) -> bool:
 
 
 def is_lost(view: Snapshot | None, device: str) -> bool:
-    """Whether the "glove" or the "camera" has not sent for `LOST_AFTER`, or was never there."""
+    """Whether the "glove" or the "camera" has not sent for `LOST_AFTER`, or never has."""
     if view is None:
         return True
     if device == "glove":

@@ -28,7 +28,7 @@ from tracker.session.holes import with_breaks
 
 Curve = tuple[Array, Array]
 """t (n,) s and values (n,) in the signal's unit; NaN interrupts the line."""
-FIRST_GESTURES = 2.0  # s for which strengths are computed when the first gesture is chosen
+FIRST_GESTURES = 2.0  # s for which strengths are computed when the first gesture is selected
 T = TypeVar("T", bound=Timed)
 
 
@@ -36,14 +36,14 @@ FIRST_CAPACITY = 256
 
 
 class TimedRows:
-    """Rows (k,) at growing instants, none more than ``span`` s before the last one."""
+    """Rows (k,) at increasing instants, not older than ``span`` s before the last one."""
 
     def __init__(self, span: float) -> None:
         self._span = span
         self.clear()
 
     def clear(self) -> None:
-        """Forget all."""
+        """Remove all rows."""
         self._t = np.empty(0)
         self._rows = np.empty((0, 0))
         self._begin = self._end = 0
@@ -62,11 +62,11 @@ class TimedRows:
         return self._rows[self._begin : self._end]
 
     def add(self, t: float, row: Array) -> None:
-        """One more, later than the last."""
+        """Add a row later than the last one."""
         self.extend(np.array([t]), row[None])
 
     def extend(self, t: Array, rows: Array) -> None:
-        """More at once: t (m,) growing and later than the last, rows (m, k)."""
+        """Add several rows: t (m,) increasing and later than the last, rows (m, k)."""
         count = len(t)
         if count == 0:
             return
@@ -78,7 +78,7 @@ class TimedRows:
         self._begin += int(np.searchsorted(self.t, t[-1] - self._span))
 
     def _make_room(self, count: int, width: int) -> None:
-        """Move what is left to the front; where it fills half, into twice the room."""
+        """Move the remaining rows to the front; double the buffer if they fill half of it."""
         kept = len(self)
         t = np.empty(max(2 * (kept + count), FIRST_CAPACITY))
         rows = np.empty((len(t), width))
@@ -89,15 +89,15 @@ class TimedRows:
 
 
 def no_curve() -> Curve:
-    """Nothing to draw."""
+    """An empty curve."""
     return np.zeros(0), np.zeros(0)
 
 
 class LiveCurves:
-    """Curves of the signals that are chosen, over the last ``span`` s; times are the engine's.
+    """Curves of the selected signals over the last ``span`` s; times are the engine's.
 
-    What is chosen later begins with what the engine still has of the last seconds. Nothing is
-    computed for other signals.
+    A newly selected signal starts with the last seconds that the engine still stores. Other signals
+    are not computed.
     """
 
     def __init__(self, span: float) -> None:
@@ -107,12 +107,12 @@ class LiveCurves:
         self._gestures: dict[str, GestureRows] = {}
 
     def clear(self) -> None:
-        """Forget all values; what is chosen stays so."""
+        """Remove all values; the selection stays."""
         self._taken = {key: TimedRows(self._span) for key in self._chosen}
         self._gestures.clear()
 
     def choose(self, chosen: Iterable[Signal]) -> None:
-        """Collect these from now on."""
+        """Collect these signals."""
         self._chosen = {signal.key: signal for signal in chosen}
         before = self._taken
         self._taken = {key: before.get(key) or TimedRows(self._span) for key in self._chosen}
@@ -120,7 +120,7 @@ class LiveCurves:
         self._gestures = {side: rows for side, rows in self._gestures.items() if side in sides}
 
     def take(self, view: Snapshot) -> None:
-        """Add what has come since the last call."""
+        """Add the messages since the last call."""
         for hand in view.hands:
             by_source: dict[SignalSource, list[Signal]] = {}
             for signal in self._chosen.values():
@@ -148,7 +148,7 @@ class LiveCurves:
         messages: Sequence[T],
         rows_of: Callable[[Sequence[T]], Rows],
     ) -> None:
-        """Of ``messages``, oldest first, those that are new to each signal."""
+        """Add those of ``messages``, oldest first, that are new to each signal."""
         if not messages:
             return
         by_last: dict[float, list[Signal]] = {}
@@ -173,15 +173,15 @@ class LiveCurves:
             self._append([signal], rows, self._last(signal, now))
 
     def _last(self, signal: Signal, now: float) -> float:
-        """The last instant of a curve (s), -inf of an empty one. One that ``now`` (s) is before is
-        emptied: a replay went back."""
+        """The last instant of a curve (s), -inf if it is empty. A curve later than ``now`` (s) is
+        cleared: the replay moved back."""
         taken = self._taken[signal.key]
         if len(taken) and taken.t[-1] > now:
             taken.clear()
         return float(taken.t[-1]) if len(taken) else -np.inf
 
     def _append(self, signals: Sequence[Signal], rows: Rows, last: float) -> None:
-        """The rows after ``last`` (s), those before are for what needs their neighbours."""
+        """Append the rows after ``last`` (s); earlier ones provide neighbours for smoothing."""
         if len(rows.t) == 0:
             return
         for signal in signals:
@@ -190,7 +190,7 @@ class LiveCurves:
             if not new.any():
                 continue
             t, values = rows.t[new], values_of(signal, rows)[new]
-            if np.isfinite(last):  # for a break between the last instant and these
+            if np.isfinite(last):  # for an interruption between the last instant and these
                 t, values = np.r_[last, t], np.r_[np.nan, values]
             t, values = with_breaks(t, values, LONGEST_STEP[signal.source])
             begin = int(np.isfinite(last))
@@ -203,7 +203,7 @@ class LiveCurves:
 
 
 def _known_until(rows: Rows) -> float:
-    """The last instant (s) whose smoothed value no later row changes."""
+    """The last instant (s) whose smoothed value does not depend on later rows."""
     return float(min(rows.t[-1] - LEAD / 2, rows.t[-2])) if len(rows.t) > 1 else -np.inf
 
 
@@ -216,12 +216,12 @@ class TakeCurves:
 
     @property
     def figures(self) -> Collection[str]:
-        """Names of the status figures that the recording has."""
+        """Names of the status values in the recording."""
         found = (rows for (_, source), rows in self._rows.items() if source is SignalSource.STATUS)
         return dict.fromkeys(name for rows in found for name in rows.columns)
 
     def curve(self, signal: Signal) -> Curve:
-        """Computed once."""
+        """The curve of a signal; computed once."""
         if signal.key not in self._curves:
             rows = self._rows.get((signal.side, signal.source))
             self._curves[signal.key] = (

@@ -1,4 +1,4 @@
-"""Messages as rows of figures, and the values of signals in them."""
+"""Rows of numbers computed from messages, and the values of signals in them."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ LONGEST_STEP = {
     SignalSource.IMU: LONGEST_FILLED,
     SignalSource.HAND: LONGEST_FILLED,
     SignalSource.GESTURES: LONGEST_FILLED,
-    SignalSource.IMAGES: 0.25,  # a camera may give ten images a second, and lose one
-    SignalSource.STATUS: 2.5,  # a recording has one a second
+    SignalSource.IMAGES: 0.25,  # a camera may deliver ten images a second, and lose one
+    SignalSource.STATUS: 2.5,  # a recording has one per second
 }
-"""s between two instants of a source; a curve is interrupted across a longer step."""
+"""Maximum s between two instants of a source; a longer gap interrupts a curve."""
 PX = ("residual_left", "residual_right")
 
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Instants t (n,) s that grow, and columns (n, ...) in SI units by their names; NaN where
-    nothing is known."""
+    """Instants t (n,) s in increasing order, and columns (n, ...) in SI units by their names; NaN
+    where unknown."""
 
     t: Array
     columns: Mapping[str, Array]
@@ -94,7 +94,7 @@ def _rms(residual: Array) -> Array:
 
 
 def status_rows(statuses: Sequence[Status]) -> Rows:
-    """A column (n,) for each figure that any of them has."""
+    """A column (n,) for each value that any of them has."""
     names = dict.fromkeys(name for status in statuses for name in status.values)
     nan = float("nan")
     columns = {n: np.array([s.values.get(n, nan) for s in statuses]) for n in names}
@@ -102,7 +102,7 @@ def status_rows(statuses: Sequence[Status]) -> Rows:
 
 
 class GestureRows:
-    """Strengths of all gestures, 0 to 1, of one hand's estimates in their order."""
+    """Strengths of all gestures, 0 to 1, for consecutive estimates of one hand."""
 
     def __init__(self, setup: EngineSetup) -> None:
         self._setup = setup
@@ -114,7 +114,7 @@ class GestureRows:
         self._t = -np.inf
 
     def rows(self, estimates: Sequence[Estimate]) -> Rows:
-        """Of those that are later than all before; a column (n,) for each gesture."""
+        """Rows of estimates later than all previous ones; a column (n,) for each gesture."""
         if estimates and estimates[-1].t < self._t:
             self._forget()
         t, found = [], []
@@ -130,7 +130,7 @@ class GestureRows:
 
 
 def _rows(t: Sequence[float], columns: Mapping[str, Array]) -> Rows:
-    """In order of time, each instant once."""
+    """Sorted by time, each instant once."""
     times = np.array(t, float)
     if (np.diff(times) > 0).all():
         return Rows(times, columns)
@@ -139,7 +139,7 @@ def _rows(t: Sequence[float], columns: Mapping[str, Array]) -> Rows:
 
 
 def values_of(signal: Signal, rows: Rows) -> Array:
-    """(n,) in the signal's unit; NaN where the rows have no such column."""
+    """(n,) in the signal's unit; NaN without such a column."""
     column = rows.columns.get(signal.column)
     if column is None:
         return np.full(len(rows.t), np.nan)

@@ -1,7 +1,7 @@
-"""The signals that curves can show: what each is called, its unit, and which figure it is.
+"""The signals that curves can show: their names, units and columns.
 
-A signal is one column of the rows that `app.viewmodels.signal_rows` makes of messages. Its key is
-stable: settings remember it.
+A signal is one column of the rows that `app.viewmodels.signal_rows` computes from messages. Its key
+is stable, since the settings contain it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MM = 1000.0
 
 
 class SignalSource(Enum):
-    """The messages that a signal is taken from; the value is its part of a key."""
+    """The messages that a signal is computed from; the value is part of its key."""
 
     IMU = "imu"
     HAND = "hand"
@@ -35,19 +35,20 @@ class SignalSource(Enum):
 
 
 class SignalMeasure(Enum):
-    """What is made of a column: itself, the norm of a vector, or the norm of its change per s."""
+    """The quantity computed from a column: itself, the norm of a vector, or the norm of its
+    derivative."""
 
     VALUE = "value"
     NORM = "norm"
     SPEED = "speed"
-    RATE = "rate"  # of a number, with its sign
+    RATE = "rate"  # derivative of a number
 
 
 @dataclass(frozen=True)
 class Signal:
-    """``path`` are words of the tree, from the hand to the signal; ``label`` stands in a legend.
+    """``path``: labels in the tree, from the hand to the signal; ``label``: name in a legend.
 
-    ``index`` is the place in the column's row; ``factor`` turns SI into ``unit``.
+    ``index``: position in the column's row; ``factor`` converts from SI to ``unit``.
     """
 
     side: str
@@ -63,7 +64,7 @@ class Signal:
 
     @property
     def key(self) -> str:
-        """As the settings hold it."""
+        """As stored in the settings."""
         return f"{self.side}/{self.source.value}/{self.name}"
 
 
@@ -87,13 +88,13 @@ STATUS_WORDS = {
     "stereo_points": mark("markers in both images"),
     "heading_sd_deg": mark("uncertainty of the heading"),
 }
-"""Figures of the status that have a name for people; others are listed by their own."""
+"""Display names of status values; others are listed by their key."""
 STATUS_UNITS = {"hz": "Hz", "ms": "ms", "v": "V", "c": "°C", "ppm": "ppm", "deg": "°", "px": "px"}
-"""By the last word of a figure's name."""
+"""By the last word of a value's name."""
 
 
 def signals(setup: EngineSetup, figures: Iterable[str] = ()) -> list[Signal]:
-    """All signals of the hands of ``setup``; ``figures`` are the names that its status has."""
+    """All signals of the hands of ``setup``; ``figures`` are the names of the status values."""
     hands = sorted(setup.hands, key=lambda hand: hand.side)
     out: list[Signal] = []
     for hand in hands:
@@ -227,7 +228,7 @@ def _gestures(setup: EngineSetup) -> list[Signal]:
 
 
 def _images(setup: EngineSetup) -> list[Signal]:
-    """A replay has no predictions: its residuals are those of the recorded estimates."""
+    """Replays have no predictions: their residuals are those of the recorded estimates."""
     if not setup.camera.present:
         return []
     of = tr("of the estimate") if setup.player is not None else tr("of the prediction")
@@ -266,6 +267,6 @@ def _status(setup: EngineSetup, figures: Iterable[str]) -> list[Signal]:
 
 
 def matches(signal: Signal, words: Sequence[str]) -> bool:
-    """Whether each of ``words`` (case-folded) is part of where the signal stands."""
+    """Whether each of ``words`` (case-folded) occurs in the path or label of a signal."""
     text = " ".join(signal.path).casefold()
     return all(word in text for word in words)

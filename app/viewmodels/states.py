@@ -1,4 +1,4 @@
-"""Colours, signs and words of the states: one place, colour-blind safe, never colour alone.
+"""Colours, signs and words of the states; distinguishable without colour vision.
 
 The hues are those of Okabe and Ito, "Color Universal Design" (2008).
 """
@@ -19,12 +19,12 @@ PURPLE = "#CC79A7"
 YELLOW = "#F0E442"
 GREY = "#8A9099"
 NEUTRAL = "#D5D9DE"
-"""Of the hand's skin, before a state tints it."""
+"""Colour of the hand before it is tinted by a state."""
 
 
 @dataclass(frozen=True)
 class StateLook:
-    """How one state appears: a colour, a sign that survives grey print, and a word."""
+    """The look of a state: a colour, a sign that is visible in grey print, and a word."""
 
     colour: str
     sign: str

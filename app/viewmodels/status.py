@@ -1,4 +1,4 @@
-"""The status bar: rates, latency, losses and the state of tracking."""
+"""The status bar: rates, latency, losses and the tracking state."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ SHED = {
 
 @dataclass(frozen=True)
 class Field:
-    """One figure: what it is called, its text and how well it is.
+    """One value: its name, text and state.
 
-    ``short``: all of it where there is too little room; empty where it cannot be shorter.
+    ``short``: abbreviated for little space; empty if it cannot be shortened.
     """
 
     key: str
@@ -55,9 +55,8 @@ def tracking_look(
     replayed: bool = False,
     brief: bool = False,
 ) -> StateLook:
-    """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost.
-    ``replayed``: the status is from a session, not of now. ``brief``: without the heading's sd.
-    """
+    """``has_place``: whether a calibrated camera provides the position. ``replayed``: the status is
+    from a session. ``brief``: without the heading's sd."""
     if not running or status is None:
         return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
     if replayed:
@@ -76,34 +75,34 @@ def tracking_look(
 
 
 def nothing_arrives(status: Status) -> bool:
-    """Of what once came, neither packets nor images; the state of tracking is of before."""
+    """Whether neither packets nor images arrive any more; the tracking state is outdated."""
     rates = [status.values[key] for key in ("imu_rate_hz", "frame_rate_hz") if key in status.values]
     return bool(rates) and not any(rate > 0 for rate in rates) and status.tracking in STALE
 
 
 def images_alone(status: Status) -> bool:
-    """Whether images come and no packets: then no hand was found, and none can be."""
+    """Whether images arrive but no packets: then no hand can be found."""
     values = status.values
     searching = status.tracking == Tracking.SEARCHING
     return searching and "frame_rate_hz" in values and not values.get("imu_rate_hz", 0.0) > 0
 
 
 def _drifting(word: str, heading_sd_deg: float) -> str:
-    """With how far the heading may be off by now: without images nothing holds it."""
+    """With the possible error of the heading, which drifts without images."""
     if not math.isfinite(heading_sd_deg):
         return word
     return tr("{}, heading within {:.0f}°").format(word, 2 * heading_sd_deg)
 
 
 def hand_tip(status: Status | None) -> str:
-    """What there is to say of one hand of two: its glove's rate, and what was lost."""
+    """Details of one of two hands: rate and losses of its glove."""
     values = status.values if status is not None else {}
     glove, losses = _glove(values), _losses(values)
     return f"{glove.name} {glove.text}\n{losses.name} {losses.text}"
 
 
 def fields(status: Status | None, replayed: bool = False) -> list[Field]:
-    """The figures of the bar, in its order; of a replay without a judgement."""
+    """The values of the status bar, in order; without states for a replay."""
     v = status.values if status is not None else {}
     found = _fields(status, v)
     if not replayed:
@@ -125,7 +124,7 @@ def _fields(status: Status | None, v: Mapping[str, float]) -> list[Field]:
 
 
 def _shed(values: Mapping[str, float]) -> Field:
-    """What is left out on a computer that is too slow; no text where that is nothing."""
+    """What is reduced because the system is overloaded; empty if nothing is."""
     level = int(values.get("load_shed", 0.0))
     if level <= 0:
         return Field("shed", "", "", IDLE, "")
@@ -135,7 +134,7 @@ def _shed(values: Mapping[str, float]) -> Field:
 
 
 def _glove(values: Mapping[str, float]) -> Field:
-    """Its rate, and a warning while its battery is low."""
+    """Rate of the glove, and a warning while its battery is low."""
     field = _rate("imu_rate_hz", tr("Glove"), values, tr("Packets of the glove per second"))
     if not values.get("battery_low") or field.look not in (GOOD, IDLE):
         return field
@@ -146,7 +145,7 @@ def _glove(values: Mapping[str, float]) -> Field:
 
 
 def _hand(status: Status | None) -> Field:
-    """How often it is estimated; of a camera alone nothing is."""
+    """Rate of the estimates; none with only a camera."""
     values = status.values if status is not None and not images_alone(status) else {}
     tip = tr("Estimates of the hand per second")
     return _rate("estimate_rate_hz", tr("Hand"), values, tip)
@@ -172,7 +171,7 @@ def _latency(values: Mapping[str, float]) -> Field:
 
 
 def _stages(values: Mapping[str, float]) -> list[str]:
-    """A line per stage, from the counters that `/tracker/status` has."""
+    """One line per stage, from the counters in `/tracker/status`."""
     return [
         f"{tr(name)}: {_ms(values, f'latency_{key}_ms')} ({_ms(values, f'latency_{key}_p99_ms')})"
         for key, name in STAGES.items()

@@ -1,4 +1,4 @@
-"""What the stereo calibration's pages say: rows, figures and overlays from the engine's results."""
+"""Contents of the stereo calibration pages: rows, values and overlays."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ ANSWERS = {
 VERDICTS: dict[str, StateLook] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
 
 SUSPECT_PX = 1.0
-"""A view off by more was blurred, or the board bent."""
+"""A view with a larger error was blurred, or the board was bent."""
 
 
 @dataclass(frozen=True)
 class Meter:
-    """One figure against what is wanted; ``share`` 0..1."""
+    """One value relative to its requirement; ``share`` 0..1."""
 
     name: str
     text: str
@@ -47,7 +47,7 @@ class Meter:
 
 
 def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]:
-    """How far the collection is, in four figures."""
+    """Progress of the collection in four values."""
     p = params or CoverageParams()
     return [
         Meter(tr("Views"), tr("{} of {}").format(cover.views, p.views), cover.views / p.views),
@@ -82,7 +82,7 @@ def say(answer: Answer, trouble: Notice | None, cover: Coverage) -> str:
 
 
 def corner_shapes(corners: Corners | None, good: bool) -> list[Shape]:
-    """A cross at each corner found."""
+    """A cross at each detected corner."""
     if corners is None:
         return []
     colour = GOOD.colour if good else WARN.colour
@@ -90,7 +90,7 @@ def corner_shapes(corners: Corners | None, good: bool) -> list[Shape]:
 
 
 def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape]:
-    """Rows through a few corners of a rectified image: the same corner is on the same row."""
+    """Lines through a few corners of a rectified image: the same corner is on the same row."""
     if corners is None or len(corners) == 0:
         return []
     rows = camera.rectify(corners.uv)[:: max(1, len(corners) // 6), 1]
@@ -98,7 +98,7 @@ def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape
 
 
 def view_name(index: int, view: StereoView, error_px: float) -> str:
-    """How a view stands in the list; ``error_px`` NaN while there is no calibration yet."""
+    """Name of a view in the list; ``error_px`` is NaN without a calibration."""
     tilt_deg = np.rad2deg(shape_of(view).tilt)
     words = tr("{}: {} corners, tilted {:.0f}°").format(index + 1, len(view.ids), tilt_deg)
     if np.isnan(error_px):
@@ -119,7 +119,7 @@ class ViewRow:
 
 
 def view_rows(solution: Solution) -> list[ViewRow]:
-    """All views, those dropped marked."""
+    """All views; rejected ones are marked."""
     used = set(solution.used)
     return [
         ViewRow(
@@ -135,7 +135,7 @@ def view_rows(solution: Solution) -> list[ViewRow]:
 def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list[Notice]:
     """Why a solution is refused; none where it may go on to the check.
 
-    ``baseline`` is what the user knows of the lenses' distance, m; 0 where nothing.
+    ``baseline``: known distance of the lenses, m; 0 if unknown.
     """
     rig = Extrinsics(solution.left, solution.right, solution.R, solution.T)
     found = rig_problems(rig) or known_baseline_problems(rig, baseline)
@@ -143,7 +143,7 @@ def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list
 
 
 def solution_figures(solution: Solution) -> list[tuple[str, str]]:
-    """Name and value of what was found."""
+    """Names and values of a solution."""
     focal = [
         f"{local(camera.K[0, 0]):.1f} px ± {local(100 * sd):.2f} %"
         for camera, sd in zip(solution.cameras, solution.focal_sd, strict=True)
@@ -167,7 +167,7 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
 
 
 def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
-    """The same of a calibration from a file."""
+    """Names and values of a calibration from a file."""
     if rig.one_camera:
         return [
             (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
@@ -182,7 +182,7 @@ def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
 
 
 def check_figures(found: Verification) -> list[tuple[str, str]]:
-    """What all fresh views together say; a shift of all rows means that a camera was tilted."""
+    """Combined errors of all new views; a vertical offset means that a camera was tilted."""
     if len(found.off_px) == 0:
         return []
     if found.one_camera:
@@ -194,10 +194,10 @@ def check_figures(found: Verification) -> list[tuple[str, str]]:
 
 
 def check_rows(found: Verification) -> list[tuple[str, str]]:
-    """Each fresh view and how far its corners are off."""
+    """Each new view and the error of its corners."""
     return [(str(i + 1), f"{local(e):.2f} px") for i, e in enumerate(found.off_px.tolist())]
 
 
 def split_fresh(views: Sequence[StereoView]) -> tuple[list[StereoView], list[StereoView]]:
-    """Of images from a folder every third is held back for the check."""
+    """Split images from a folder: every third one is reserved for the check."""
     return [v for i, v in enumerate(views) if i % 3 != 2], list(views[2::3])

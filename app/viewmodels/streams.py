@@ -17,7 +17,7 @@ MOTORS = tuple(CHAINS)
 """The fingers, in the order of the glove's vibration motors."""
 
 
-LATELY = 60.0  # s for which who asked by a datagram counts as there
+LATELY = 60.0  # s for which the sender of a datagram counts as connected
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class StreamRow:
 
 
 def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: str) -> StreamRow:
-    """``running``: an engine runs; ``problem``: why the output could not be opened."""
+    """``running``: an engine runs; ``problem``: why the stream could not be opened."""
     if problem:
         return StreamRow(BAD, tr("not open"), "–", "–", "–", problem)
     if not on:
@@ -50,13 +50,13 @@ def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: st
 
 
 def _sent(counts: StreamCounts) -> str:
-    """How many messages, and how many a second, of each hand: ``1200 (100 + 99 Hz)``."""
+    """Number of messages, and messages per second, of each hand: ``1200 (100 + 99 Hz)``."""
     rates = " + ".join(f"{rate:.0f}" for rate in counts.rates_hz)
     return f"{counts.sent} ({rates} Hz)" if rates else str(counts.sent)
 
 
 def _missed(counts: StreamCounts) -> list[str]:
-    """A line for each cause of messages that were left out."""
+    """A line for each cause of messages that were not sent."""
     lines = [
         (counts.dropped, tr("{} discarded: this computer is overloaded").format(counts.dropped)),
         (counts.failed, tr("{} could not be sent").format(counts.failed)),
@@ -68,7 +68,7 @@ def _missed(counts: StreamCounts) -> list[str]:
 
 
 def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
-    """Its ``sent`` are the requests taken, its ``dropped`` those that were not."""
+    """``sent``: accepted requests; ``dropped``: refused ones."""
     if problem:
         return StreamRow(BAD, tr("not open"), "–", "–", "–", problem)
     if not on:

@@ -1,4 +1,4 @@
-"""A recording in words: what it is begun without, and how it went."""
+"""Warnings before a recording, and the report after it."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from tracker.base.errors import FileError
 from tracker.base.files import name_part
 from tracker.messages import ImuSample, Status
 
-SILENT = 1.0  # s without a word after which a device or an IMU is called silent
-SLOW = 0.6  # of the images that the camera should give
+SILENT = 1.0  # s without data after which a device or an IMU counts as not responding
+SLOW = 0.6  # relative to the nominal frame rate
 
 
 class HandTake(NamedTuple):
-    """``tracked`` 0..1 of the time; None where the file does not tell; ``glove_silent``: s for
-    which nothing came from its glove."""
+    """``tracked``: 0..1 of the time; None if unknown. ``glove_silent``: s without data from its
+    glove."""
 
     side: str
     tracked: float | None = None
@@ -32,10 +32,9 @@ class HandTake(NamedTuple):
 
 @dataclass(frozen=True)
 class TakeReport:
-    """``problem``: the worst that is wrong with the file, empty where it is whole. ``duration`` s;
-    ``by_imus``: without a place, so that how long it was tracked says nothing. ``camera_silent``:
-    s for which no image came; ``cut_off``: it has no end, and `recover` makes a whole file of it.
-    """
+    """``problem``: the most serious problem of the file, empty if it is complete. ``duration`` s;
+    ``by_imus``: without a position, so that the tracked time is meaningless. ``camera_silent``: s
+    without images; ``cut_off``: interrupted, can be recovered."""
 
     path: Path
     problem: str = ""
@@ -43,12 +42,12 @@ class TakeReport:
     packets_lost: int | None = None
     by_imus: bool = False
     camera_silent: float = 0.0
-    hands: tuple[HandTake, ...] = ()  # that it holds, the left one first
+    hands: tuple[HandTake, ...] = ()  # the left one first
     cut_off: bool = False
 
 
 def report_text(report: TakeReport) -> str:
-    """One line: whole, so long, so much lost, tracked so much of the time, of two hands each."""
+    """One line: completeness, duration, losses, and tracked time of each hand."""
     name = report.path.stem
     if report.cut_off:
         text = tr("{} was interrupted after {}. Its contents can be recovered.")

@@ -113,12 +113,12 @@ class TwoTakes:
         return self.first, self.second
 
     def shift(self, offset: float) -> float:
-        """s that the second one's monotonic clock is ahead of the first one's."""
+        """s by which the monotonic clock of the second is ahead of the first."""
         return self.second.start - self.first.start - offset
 
     def curves(self, name: str, offset: float) -> tuple[Array, Array, Array, Array]:
         """Times and values (rad) of the first, then of the second on the first one's axis; NaN
-        where it is lost and in holes."""
+        where lost and in holes."""
         t, first = self.first.curve(name)
         t_second, second = self.second.curve(name)
         return t, first, t_second + offset, second
@@ -130,7 +130,7 @@ class TwoTakes:
         return between(t, t_second, second) - first
 
     def figures(self, name: str, offset: float) -> AngleDifference | None:
-        """None where the takes have no instant in common."""
+        """None if the recordings have no instant in common."""
         difference = self.difference(name, offset)
         known = np.isfinite(difference)
         if not known.any():
@@ -142,7 +142,7 @@ class TwoTakes:
 
 
 def between(t: Array, known_t: Array, values: Array) -> Array:
-    """``values`` at ``t`` by straight lines; NaN outside, and where the next value is far."""
+    """Linear interpolation of ``values`` at ``t``; NaN outside, and where the next value is far."""
     good = np.isfinite(values)
     known_t, values = known_t[good], values[good]
     if len(known_t) < 2:
@@ -154,7 +154,7 @@ def between(t: Array, known_t: Array, values: Array) -> Array:
 
 
 def read_take(path: Path) -> TakeAngles:
-    """A session's joint angles. Raises FileError for a file that is no session."""
+    """A session's joint angles. Raises FileError if the file is not a session."""
     with SessionReader(path) as reader:
         series = read_series(reader, segments=False)
         return TakeAngles(
@@ -179,15 +179,15 @@ def figures_text(figures: AngleDifference | None) -> str:
 
 
 class TakeImages:
-    """Of one file, which is opened when it is first asked. For one thread at a time."""
+    """Images of one file, opened on first use. Not thread-safe."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
         self._reader: SessionReader | None = None
 
     def at(self, position: float) -> Image | None:
-        """(h, w, 3) BGR of the left camera, or of the right one alone, where the take stands
-        ``position`` s after its first measurement; None where it has none or it is damaged."""
+        """(h, w, 3) BGR of the left camera, or of the right one if it is the only one, ``position``
+        s after the first measurement; None without an image or if it is damaged."""
         if self._reader is None:
             self._reader = SessionReader(self._path)
         reader = self._reader
@@ -200,13 +200,13 @@ class TakeImages:
             ]
             frame = found[-1].unpack() if found else None
         except FileError:
-            return None  # what is damaged is told by the replay
+            return None  # the replay reports the damage
         if frame is None:
             return None
         return frame.left if frame.left is not None else frame.right
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file."""
         if self._reader is not None:
             self._reader.close()
             self._reader = None

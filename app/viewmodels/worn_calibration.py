@@ -19,14 +19,15 @@ from tracker.fusion.chain.profile import WearerProfile
 from tracker.messages import Calibration
 
 HAND_MM = (1000 * SHORTEST, 1000 * LONGEST)
-"""What a ruler may say of a hand."""
+"""Plausible range of a measured hand length."""
 
 
 FOLDER, DEMO = "wearers", "demo"
 
 
 class WornCalibration:
-    """``latest`` is the calibration as it is; the last fit is what was kept, worn or reset last.
+    """``latest`` is the current calibration; the last fit is that at the last save, selection or
+    reset.
 
     ``layout`` is of the hand and glove whose profiles are offered; None before there is one.
     """
@@ -35,12 +36,14 @@ class WornCalibration:
         self._store, self._layout = store, layout
         self._worn: WearerFile | None = None
         self._last_fit: Calibration | None = None
-        self._saving = ""  # the name that an answer of the engine is to be saved under
-        self._exporting: Path | None = None  # the file that an answer is to be written to
+        self._saving = ""  # name under which the engine's next answer is to be saved
+        self._exporting: Path | None = (
+            None  # file to which the engine's next answer is to be exported
+        )
         self.latest: Calibration | None = None
 
     def open(self) -> None:
-        """Another engine: nobody wears the glove yet."""
+        """Forget the wearer after the engine has changed."""
         self._worn = self._last_fit = self.latest = None
 
     def names(self) -> list[str]:
@@ -49,11 +52,11 @@ class WornCalibration:
 
     @property
     def profile(self) -> WearerProfile | None:
-        """Of whom is known to wear the glove."""
+        """The selected profile."""
         return self._worn.profile if self._worn is not None else None
 
     def put_on(self, name: str, layout: ChainLayout) -> None:
-        """Raises FileError where no profile is kept under the name, or one of another glove."""
+        """Select a profile. Raises FileError if it does not exist or is for another glove."""
         self._worn = self._store.load(name, layout)
         self._last_fit = self._worn.calibration
 
@@ -61,19 +64,19 @@ class WornCalibration:
         self._worn = None
 
     def ask_to_save(self, name: str) -> None:
-        """What is `learned` next is to be kept under this name."""
+        """Save the next `learned` under this name."""
         self._saving = name
 
     def ask_to_export(self, path: Path) -> None:
-        """What is `learned` next is to be written to this file."""
+        """Export the next `learned` to this file."""
         self._exporting = path
 
     def take_in(self, path: Path, layout: ChainLayout) -> str:
-        """Keep a file of elsewhere; the name that it has here. Raises FileError."""
+        """Import a profile; returns its name here. Raises FileError."""
         return self._store.take_in(path, layout)
 
     def learned(self, wearer: WearerFile) -> str:
-        """Keep it if that was asked for; the name that it has now, or "". Raises FileError."""
+        """Save the calibration if that was requested; its new name, or "". Raises FileError."""
         name, self._saving = self._saving, ""
         path, self._exporting = self._exporting, None
         if path is not None:
@@ -85,17 +88,17 @@ class WornCalibration:
         return kept
 
     def remove(self, name: str) -> RemovedFile:
-        """Raises FileError where there is none, or the disk refuses."""
+        """Raises FileError if it does not exist or cannot be removed."""
         return self._store.remove(name)
 
     def forgotten(self) -> None:
-        """The engine starts anew; what it knew can be compared with."""
+        """The engine was reset; the previous calibration can be compared."""
         self._last_fit = self.latest or self._last_fit
 
     def shown(
         self, comparing: bool, frozen: bool, one_camera: bool = False
     ) -> CalibrationView | None:
-        """None before the first calibration."""
+        """The table; None before the first calibration."""
         if self.latest is None:
             return None
         shown = calibration_view(self.latest, self._last_fit if comparing else None, one_camera)
@@ -110,7 +113,7 @@ class WornCalibration:
 
 
 class WearersOfHands:
-    """``worn`` is the calibration of the hand that is shown, one of ``by_side``."""
+    """``worn`` is the calibration of the displayed hand, one of ``by_side``."""
 
     def __init__(self, store: SettingsStore) -> None:
         self._store = store
@@ -120,7 +123,7 @@ class WearersOfHands:
         self.by_side: dict[str, WornCalibration] = {}
 
     def open(self, setups: list[EngineSetup]) -> None:
-        """Other gloves: nobody wears them yet."""
+        """Start with other gloves, without wearers."""
         self.by_side = {
             setup.side: WornCalibration(self._files_of(setup), ChainLayout(setup.hand, setup.glove))
             for setup in setups
@@ -130,19 +133,19 @@ class WearersOfHands:
         return self._demo_files if setup.simulated else self._files
 
     def show(self, setup: EngineSetup) -> str:
-        """Turn to this hand; the name of who wore its glove last."""
+        """Select a hand; returns the name of its last wearer."""
         self.worn = self.by_side[setup.side]
         settings = self._store.value
-        own = bound(settings, setup.connection.number)  # of a glove that is known again
+        own = bound(settings, setup.connection.number)  # for a glove that is recognized
         if own is not None:
             return own.wearer
         name = wearer_of(settings, setup.side, setup.simulated)
-        # Earlier versions stored the name for a left glove alone as they did for a right one.
+        # Earlier versions stored the name of a left glove's wearer as "right".
         earlier = wearer_of(settings, "right") if not setup.simulated else ""
         return name or (earlier if earlier in self.worn.names() else "")
 
     def remember(self, name: str, setup: EngineSetup | None) -> None:
-        """Whose calibration this hand has at the next start."""
+        """Store the wearer of this hand for the next start."""
         if setup is None:
             return
         settings = self._store.value
@@ -155,5 +158,5 @@ class WearersOfHands:
             return
         names = dict(settings.wearers)
         if names.get("right") in self.worn.names():
-            names["right"] = ""  # where earlier versions stored that of either hand
+            names["right"] = ""  # stored by earlier versions for either hand
         self._store.update(wearers={**names, setup.side: name})

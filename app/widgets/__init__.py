@@ -1,1 +1,1 @@
-"""Small pieces of screen that know nothing of hands."""
+"""Widgets that are independent of hand tracking."""

@@ -1,4 +1,4 @@
-"""The one place where an error stands: a line above the docks, never a stack of dialogs."""
+"""The message line above the docks, used instead of message boxes."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from app.widgets.measures import APART, NEAR
 
 MOST_ACTIONS = 3
 Action = tuple[str, Callable[[], object]]
-"""The words of a button, and what it does."""
+"""The text of a button, and its callback."""
 
 
 class Banner(QFrame):
-    """Shows the latest sentence until it is dismissed."""
+    """Shows the latest message until it is dismissed."""
 
     dismissed = Signal()
 
@@ -43,9 +43,8 @@ class Banner(QFrame):
     def show_text(
         self, text: str, *actions: Action, good: bool = False, stays: bool = False
     ) -> None:
-        """``actions``: the words of a button and what it does; it takes the banner away too, unless
-        that ``stays``. ``good``: there is nothing wrong.
-        """
+        """``actions``: texts and callbacks of buttons, which also close the banner unless it
+        ``stays``. ``good``: the message is not a problem."""
         self._stays = stays
         self._sign.setText("✓" if good else "▲")
         self.setProperty("good", good)

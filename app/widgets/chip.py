@@ -1,4 +1,4 @@
-"""A sign, a name and a figure in a row."""
+"""A label with a sign, a name and a value."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from app.widgets.measures import NEAR, TIGHT
 
 
 class Chip(QWidget):
-    """``● Glove 100 Hz``: the sign carries the state by colour and by shape.
+    """``● Glove 100 Hz``: colour and shape of the sign show the state.
 
-    ``firm``: its text is cut last where there is too little room.
+    ``firm``: its text is elided last if there is too little space.
     """
 
     def __init__(self, parent: QWidget | None = None, firm: bool = False) -> None:
@@ -31,8 +31,11 @@ class Chip(QWidget):
             self.setToolTip(tip)
             self.setAccessibleDescription(tip)
         if (colour, sign, text) == self._shown:
-            return  # a label repaints even when nothing changes
-        if self._shown[:2] != (colour, sign):  # a style sheet costs more than all the rest
+            return  # setting a label's text repaints it even if nothing changes
+        if self._shown[:2] != (
+            colour,
+            sign,
+        ):  # changing a style sheet is slower than everything else
             self._sign.setText(sign)
             self._sign.setStyleSheet(f"color: {colour}")
         self._shown = (colour, sign, text)
@@ -40,7 +43,7 @@ class Chip(QWidget):
         self.setAccessibleName(text)
 
     def width_with(self, text: str) -> int:
-        """px that it needs with this text."""
+        """Width in px with this text."""
         advance = self._text.fontMetrics().horizontalAdvance
         return self.sizeHint().width() + advance(text) - advance(self._text.text())
 

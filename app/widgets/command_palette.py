@@ -1,4 +1,4 @@
-"""Ctrl+K: type a few letters, run a command."""
+"""The command palette (Ctrl+K)."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ _ROLE = Qt.ItemDataRole.UserRole
 
 
 def rank(query: str, text: str) -> int | None:
-    """How well ``text`` answers ``query``, smaller is better; None where a letter is missing.
+    """How well ``text`` matches ``query``, smaller is better; None if a letter is missing.
 
-    The letters must come in order; a run that starts a word beats scattered letters.
+    The letters must occur in order; a run at the start of a word ranks before scattered letters.
     """
     query, text = query.lower().strip(), text.lower()
     if query in text:
@@ -63,7 +63,7 @@ class CommandPalette(QDialog):
         self._list.setCurrentRow(0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Arrows move in the list while the letters go to the line."""
+        """Arrow keys move in the list while text goes to the input field."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             step = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1}.get(Qt.Key(event.key()))
             if step is not None:
@@ -82,7 +82,7 @@ class CommandPalette(QDialog):
         item.data(_ROLE).trigger()
 
     def names(self) -> list[str]:
-        """What is listed now."""
+        """The listed commands."""
         return [_name(self._list.item(i).data(_ROLE)) for i in range(self._list.count())]
 
 

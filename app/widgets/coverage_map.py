@@ -1,4 +1,4 @@
-"""Small maps: which parts of left and right image, or of the only one, the board has covered."""
+"""Maps of the image areas that the board has covered."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from PySide6.QtWidgets import QWidget
 
 FULL = QColor("#009E73")
 ENOUGH = 3
-"""Views in a cell that paint it full."""
+"""Number of views at which a cell is filled."""
 GAP = 14
 
 
 class CoverageMap(QWidget):
-    """Each cell holds how many views have corners there: a number, and a fill."""
+    """Shows the number of views with corners in each cell, as a number and a fill."""
 
     def __init__(self, titles: tuple[str, str], alone: str, parent: QWidget | None = None) -> None:
-        """``titles`` of left and right, ``alone`` of an only one."""
+        """``titles`` of left and right, ``alone`` of a single camera."""
         super().__init__(parent)
         self._titles, self._alone = titles, alone
         self._counts: tuple[NDArray[np.int64], ...] = ()
@@ -28,7 +28,7 @@ class CoverageMap(QWidget):
         return QSize(300, 118)
 
     def show_counts(self, maps: tuple[NDArray[np.int64], ...]) -> None:
-        """One or two (rows, columns)."""
+        """Show one or two arrays (rows, columns)."""
         self._counts = maps
         empty = sum(int((counts == 0).sum()) for counts in maps)
         self.setAccessibleName(self.tr("{} empty cells").format(empty))

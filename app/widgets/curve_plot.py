@@ -1,7 +1,7 @@
-"""Curves over time with a cursor that reads them and a line at the position of a replay.
+"""Curves over time with a cursor and a replay position.
 
-Pens are one pixel wide, axes are drawn only when they change and curves have no more points than
-the screen can show: wider pens cost five times as much to draw.
+For speed, pens are one pixel wide, axes are redrawn only when they change and curves have no more
+points than the screen can show: wider pens take five times as long.
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 
 from tracker.messages import Array
 
-MARGIN = 0.05  # of the range, above and below curves whose range follows them
+MARGIN = 0.05  # relative to the range, above and below curves
 LEAST_COLUMNS = 100
-"""px that a plot is taken to be wide at least, as long as it has no size yet."""
+"""px, assumed minimum width of a plot before it has a size."""
 
 
 WORTH = 4
-"""Points a column from which on a curve is thinned; the columns keep two each."""
+"""Points per column from which on a curve is decimated to two points per column."""
 
 
 def thinned(t: Array, values: Array, begin: float, end: float, columns: int) -> tuple[Array, Array]:
-    """The part of t (n,), growing, and values (n,) between ``begin`` and ``end``, with a neighbour
-    on either side; of many points the least and the greatest for each of ``columns``.
+    """The part of t (n,), increasing, and values (n,) between ``begin`` and ``end``, with a
+    neighbour on either side; decimated to the minimum and maximum in each of ``columns``.
 
-    Columns are at multiples of their width, so that a curve that scrolls keeps its form. One with
-    a NaN is NaN: interruptions stay.
+    Columns are aligned to multiples of their width, so that a scrolling curve keeps its shape. A
+    column with a NaN is NaN, which preserves interruptions.
     """
     first = max(0, int(np.searchsorted(t, begin)) - 1)
     last = int(np.searchsorted(t, end, side="right")) + 1
@@ -41,7 +41,7 @@ def thinned(t: Array, values: Array, begin: float, end: float, columns: int) -> 
     width = (end - begin) / columns
     edges = np.arange(np.floor(t[0] / width) + 1, np.floor(t[-1] / width) + 1) * width
     starts = np.concatenate([[0], np.searchsorted(t, edges)])
-    starts = starts[np.diff(starts, append=len(t)) > 0]  # columns with a point
+    starts = starts[np.diff(starts, append=len(t)) > 0]  # non-empty columns
     out = np.empty((len(starts), 2))
     out[:, 0] = np.minimum.reduceat(values, starts)
     out[:, 1] = np.maximum.reduceat(values, starts)
@@ -49,7 +49,7 @@ def thinned(t: Array, values: Array, begin: float, end: float, columns: int) -> 
 
 
 class CurveLook(NamedTuple):
-    """``right``: on the axis at the right."""
+    """``right``: on the right axis."""
 
     colour: str
     style: Qt.PenStyle = Qt.PenStyle.SolidLine
@@ -58,13 +58,13 @@ class CurveLook(NamedTuple):
 
 
 def keep_axes(plot: pg.PlotWidget, sides: Sequence[str] = ("left", "bottom")) -> None:
-    """Draw its axes only when they change; they cost more than the curves that move over them."""
+    """Redraw the axes only when they change; they cost more than the curves."""
     for side in sides:
         plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
 
 
 def span_of(values: Array) -> tuple[float, float] | None:
-    """The range that an axis has for finite ones of ``values``, with a margin; None without any."""
+    """Axis range of the finite ``values``, with a margin; None without any."""
     if not np.isfinite(values).any():
         return None
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
@@ -73,7 +73,7 @@ def span_of(values: Array) -> tuple[float, float] | None:
 
 
 class CurvePlot(QWidget):
-    """``pointed``: the instant under the pointer (s); ``left``: the pointer has gone;
+    """``pointed``: the instant under the pointer (s); ``left``: the pointer has left the plot;
     ``sought``: a click at an instant while a position is shown."""
 
     pointed = Signal(float)
@@ -94,7 +94,7 @@ class CurvePlot(QWidget):
         self.plot.getAxis("bottom").enableAutoSIPrefix(False)
         self.curves: list[pg.PlotCurveItem] = []
         self._looks: Sequence[CurveLook] = ()
-        self._seen: list[Array] = []  # values of each curve that are drawn
+        self._seen: list[Array] = []  # drawn values of each curve
         self._cursor, self.at = (pg.InfiniteLine(angle=90, movable=False) for _ in range(2))
         for line in (self._cursor, self.at):
             line.hide()
@@ -106,7 +106,7 @@ class CurvePlot(QWidget):
         column.addWidget(self.plot)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Elide the title in the middle where the axis is shorter; its unit is at the end."""
+        """Elide the title in the middle if the axis is shorter; the unit is at its end."""
         super().resizeEvent(event)
         if self._title:
             axis = self.plot.getAxis("left")
@@ -115,7 +115,7 @@ class CurvePlot(QWidget):
             axis.setLabel(metrics.elidedText(self._title, Qt.TextElideMode.ElideMiddle, room))
 
     def set_colours(self, background: str, text: str) -> None:
-        """Dress the plot; pyqtgraph does not follow the palette by itself."""
+        """Set the colours; pyqtgraph does not follow the palette."""
         self.plot.setBackground(background)
         for line in (self._cursor, self.at):
             line.setPen(pg.mkPen(text, width=1))
@@ -124,7 +124,7 @@ class CurvePlot(QWidget):
             self.plot.getAxis(side).setTextPen(text)
 
     def set_looks(self, looks: Sequence[CurveLook]) -> None:
-        """An empty curve for each, in place of those before."""
+        """Replace all curves by an empty curve for each look."""
         for curve, look in zip(self.curves, self._looks, strict=True):
             self._place(look).removeItem(curve)
         self._looks, self.curves = tuple(looks), []
@@ -136,16 +136,16 @@ class CurvePlot(QWidget):
 
     @property
     def looks(self) -> Sequence[CurveLook]:
-        """Of the curves."""
+        """Looks of the curves."""
         return self._looks
 
     def _place(self, look: CurveLook) -> pg.PlotItem | pg.ViewBox:
-        """What draws a curve of this look."""
+        """The item that draws a curve of this look."""
         return self.plot.getPlotItem()
 
     def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
         """t (n,) s and values (n,) of each curve; NaN interrupts a line. ``now`` (s) is at 0 of the
-        axis, of which only what is in sight is drawn."""
+        axis; only the visible part is drawn."""
         (begin, end), _ = self.plot.viewRange()
         columns = max(LEAST_COLUMNS, int(self.plot.getPlotItem().vb.width()))
         self._seen = []
@@ -155,13 +155,13 @@ class CurvePlot(QWidget):
             self._seen.append(values)
 
     def show_cursor(self, t: float | None) -> None:
-        """A line at an instant; None takes it away."""
+        """Show a line at an instant; None hides it."""
         self._cursor.setVisible(t is not None)
         if t is not None:
             self._cursor.setValue(t)
 
     def show_position(self, position: float | None) -> None:
-        """A line where a replay is (s); None takes it away."""
+        """Show a line at a replay position (s); None hides it."""
         self.at.setVisible(position is not None)
         if position is not None:
             self.at.setValue(position)
@@ -181,7 +181,7 @@ class CurvePlot(QWidget):
 
 
 class ScrollPlot(CurvePlot):
-    """Curves over the last ``span`` s, between ``limits`` or as high as they are."""
+    """Curves over the last ``span`` s, between ``limits`` or scaled to the values."""
 
     def __init__(
         self,
@@ -197,7 +197,7 @@ class ScrollPlot(CurvePlot):
             self.plot.setYRange(*limits, padding=0)
 
     def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
-        """As of every plot; without limits the axis follows the curves that are shown."""
+        """As for every plot; without limits the axis follows the visible curves."""
         super().draw(curves, now)
         shown = zip(self.curves, self._seen, strict=True)
         seen = [values for curve, values in shown if curve.isVisible()]
@@ -209,8 +209,7 @@ class ScrollPlot(CurvePlot):
 
 
 class TwoAxisPlot(CurvePlot):
-    """A plot whose curves may belong to an axis at the right; both follow their curves until one
-    is zoomed."""
+    """A plot with a left and a right axis, which follow their curves until one is zoomed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -229,7 +228,7 @@ class TwoAxisPlot(CurvePlot):
             item.getAxis(axis).enableAutoSIPrefix(False)
 
     def zoomed_by_user(self) -> None:
-        """The axes stay as the user has put them."""
+        """Stop following the curves."""
         self.follows = False
 
     def _fit_right(self) -> None:
@@ -239,7 +238,7 @@ class TwoAxisPlot(CurvePlot):
         return self.right if look.right else super()._place(look)
 
     def show_axes(self, left: str, right: str) -> None:
-        """Titles; an empty right one takes that axis away."""
+        """Set the titles; an empty right one hides that axis."""
         self.plot.setLabel("left", left)
         self.plot.showAxis("right", bool(right))
         if right:
@@ -254,7 +253,7 @@ class TwoAxisPlot(CurvePlot):
             self.plot.setXRange(begin, end, padding=0)
 
     def draw(self, curves: Sequence[tuple[Array, Array]], now: float = 0.0) -> None:
-        """As of every plot; both axes are fitted to what is in sight, unless they are zoomed."""
+        """As for every plot; both axes are fitted to the visible part unless they are zoomed."""
         super().draw(curves, now)
         if not self.follows:
             return
@@ -267,7 +266,7 @@ class TwoAxisPlot(CurvePlot):
 
 
 def _fit(box: pg.ViewBox, wanted: tuple[float, float]) -> None:
-    """Grow at once, shrink late: an axis that changes is drawn again, which costs the most."""
+    """Grow immediately, shrink late: redrawing an axis is the most expensive part."""
     low, high = box.viewRange()[1]
     size = wanted[1] - wanted[0]
     inside = low <= wanted[0] and wanted[1] <= high

@@ -1,4 +1,4 @@
-"""A label that ends in … where it has no room, and says the whole of it to the pointer."""
+"""A label that elides text that does not fit and shows all of it in its tool tip."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QToolTip
 
-LEAST = 24  # px: a letter and the …
-MOST = 130  # px that one which is firm keeps
+LEAST = 24  # px: one letter and the ellipsis
+MOST = 130  # px, minimum width of a firm label
 
 
 class ElidedLabel(QLabel):
-    """Plain text on one line. One that is ``firm`` is cut last."""
+    """Plain text on one line. A ``firm`` label is elided last."""
 
     firm = False
 
@@ -24,7 +24,7 @@ class ElidedLabel(QLabel):
         return self.fontMetrics().horizontalAdvance(self.text()) > self.width()
 
     def shown(self) -> str:
-        """What of the text is to be read."""
+        """The visible part of the text."""
         mode = Qt.TextElideMode.ElideRight
         return self.fontMetrics().elidedText(self.text(), mode, self.width())
 

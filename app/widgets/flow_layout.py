@@ -1,4 +1,4 @@
-"""A row of widgets that goes on in the next line where the panel is narrow."""
+"""A layout that wraps a row of widgets into further lines."""
 
 from __future__ import annotations
 
@@ -46,14 +46,14 @@ class FlowLayout(QLayout):
         return self.minimumSize()
 
     def minimumSize(self) -> QSize:
-        """The widest and the highest widget: everything fits in one column."""
+        """The widest and the highest widget: everything fits into one column."""
         size = QSize()
         for item in self._items:
             size = size.expandedTo(item.minimumSize())
         return size
 
     def _place(self, rect: QRect, move: bool) -> int:
-        """Lay the items out in ``rect``; the height that they take."""
+        """Lay out the items in ``rect``; returns the required height."""
         lines = self._lines(rect.width())
         y = rect.top()
         for line in lines:

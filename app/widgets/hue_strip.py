@@ -1,4 +1,4 @@
-"""The circle of hues unrolled: a histogram over it and intervals under it."""
+"""The hue circle unrolled: a histogram with intervals below it."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class HueStrip(QWidget):
 
     def _paint_histogram(self, painter: QPainter, box: QRectF) -> None:
         points = [QPointF(0, box.bottom())]
-        heights = np.sqrt(self._histogram)  # small counts stay visible beside the largest
+        heights = np.sqrt(self._histogram)  # makes small counts visible next to the largest
         points += [
             QPointF(self._x(h + 0.5), box.bottom() - y * box.height())
             for h, y in enumerate(heights)

@@ -1,4 +1,4 @@
-"""The icons: drawings of the Lucide set, in the colours that the application wears."""
+"""The icons: Lucide drawings in the colours of the palette."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from PySide6.QtWidgets import QAbstractButton, QApplication
 from resources import folder
 
 NAME = "icon_name"
-"""The property of an action or a button that says which drawing it bears."""
+"""The property of an action or a button that contains the name of its icon."""
 SIZES = (16, 32, 48)  # px; up to 300 %
 INK = "currentColor"
 GAP = "\N{EN SPACE}"
 
 
 def dress(item: QAction | QAbstractButton, name: str) -> None:
-    """Give it the drawing ``name``; `recolour` finds it again."""
+    """Set the icon ``name``, which `recolour` updates."""
     item.setProperty(NAME, name)
     item.setIcon(icon(name, QApplication.palette()))
 
 
 def beside(text: str) -> str:
-    """``text`` at a distance from the icon before it, of which Qt's styles know only 4 px."""
+    """``text`` with more distance from its icon than the 4 px of Qt's styles."""
     return GAP + text
 
 
 def recolour(app: QApplication) -> None:
-    """Draw all icons anew in the colours of the palette that ``app`` wears now."""
+    """Redraw all icons in the colours of the palette of ``app``."""
     palette = app.palette()
     for widget in app.allWidgets():
         items = [*widget.actions(), widget]
@@ -41,7 +41,7 @@ def recolour(app: QApplication) -> None:
 
 
 def icon(name: str, palette: QPalette) -> QIcon:
-    """The drawing as it is, switched off, and switched on (on the accent colour)."""
+    """The icon in its normal, disabled and checked (on the accent colour) state."""
     normal, off = QPalette.ColorGroup.Active, QPalette.ColorGroup.Disabled
     text = palette.color(normal, QPalette.ColorRole.ButtonText)
     faint = palette.color(off, QPalette.ColorRole.ButtonText)
@@ -55,7 +55,7 @@ def icon(name: str, palette: QPalette) -> QIcon:
 
 
 def drawing(name: str, colour: QColor, size: int) -> QPixmap:
-    """``size`` px square, made once. Raises FileNotFoundError for a name that is not in the set."""
+    """``size`` px square, cached. Raises FileNotFoundError for an unknown name."""
     pixmap, key = QPixmap(QSize(size, size)), f"lucide {name} {colour.name()} {size}"
     if QPixmapCache.find(key, pixmap):
         return pixmap

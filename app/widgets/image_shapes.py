@@ -21,7 +21,7 @@ class Ring:
 
 @dataclass(frozen=True)
 class Cross:
-    """An upright or (``diagonal``) lying cross of fixed size on the screen."""
+    """An upright or (``diagonal``) diagonal cross of fixed size on the screen."""
 
     u: float
     v: float
@@ -57,8 +57,8 @@ class ImageLine:
 
 @dataclass(frozen=True)
 class ImageLabel:
-    """Text beside a point, as large at any zoom; left out below ``least_zoom`` screen pixels per
-    image pixel, where texts would cover each other."""
+    """Text next to a point, of constant size; hidden below ``least_zoom`` screen pixels per image
+    pixel, where texts would overlap."""
 
     u: float
     v: float

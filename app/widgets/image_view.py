@@ -1,7 +1,7 @@
-"""An image with shapes over it, zoomed by the wheel and moved by dragging.
+"""An image with shapes drawn over it; zoomed by the wheel, moved by dragging.
 
-One `drawImage` of a QImage that shares the array's memory: 0.7 ms for a 720p image, a tenth of
-what pyqtgraph's image views take.
+Drawn by one `drawImage` of a QImage that shares the array's memory: 0.7 ms for a 720p image, a
+tenth of the time of pyqtgraph's image views.
 """
 
 from __future__ import annotations
@@ -43,12 +43,12 @@ BACKGROUND = QColor("#15181c")
 
 MAX_ZOOM = 16.0
 MAX_FOLLOW_ZOOM = 4.0
-FILL = 0.6  # share of the view that a followed box takes
-CALM = 0.2  # share of the way at each image
+FILL = 0.6  # share of the view that a followed box fills
+CALM = 0.2  # relative movement per image
 
 
 class ImageZoom:
-    """An image of ``width`` by ``height`` pixels in ``view``; at a zoom of 1 all of it is seen."""
+    """An image of ``width`` by ``height`` pixels in ``view``; a zoom of 1 shows all of it."""
 
     def __init__(self, view: QWidget) -> None:
         self._view = view
@@ -57,7 +57,7 @@ class ImageZoom:
         self.centre = QPointF(0.5, 0.5)  # of the view, in fractions of the image
 
     def _fitting(self) -> float:
-        """Screen pixels per image pixel where the whole image is seen."""
+        """Screen pixels per image pixel when the whole image is visible."""
         return min(self._view.width() / self.width, self._view.height() / self.height)
 
     @property
@@ -67,7 +67,7 @@ class ImageZoom:
 
     @property
     def origin(self) -> QPointF:
-        """Where the image's top-left corner is on the widget."""
+        """Position of the image's top-left corner on the widget."""
         s = self.scale
         u = self._view.width() / 2 - self.centre.x() * self.width * s
         v = self._view.height() / 2 - self.centre.y() * self.height * s
@@ -83,7 +83,7 @@ class ImageZoom:
         self.zoom, self.centre = 1.0, QPointF(0.5, 0.5)
 
     def zoom_at(self, position: QPointF, factor: float) -> None:
-        """Zoom, the pixel at ``position`` of the widget staying there."""
+        """Zoom around ``position`` of the widget."""
         before = self.to_image(position)
         self.zoom = min(max(self.zoom * factor, 1.0), MAX_ZOOM)
         after = self.to_image(position)
@@ -95,14 +95,14 @@ class ImageZoom:
         self.clamp()
 
     def clamp(self) -> None:
-        """Keep the image in the view."""
+        """Limit the view to the image."""
         margin = 0.5 / self.zoom
         x = min(max(self.centre.x(), margin), 1 - margin)
         y = min(max(self.centre.y(), margin), 1 - margin)
         self.centre = QPointF(x, y)
 
     def follow(self, u: float, v: float, width: float, height: float) -> None:
-        """Go some of the way to a view in which a box of image pixels fills the middle."""
+        """Move gradually towards a view in which a box of image pixels fills the centre."""
         view = self._view
         wanted = FILL * min(view.width() / max(width, 1), view.height() / max(height, 1))
         wanted = min(max(wanted / self._fitting(), 1.0), MAX_FOLLOW_ZOOM)
@@ -115,7 +115,7 @@ class ImageView(QWidget):
     """Shows a BGR image (h, w, 3) uint8 and `Shape`s in its pixels."""
 
     picked = Signal(float, float, object)  # u, v in image pixels, Qt.KeyboardModifiers
-    handled = Signal()  # the user has zoomed or moved it
+    handled = Signal()  # the user has zoomed or moved the image
 
     def __init__(self, title: str, placeholder: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -139,7 +139,7 @@ class ImageView(QWidget):
         return QSize(480, 270)
 
     def show_image(self, image: NDArray[np.uint8] | None, shapes: Sequence[Shape] = ()) -> None:
-        """Show ``image`` (None: the placeholder) with ``shapes`` over it."""
+        """Show ``image`` (None: a placeholder) with ``shapes`` drawn over it."""
         self._array = None if image is None else np.ascontiguousarray(image)
         self._image = None if self._array is None else _image(self._array)
         self._shapes = shapes
@@ -148,7 +148,7 @@ class ImageView(QWidget):
         self.update()
 
     def set_title(self, text: str) -> None:
-        """The words in its corner."""
+        """Set the text in the corner."""
         self._title = text
         self.update()
 
@@ -157,7 +157,7 @@ class ImageView(QWidget):
         self.update()
 
     def set_picking(self, on: bool) -> None:
-        """With picking on a click reports a pixel instead of moving the image."""
+        """While picking is on, a click reports a pixel instead of moving the image."""
         self._picking = on
         self.setCursor(Qt.CursorShape.CrossCursor if on else Qt.CursorShape.ArrowCursor)
 
@@ -167,13 +167,13 @@ class ImageView(QWidget):
         self.update()
 
     def show_like(self, other: ImageView) -> None:
-        """The same part of the image as ``other`` shows of its own, which is as large."""
+        """Show the same part of the image as ``other``, which has the same size."""
         self.zoom.zoom, self.zoom.centre = other.zoom.zoom, QPointF(other.zoom.centre)
         self.zoom.clamp()
         self.update()
 
     def follow(self, u: float, v: float, width: float, height: float) -> None:
-        """Go some of the way to a view in which a box of image pixels fills the middle."""
+        """Move gradually towards a view in which a box of image pixels fills the centre."""
         if self._image is None or self._drag is not None:
             return
         self.zoom.follow(u, v, width, height)
@@ -207,7 +207,7 @@ class ImageView(QWidget):
         self._handled()
 
     def _handled(self) -> None:
-        """The user has chosen another part of the image."""
+        """The user has selected another part of the image."""
         self.update()
         self.handled.emit()
 
@@ -295,7 +295,7 @@ def _paint_focus(painter: QPainter, widget: QWidget) -> None:
 
 
 def _image(array: NDArray[np.uint8]) -> QImage:
-    """A QImage on the array's own memory; the caller keeps the array."""
+    """A QImage that shares the array's memory; the caller must keep a reference to the array."""
     height, width = array.shape[:2]
     if array.ndim == 2:
         return QImage(array.data, width, height, array.strides[0], QImage.Format.Format_Grayscale8)

@@ -1,11 +1,11 @@
-"""The one scale of spaces and the one of type sizes; `tests/gui/test_theme.py` holds all to it."""
+"""Spacing and font sizes of the window; `tests/gui/test_theme.py` checks their use."""
 
 from __future__ import annotations
 
 TIGHT, NEAR, APART, WIDE, FAR = 4, 8, 12, 16, 24
 SPACES = (0, TIGHT, NEAR, APART, WIDE, FAR)
-"""px between widgets and round them."""
+"""px between and around widgets."""
 
 SMALL, BODY, FIGURE, HEADING = 8, 9, 13, 18
 TYPES = (SMALL, BODY, FIGURE, HEADING)
-"""pt: of what is beside the point, of text, of the number that a panel is about, of a page."""
+"""pt: annotations, text, main values, headings."""

@@ -1,4 +1,4 @@
-"""A button with a leaf that holds the rest of a panel's controls."""
+"""A button with a pop-up that contains further controls."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from app.widgets.measures import NEAR
 
 
 class MoreButton(QToolButton):
-    """What is put into it with `add` stands in a column; the leaf stays while it is used."""
+    """Widgets passed to `add` form a column; the pop-up stays open while it is used."""
 
     def __init__(self, text: str, icon: str = "ellipsis", parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -31,7 +31,7 @@ class MoreButton(QToolButton):
         self._column.addWidget(widget)
 
     def _fit(self) -> None:
-        """Have the menu ask anew how large the leaf is, which has changed with what it holds."""
+        """Let the menu query the size of the pop-up again."""
         leaf = self._action.defaultWidget()
         self._column.activate()
         leaf.adjustSize()

@@ -1,4 +1,4 @@
-"""A number that is taken when it is whole, not digit by digit."""
+"""A number field that reports a value when editing has finished, not for each digit."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ UNDO_KEYS = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
 
 class NumberBox(QSpinBox):
-    """Undo is the text's own while a number is typed, and the window's once it was taken."""
+    """Undo applies to the text while a number is edited, and to the window afterwards."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -19,7 +19,7 @@ class NumberBox(QSpinBox):
 
     @property
     def is_typed(self) -> bool:
-        """Whether there is text that was not taken yet."""
+        """Whether there is text that has not been accepted yet."""
         return self.lineEdit().isModified()
 
     def event(self, event: QEvent) -> bool:

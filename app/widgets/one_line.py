@@ -1,4 +1,4 @@
-"""A panel's controls in one line; those that find no room stand in a leaf behind a button."""
+"""Controls in one line; those that do not fit move into a pop-up behind a button."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ CHANGES = (
 
 
 class OneLine(QWidget):
-    """Widgets in the order of `add`, which is that of their importance too."""
+    """Widgets in order of `add`, which is also their priority."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._widgets: list[QWidget] = []
-        self._inside = 0  # so many of them stand in the line
-        self._due = False  # they are to be fitted in the next turn of the loop
+        self._inside = 0  # number of widgets in the line
+        self._due = False  # whether a layout update is scheduled
         self.more = MoreButton(self.tr("More"))
         self.more.hide()
         self._row = QHBoxLayout(self)
@@ -39,7 +39,7 @@ class OneLine(QWidget):
         self._row.addStretch(1)
 
     def add(self, widget: QWidget) -> None:
-        """The next one. What finds room is asked when the line is seen."""
+        """Append a widget. The available space is checked when the line is visible."""
         self._widgets.append(widget)
         widget.installEventFilter(self)
         self._lay_out(len(self._widgets))
@@ -47,7 +47,7 @@ class OneLine(QWidget):
             self._share()
 
     def take_out(self, widget: QWidget) -> None:
-        """Forget one; it is the caller's again."""
+        """Remove a widget; the caller owns it again."""
         self._inside -= self._widgets.index(widget) < self._inside
         self._widgets.remove(widget)
         widget.removeEventFilter(self)
@@ -57,7 +57,7 @@ class OneLine(QWidget):
 
     @property
     def in_leaf(self) -> list[QWidget]:
-        """Those for which the line has no room."""
+        """Widgets that do not fit into the line."""
         return self._widgets[self._inside :]
 
     def sizeHint(self) -> QSize:
@@ -70,7 +70,7 @@ class OneLine(QWidget):
         return max((w.sizeHint().height() for w in (self.more, *self._widgets)), default=0)
 
     def _needed(self) -> list[int]:
-        """px that the first 0, 1, … all take, with the button where that is not all."""
+        """Widths in px of the first 0, 1, … widgets, plus the button unless it is all of them."""
         each = [0 if is_hidden(w) else w.sizeHint().width() + NEAR for w in self._widgets]
         taken = list(accumulate(each, initial=0))
         more = self.more.sizeHint().width()
@@ -81,7 +81,7 @@ class OneLine(QWidget):
         self._lay_out(max((n for n, px in enumerate(needed) if px <= width), default=0))
 
     def _lay_out(self, count: int) -> None:
-        """The first ``count`` in the line, the others in the leaf."""
+        """Place the first ``count`` widgets in the line, the others in the pop-up."""
         if count == self._inside and self._row.count() == count + 2:
             return
         stay, self._inside = min(count, self._inside), count
@@ -96,13 +96,13 @@ class OneLine(QWidget):
         self.updateGeometry()
 
     def _fit_soon(self) -> None:
-        """Once for all that changes until then, and not while it is being moved itself."""
+        """Schedule one update for all changes in this event loop iteration."""
         if not self._due:
             self._due = True
             QTimer.singleShot(0, self, self._fit)
 
     def _fit(self) -> None:
-        """Their sizes have changed, which layouts out of sight are not told."""
+        """Sizes have changed, of which hidden layouts are not notified."""
         self._due = False
         for widget in (*self._widgets, self.more):
             widget.updateGeometry()
@@ -118,12 +118,12 @@ class OneLine(QWidget):
         self._share()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in CHANGES:  # of how much room it needs
+        if event.type() in CHANGES:  # changes the required space
             self._fit_soon()
         return super().eventFilter(watched, event)
 
 
 def is_hidden(widget: QWidget) -> bool:
-    """Whether somebody has hidden it; one that was never shown is not."""
+    """Whether a widget was hidden explicitly; one that was never shown was not."""
     explicit = widget.testAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide)
     return widget.isHidden() and explicit

@@ -1,4 +1,4 @@
-"""A small question: one line of text is asked for, in a dialog whose title can be read."""
+"""A dialog that asks for one line of text and is wide enough for its title."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QInputDialog, QLabel, QWidget
 
-BUTTONS = 190  # px: icon and buttons that a window's frame keeps beside its title
+BUTTONS = 190  # px: icon and buttons in the title bar
 WIDEST = 720  # px
 
 
 def question(parent: QWidget, title: str, words: str, text: str = "") -> QInputDialog:
-    """Not yet open; it deletes itself once it is closed."""
+    """A dialog that is not open yet; it deletes itself when it is closed."""
     dialog = QInputDialog(parent)
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.setWindowTitle(title)
     dialog.setLabelText(words)
     dialog.setTextValue(text)
-    label = dialog.findChild(QLabel)  # the dialog's own width is what its parts need
+    label = dialog.findChild(QLabel)  # the width that the contents need
     if label is not None:
         label.setMinimumWidth(title_width(title))
     return dialog
 
 
 def choice(parent: QWidget, title: str, words: str, items: Sequence[str]) -> str:
-    """Which of ``items`` is chosen; empty where none is."""
+    """The selected one of ``items``; empty if cancelled."""
     dialog = question(parent, title, words)
     dialog.setComboBoxItems(list(items))
     dialog.setComboBoxEditable(False)
