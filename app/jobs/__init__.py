@@ -1,1 +1,1 @@
-"""Long work beside the window: exports, tracking again, outputs."""
+"""Background jobs: exports, tracking again, streams."""

@@ -1,4 +1,4 @@
-"""What the calibration panel asks of the engine; answers come back into the window's thread."""
+"""Commands of the calibration panel to the engine; answers arrive in the window's thread."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tracker.fusion.worn import LearnsWearer, learned, learner_of
 
 
 def learning_part(engine: Engine) -> LearnsWearer:
-    """The engine, if it learns the wearer. Raises ConfigError for another one."""
+    """The engine, if it estimates the wearer's calibration. Raises ConfigError otherwise."""
     if (learner := learner_of(engine)) is not None:
         return learner
     raise ConfigError(
@@ -37,29 +37,29 @@ class CalibrationCommands(QObject):
         self._host = host
 
     def layout(self) -> ChainLayout | None:
-        """Of the glove and hand that are shown."""
+        """Layout of the displayed glove and hand."""
         return self.layout_of(self._host.setup) if self._host.setup is not None else None
 
     @staticmethod
     def layout_of(setup: EngineSetup) -> ChainLayout:
-        """Of a glove and hand."""
+        """Layout of a glove and hand."""
         return ChainLayout(setup.hand, setup.glove)
 
     @property
     def available(self) -> bool:
-        """Whether there is an engine that takes commands: not in a replay, nor after a stop."""
+        """Whether an engine accepts commands: not in a replay, nor after a stop."""
         setup = self._host.setup
         return setup is not None and setup.live is not None and self._host.running
 
     def reset(self, segments: Sequence[str] | None) -> bool:
-        """Forget some segments, or (None) all."""
+        """Reset the calibration of some segments, or (None) of all."""
         return self._command(lambda engine: engine.wearer.reset(segments))
 
     def freeze(self, on: bool) -> bool:
         return self._command(lambda engine: engine.wearer.freeze(on))
 
     def put_on(self, profile: WearerProfile, side: str) -> bool:
-        """A profile of an earlier session, and of an earlier fit of the glove, on that hand."""
+        """Send a profile, and the calibration of the glove from an earlier fit, to that hand."""
 
         def work(engine: Engine) -> None:
             learner = learning_part(engine)
@@ -68,11 +68,11 @@ class CalibrationCommands(QObject):
         return self._host.command(work, side)
 
     def measured(self, length: float) -> bool:
-        """Begin anew with a hand that is so long (m)."""
+        """Restart the calibration with this hand length (m)."""
         return self._command(lambda e: e.put_on(measured_profile(e.layout, length)))
 
     def ask(self) -> bool:
-        """Have what has been learned sent by `learned`."""
+        """Request the calibration, which `learned` delivers."""
         setup = self._host.setup
         return setup is not None and self._command(self._answer)
 

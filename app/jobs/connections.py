@@ -1,4 +1,5 @@
-"""Connections that are switched on by name, at an address and a port each, and remembered."""
+"""Connections that are switched on by name, each with an address and a port, stored in the
+settings."""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ S = TypeVar("S", bound=ConnectionSettings)
 
 
 class Connections(QObject, Generic[K, S]):
-    """The connections of ``kinds``. ``wanted`` names one to close and to open again as set now."""
+    """The connections of ``kinds``. ``wanted``: name of a connection to be reopened with the
+    current settings."""
 
     changed = Signal()
     wanted = Signal(str)
@@ -32,28 +34,28 @@ class Connections(QObject, Generic[K, S]):
         settings_key: str,
         parent: QObject | None = None,
     ) -> None:
-        """``settings_key``: under which ``store`` has the settings."""
+        """``settings_key``: key of the settings in ``store``."""
         super().__init__(parent)
         self.kinds, self.settings = kinds, settings
         self._store, self._key = store, settings_key
 
     def switch(self, name: str, on: bool) -> None:
-        """Turn one on or off, now and after the next start."""
+        """Switch a connection on or off, and store that."""
         self._change([name], **{name: on})
 
     def move(self, host: str) -> None:
-        """To or at another address; what is on is opened again there."""
+        """Change the address; open connections are reopened."""
         self._change(self._on(), host=host)
 
     def set_port(self, name: str, port: int) -> None:
         self.set_option(name, "port", port)
 
     def set_option(self, name: str, option: str, value: object) -> None:
-        """Change an option; what is on is opened again with it."""
+        """Change an option; an open connection is reopened."""
         self._change([name] if self.is_on(name) else [], **{key_of(name, option): value})
 
     def port(self, name: str) -> int | None:
-        """The port that is set; None for a connection without one."""
+        """The port; None for a connection without one."""
         kind = self.kinds[name]
         return int(self.settings.options(kind).port) if kind.has("port") else None
 
@@ -64,7 +66,7 @@ class Connections(QObject, Generic[K, S]):
         return [name for name in self.kinds if self.is_on(name)]
 
     def _change(self, names: Iterable[str], **changes: object) -> None:
-        """Remember other settings, and open ``names`` again with them."""
+        """Store the settings and reopen ``names``."""
         self.settings = self.settings.changed(**changes)
         self._store.update(**{self._key: dict(self.settings.table)})
         for name in names:
@@ -72,5 +74,5 @@ class Connections(QObject, Generic[K, S]):
 
 
 def remembered(kind: type[P], data: dict[str, Any]) -> P:
-    """Params from what was remembered; what is unknown or of a wrong type keeps its default."""
+    """Params from stored data; unknown or invalid entries are replaced by defaults."""
     return from_dict(kind, data, lambda key, why: _log.info("%s %s", key, why))

@@ -1,4 +1,4 @@
-"""Jobs that make a new session file from another one: crop, fill gaps, recover."""
+"""Jobs that create a new session file from another one: crop, fill gaps, recover."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tracker.session.recover import recover
 
 
 def recover_job(path: Path) -> Job:
-    """A job that copies what can be read to ``…_recovered.mcap``."""
+    """A job that copies all readable data to ``…_recovered.mcap``."""
 
     def run(progress: JobProgress) -> Path:
 
@@ -28,7 +28,8 @@ def recover_job(path: Path) -> Job:
 
 
 def crop_job(source: Path, part: tuple[float, float]) -> Job:
-    """A job that copies ``part`` (s of the replay) to ``…_crop.mcap``, or leaves none."""
+    """A job that copies ``part`` (s of the replay) to ``…_crop.mcap``; leaves no file if
+    cancelled."""
 
     def run(progress: JobProgress) -> Path:
         out: Path = aside("crop", partial(_crop, source, part), progress)
@@ -46,7 +47,7 @@ def _crop(source: Path, part: tuple[float, float], progress: Callable[..., None]
 
 
 def list_gaps_job(path: Path, limit: float) -> Job:
-    """A job whose result is `SessionGaps`, empty of a session that was never tracked. ``limit``: s
+    """A job whose result is `SessionGaps`, empty for a session that was never tracked. ``limit``: s
     of *inferred* that are not listed."""
 
     def run(progress: JobProgress) -> SessionGaps:
@@ -56,7 +57,7 @@ def list_gaps_job(path: Path, limit: float) -> Job:
             tracked = any(n.startswith("/hand/") for n in reader.topic_names)
         try:
             gaps = session_gaps(path, limit, progress) if tracked else []
-        except FileError:  # damaged, or without estimates: `verify` and the replay say so
+        except FileError:  # damaged, or without estimates: `verify` and the replay report it
             gaps = []
         filled = tuple(f for edit in edits for f in edit.filled)
         return SessionGaps(path, tuple(gaps), filled, start)

@@ -1,4 +1,4 @@
-"""Changes of device settings: sent to the devices and stored; and files of them."""
+"""Changes of device settings, which are sent to the devices and stored; and settings files."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ def apply_changes(
     values: Sequence[DeviceValue],
     edits: Mapping[str, Value],
 ) -> None:
-    """Send ``edits`` to the devices of ``setup``; simulated ones have no say in the next start.
+    """Send ``edits`` to the devices of ``setup``; those of simulated devices are not stored.
 
-    Raises DeviceError for a rate that a glove's line does not carry.
+    Raises DeviceError for a rate that exceeds the glove's line speed.
     """
     for key, wanted in edits.items():
         device, _, name = key.partition(".")

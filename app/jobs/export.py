@@ -1,4 +1,4 @@
-"""Exports: what is asked for, the job that does it, and a queue that does one after the other."""
+"""Exports: the request, the job, and a queue that runs one export at a time."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ CANCELLED = StateLook(IDLE.colour, IDLE.sign, mark("cancelled"))
 
 @dataclass(frozen=True)
 class ExportRequest:
-    """What, into what, and how. ``part``: from and to in s of the replay; None is all of it."""
+    """Source, format, target and options. ``part``: from and to in s of the replay; None for the
+    whole session."""
 
     source: Path
     form: str
@@ -38,9 +39,9 @@ class ExportRequest:
 
 
 def free_target(folder: Path, source: Path, form: str, taken: Collection[Path] = ()) -> Path:
-    """Named as the session, with a number where that is taken: no file is written over.
+    """A file named after the session, with a number if that exists: files are never overwritten.
 
-    ``taken``: what others in the queue will be called.
+    ``taken``: targets of other exports in the queue.
     """
     wanted = target = folder / f"{source.stem}.{form}"
     n = 1
@@ -51,7 +52,7 @@ def free_target(folder: Path, source: Path, form: str, taken: Collection[Path] =
 
 
 def export_job(request: ExportRequest) -> Job:
-    """A job that writes the file; cancelled, it leaves none behind."""
+    """A job that writes the file; leaves no file if cancelled."""
 
     def run(progress: JobProgress) -> Path:
         progress(0.0, request.form)
@@ -73,7 +74,7 @@ def _export(request: ExportRequest, progress: Callable[..., None]) -> None:
 
 
 def _options(request: ExportRequest) -> ExportOptions:
-    """With the part: the engine counts time from the first estimate, a replay from the start."""
+    """Converts the part: export times start at the first estimate, replay times at the start."""
     if request.part is None:
         return request.options
     first = _first_estimate(request.source)
@@ -82,7 +83,7 @@ def _options(request: ExportRequest) -> ExportOptions:
 
 
 def _first_estimate(path: Path) -> float:
-    """Where in the replay the first estimate stands, s; 0 where there is none."""
+    """Replay time of the first estimate, s; 0 without one."""
 
     with SessionReader(path) as reader:
         start = reader.anchor.monotonic(reader.span_ns[0])
@@ -91,7 +92,7 @@ def _first_estimate(path: Path) -> float:
 
 @dataclass(eq=False)
 class QueueItem:
-    """One export on its way."""
+    """An export in the queue."""
 
     request: ExportRequest
     look: StateLook = WAITING
@@ -101,12 +102,12 @@ class QueueItem:
 
     @property
     def open(self) -> bool:
-        """Still to be done or under way."""
+        """Waiting or running."""
         return self.look in (WAITING, RUNNING)
 
 
 class ExportQueue(QObject):
-    """One export at a time: two would only wait for the same disk."""
+    """Runs one export at a time: two would only wait for the same disk."""
 
     changed = Signal()
 
@@ -122,7 +123,7 @@ class ExportQueue(QObject):
         return item
 
     def cancel(self, item: QueueItem) -> None:
-        """Take it out of the queue, or end it where it is under way."""
+        """Remove a waiting export from the queue, or stop a running one."""
         if item.task is not None:
             item.task.cancel()
         elif item.look == WAITING:
@@ -159,7 +160,7 @@ class ExportQueue(QObject):
         item.look, item.problem = look, problem
 
     def _ended(self, item: QueueItem) -> None:
-        """Neither done nor failed: it was cancelled."""
+        """An export that neither succeeded nor failed was cancelled."""
         item.task = None
         if item.look == RUNNING:
             item.look = CANCELLED

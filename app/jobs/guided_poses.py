@@ -1,4 +1,4 @@
-"""What the guided poses ask of the engine: what it knows of the wearer, and to forget it again."""
+"""Commands of the guided poses to the engine: query the wearer's calibration, and restore it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tracker.fusion.engine import Engine
 
 
 class GuidedCommands(QObject):
-    """Of the hand of one ``side``. Answers come back into the window's thread."""
+    """For the hand of one ``side``. Answers arrive in the window's thread."""
 
     known = Signal(object)  # WearerNow, after `ask`
 
@@ -20,9 +20,10 @@ class GuidedCommands(QObject):
         self._host, self._side = host, side
 
     def ask(self) -> bool:
-        """Have what is known of the wearer sent by `known`; False where no engine takes commands.
+        """Request the state of the wearer's calibration, delivered by `known`; False if no engine
+        accepts commands.
 
-        An engine that learns nothing of wearers says so in the log.
+        An engine without a wearer's calibration reports that in the log.
         """
         return self._host.command(self._answer, self._side)
 
@@ -40,7 +41,7 @@ class GuidedCommands(QObject):
         )
 
     def take_back(self, before: WearerNow) -> bool:
-        """The wearer is known as he was ``before``."""
+        """Restore the calibration from ``before``."""
         known = before.remembered
         return self._host.command(
             lambda engine: learning_part(engine).wearer.take_back(known), self._side

@@ -1,4 +1,4 @@
-"""Looks through the folder of recorded sessions, in the background, and watches it."""
+"""Reads the folder of recorded sessions in the background, and watches it."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.viewmodels.library import Details, SessionRow, look_inside, scan
 
-QUIET_MS = 300  # that a folder has been left alone before it is read again
+QUIET_MS = 300  # without changes after which a folder is read again
 
 
 class LibraryScan(QObject):
-    """First what the files' index tells, then what is inside, one file after the other.
+    """First reads the index of each file, then thumbnails and quality.
 
-    ``stale``: a file has come, gone or got another name since.
+    ``stale``: a file was added, removed or renamed.
     """
 
     stale = Signal()
-    found = Signal(object, object)  # the rows, and `Details` known of earlier scans by path
+    found = Signal(object, object)  # the rows, and `Details` known from earlier scans by path
     detailed = Signal(object, object)  # a path and its `Details`
 
     def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
@@ -48,7 +48,7 @@ class LibraryScan(QObject):
         )
 
     def _watch(self, folder: Path) -> None:
-        """This folder and no other."""
+        """Watch only this folder."""
         others = [d for d in self._watcher.directories() if d != str(folder)]
         if others:
             self._watcher.removePaths(others)
@@ -58,7 +58,7 @@ class LibraryScan(QObject):
     def _found(self, numbered: tuple[int, list[SessionRow]]) -> None:
         number, rows = numbered
         if number != self._asked:
-            return  # of before: it has been asked again since
+            return  # outdated: there is a newer request
         known = {r.path: d for r in rows if (d := self._details.get((r.path, r.stamp)))}
         self.found.emit(rows, known)
         new = [r for r in rows if r.path not in known and not r.problem]
@@ -66,7 +66,7 @@ class LibraryScan(QObject):
             self._look_inside(new)
 
     def _look_inside(self, rows: list[SessionRow]) -> None:
-        """Thumbnails and quality; an earlier look is ended."""
+        """Read thumbnails and quality; stops an earlier job."""
         if self._looking is not None:
             self._looking.cancel()
 
@@ -90,7 +90,7 @@ class LibraryScan(QObject):
                 self.detailed.emit(row.path, details)
 
     def shut_down(self) -> None:
-        """Nothing is looked at any more."""
+        """Stop watching."""
         self._quiet.stop()
         if self._watcher.directories():
             self._watcher.removePaths(self._watcher.directories())

@@ -1,4 +1,4 @@
-"""A recorded session through the pipeline again, and how both trackings compare: one job."""
+"""A job that tracks a recorded session again and compares both trackings."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from tracker.offline.options import TrackOptions
 from tracker.session.compare import compare, truth_error_mm
 from tracker.session.reader import SessionReader
 
-TRACKING_SHARE = 0.9  # of the bar; the rest is the comparison
+TRACKING_SHARE = 0.9  # of the progress bar; the rest is the comparison
 
 
 def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
-    """A job that tracks ``source`` into the new file ``out``; cancelled, it leaves none behind.
+    """A job that tracks ``source`` into the new file ``out``; leaves no file if cancelled.
 
-    Its result is a `Comparison`, or None where ``source`` was never tracked before.
+    Its result is a `Comparison`, or None if ``source`` was never tracked before.
     """
 
     def run(progress: JobProgress) -> Comparison | None:
@@ -54,7 +54,7 @@ def compare_job(first: Path, second: Path) -> Job:
 
 
 def compared(first: Path, second: Path) -> Comparison:
-    """Raises FileError where the two have no instant in common, or one was never tracked."""
+    """Raises FileError if the two have no instant in common, or if one was never tracked."""
 
     figures = compare(first, second)
     errors: list[dict[str, float]] = []
@@ -72,7 +72,7 @@ def _engine_of(path: Path) -> str:
 
 
 def _with_truth(*paths: Path) -> Path | None:
-    """The first of the files that holds what the hand really did."""
+    """The first of the files that contains the simulated truth."""
 
     for path in paths:
         with SessionReader(path) as reader:
@@ -82,9 +82,9 @@ def _with_truth(*paths: Path) -> Path | None:
 
 
 def free_name(source: Path, engine: str) -> Path:
-    """``session_vist.mcap`` beside ``session.mcap``, or with a number where that is taken.
+    """``session_vist.mcap`` next to ``session.mcap``, or with a number if that exists.
 
-    Raises FileError where nothing can be written there.
+    Raises FileError if the folder does not exist.
     """
 
     if not source.parent.is_dir():

@@ -1,4 +1,5 @@
-"""What is opened and closed by its name, in jobs: only the newest wish for each name counts."""
+"""Resources opened and closed by name in jobs; only the newest request for each name is
+executed."""
 
 from __future__ import annotations
 
@@ -19,31 +20,31 @@ T = TypeVar("T", bound=Closable)
 
 
 class Openings(Generic[T]):
-    """``changed`` is called whenever what is open, or why it is not, has changed."""
+    """``changed`` is called when the set of open resources or of problems has changed."""
 
     def __init__(self, tasks: TaskOwner, changed: Callable[[], None]) -> None:
         self._tasks, self._changed = tasks, changed
         self.problems: dict[str, str] = {}
         self._open: dict[str, T] = {}
-        self._fresh: list[T] = []  # open, and not yet taken over
-        self._wanted: dict[str, int] = {}  # number of the latest wish for each name
+        self._fresh: list[T] = []  # open, but not yet passed to ``use``
+        self._wanted: dict[str, int] = {}  # number of the latest request for each name
 
     def get(self, name: str) -> T | None:
-        """What is open under a name."""
+        """The resource open under a name."""
         return self._open.get(name)
 
     def renew(
         self, name: str, title: str, make: Callable[[], T] | None, use: Callable[[T], bool]
     ) -> None:
-        """Close what is open under ``name``, then open what ``make`` gives: one job, since both may
-        wait, and what is opened may need what is closed (a port). ``use`` hears of it in the
-        window's thread; what it refuses is closed."""
+        """Close the resource open under ``name``, then open the result of ``make``: in one job,
+        since both may block, and the new resource may need the port of the old one. ``use`` is
+        called in the window's thread; if it returns False, the resource is closed."""
         wish = self._wanted[name] = self._wanted.get(name, 0) + 1
         self.problems.pop(name, None)
         before = self._open.pop(name, None)
 
         def job(progress: JobProgress) -> T | None:
-            if before is not None:  # first, lest a job that is cancelled leave it open
+            if before is not None:  # first, so that a cancelled job does not leave it open
                 before.close()
             progress(-1.0, name)
             if make is None:
@@ -58,7 +59,7 @@ class Openings(Generic[T]):
         self._changed()
 
     def _opened(self, name: str, wish: int, use: Callable[[T], bool], made: T | None) -> None:
-        """Take it over, unless something else is wanted by now, or all was closed."""
+        """Use the resource, unless there is a newer request or all were closed."""
         if made is None or made not in self._fresh:
             return
         self._fresh.remove(made)
@@ -74,7 +75,7 @@ class Openings(Generic[T]):
             self._changed()
 
     def shut_down(self) -> None:
-        """After the last job: close what is open, and what was opened and nobody took."""
+        """After the last job: close all resources, including those not yet in use."""
         for each in (*self._open.values(), *self._fresh):
             each.close()
         self._open.clear()

@@ -1,6 +1,6 @@
-"""The live outputs of the window: which run, on what, and what became of the estimates sent.
+"""The live streams of the window: which are open, on which engine, and their statistics.
 
-Each output is attached to the engine by itself, so that one can be switched without the others.
+Each stream is attached to the engine separately, so that it can be switched without the others.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ TOUCHING = "index_tip"
 
 @dataclass(frozen=True)
 class HapticRule:
-    """Fingertips that enter the sphere vibrate. ``center`` in m in G; empty where it has none."""
+    """Fingertips inside the sphere vibrate. ``center`` in m in G; empty if not placed."""
 
     on: bool = False
     radius: float = 0.03  # m
@@ -50,7 +50,7 @@ class HapticRule:
 
 
 class HandsOutput:
-    """One output, of each hand; it sends once it is attached to the hands' engines."""
+    """One stream, of all hands; sends once it is attached to the hands' engines."""
 
     def __init__(self, setup: EngineSetup, publishers: Sequence[Publisher]) -> None:
         self._setup, self._publishers = setup, publishers
@@ -68,13 +68,13 @@ class HandsOutput:
         return of_all_hands([part.counts()[0] for part in self._attached])
 
     def close(self) -> None:
-        """Waits for what is being sent."""
+        """Waits until pending data have been sent."""
         for part in self._attached or self._publishers:
             part.close()
 
 
 class Outputs(Connections[StreamKind[Any], StreamSettings]):
-    """Follows the session: what is switched on runs while an engine runs."""
+    """Follows the session: streams that are switched on are open while an engine runs."""
 
     def __init__(
         self,
@@ -131,7 +131,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         self._apply(HAPTICS)
 
     def fingertip(self) -> tuple[float, ...]:
-        """Where the index fingertip is now, m in G; empty where that is not known."""
+        """Position of the index fingertip, m in G; empty if unknown."""
         setup = self._host.setup
         estimate = setup.tracked.latest_estimate() if setup is not None else None
         if setup is None or estimate is None:
@@ -142,7 +142,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         return tuple(float(x) for x in estimate.keypoints[row])
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
-        """Let one motor run, to feel whether it does."""
+        """Run one motor as a test."""
         setup = self._host.setup
         glove = setup.connection.device if setup is not None else None
         if glove is not None:
@@ -158,7 +158,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         return self.rule.on if name == HAPTICS else super().is_on(name)
 
     def counts(self, name: str) -> StreamCounts | None:
-        """Of an output that runs; None where it does not."""
+        """Statistics of an open stream; None if it is not open."""
         output = self._openings.get(name)
         return output.counts() if output is not None else None
 
@@ -169,21 +169,21 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
             self._apply(name)
 
     def _apply(self, name: str) -> None:
-        """Close what runs and open it as it is wanted now, where an engine runs."""
+        """Close a stream and, if an engine runs, reopen it with the current settings."""
         setup = self._wanted_on(name)
         words = self.tr("Closing {}") if setup is None else self.tr("Opening {}")
         make = partial(self._made, name, setup) if setup is not None else None
         self._openings.renew(name, words.format(name), make, partial(self._attach, setup))
 
     def _wanted_on(self, name: str) -> EngineSetup | None:
-        """The engine that an output shall run on now."""
+        """The engine that a stream should be attached to."""
         setup = self._host.setup
         if setup is None or not self._host.running or not self.is_on(name):
             return None
         return setup if name != HAPTICS or setup.connection.device is not None else None
 
     def _made(self, name: str, setup: EngineSetup) -> HandsOutput:
-        """Open one output. Raises StreamError in words."""
+        """Open one stream. Raises StreamError."""
         return HandsOutput(setup, self._publishers(name, setup))
 
     def _publishers(self, name: str, setup: EngineSetup) -> list[Publisher]:
@@ -201,7 +201,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         return open_stream(kind, settings.options(kind), hands)
 
     def _attach(self, setup: EngineSetup | None, output: HandsOutput) -> bool:
-        """False where another engine runs by now."""
+        """False if another engine is running by now."""
         now = self._host.setup
         if setup is None or now is None or now.engine is not setup.engine:
             return False
@@ -213,11 +213,11 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         self._host.happened.emit(Event.of(0.0, "device", what))
 
     def _say(self, text: str) -> None:
-        """May be called from an output's thread."""
+        """Thread-safe."""
         self._host.happened.emit(Event(0.0, "device", text))
 
     def shut_down(self) -> None:
-        """After the last job: close what is open."""
+        """After the last job: close all streams."""
         self._openings.shut_down()
 
 

@@ -1,4 +1,4 @@
-"""What is plugged in while the window is open: a glove or a camera that comes late is noticed."""
+"""Detection of gloves and cameras that are connected while the window is open."""
 
 from __future__ import annotations
 
@@ -19,26 +19,28 @@ Names = frozenset[str]
 
 
 def plugged_in(settings: AppSettings) -> Names:
-    """Paths of serial ports and names of cameras, and what the settings name where it is there."""
+    """Paths of serial ports and names of cameras, and the devices in the settings that are
+    connected."""
     cameras = (c.name for c in all_cameras())
     chosen = (settings.port, told_count(settings.camera)[1])
     return frozenset([*serial_ports(), *cameras, *(p for p in chosen if p and Path(p).exists())])
 
 
 class Newcomers:
-    """Tells what has come since the first look; once each, and anew where it had gone."""
+    """Reports devices that were connected after the first check; once each, and again after they
+    were disconnected."""
 
     def __init__(self) -> None:
         self._known: Names | None = None
         self._before: Names = frozenset()
 
     def forget(self) -> None:
-        """The next look is the first one."""
+        """Treat the next check as the first."""
         self._known = None
 
     def look(self, present: Iterable[str]) -> list[str]:
-        """Names that were not there before, and are there at the second look: a port that has just
-        come cannot always be opened yet."""
+        """Devices that are new, and present in two checks in a row: a new port cannot always be
+        opened immediately."""
         now = frozenset(present)
         if self._known is None:
             self._known = now
@@ -49,9 +51,9 @@ class Newcomers:
 
 
 class PlugWatch(QObject):
-    """Looks every `LOOK_MS` while something of the rig is missing, and rests otherwise.
+    """Checks every `LOOK_MS` while a device is missing.
 
-    ``came`` has the names of what is there now and was not at the last search.
+    ``came``: names of devices that were not present in the last search.
     """
 
     came = Signal(list)
@@ -72,13 +74,13 @@ class PlugWatch(QObject):
         self._timer.timeout.connect(self._ask)
 
     def begin(self) -> None:
-        """A search has not found all: what comes from now on is new."""
+        """A search has not found all devices: report new ones from now on."""
         self._newcomers.forget()
         self._timer.start()
         self._ask()
 
     def rest(self) -> None:
-        """Something else is shown, or nothing is missing."""
+        """Stop checking."""
         self._timer.stop()
         self._job.forget()
 

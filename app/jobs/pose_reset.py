@@ -1,4 +1,5 @@
-"""The pose reset: a key or a double tap, a countdown, and both hands are aligned with the pose."""
+"""The pose reset: a key or a double tap, a countdown, and the alignment of both hands with the
+pose."""
 
 from __future__ import annotations
 
@@ -11,14 +12,14 @@ from app.storage.settings import SettingsStore
 from tracker.inertial.double_tap import DoubleTap
 
 SECOND_MS = 1000
-LOOK_MS = 50  # between two looks for a double tap
+LOOK_MS = 50  # between two checks for a double tap
 POSE = "flat"
 
 
 class PoseReset(QObject):
-    """``left``: s until the reset; 0 while nothing is counted down."""
+    """``left``: s until the reset; 0 without a countdown."""
 
-    counted = Signal(int)  # `left` is another one
+    counted = Signal(int)  # `left` has changed
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, parent: QObject | None = None
@@ -43,14 +44,14 @@ class PoseReset(QObject):
     # --- by key
 
     def press(self) -> None:
-        """Begin, or take the countdown back."""
+        """Start the countdown, or cancel it."""
         if self.left:
             self.cancel()
         else:
             self.begin()
 
     def begin(self) -> None:
-        """Count down; a simulated wearer takes the pose meanwhile."""
+        """Start the countdown; a simulated wearer takes the pose."""
         if self.left or not self.available:
             return
         self._show(POSE)
@@ -61,7 +62,7 @@ class PoseReset(QObject):
             self._reset()
 
     def cancel(self) -> None:
-        """Nothing is reset; also where nothing is counted down."""
+        """Cancel the countdown, if any."""
         self._timer.stop()
         if self.left:
             self._set(0)
@@ -80,7 +81,7 @@ class PoseReset(QObject):
         self.counted.emit(left)
 
     def _reset(self) -> None:
-        """Of all hands at once."""
+        """Reset all hands at once."""
         setup = self._host.setup
         for hand in setup.hands if setup is not None else ():
             if hand.live is not None:
@@ -103,7 +104,7 @@ class PoseReset(QObject):
         self.listen()
 
     def listen(self) -> None:
-        """Look for double taps where the settings say so."""
+        """Detect double taps, if enabled."""
         self._taps = {}
         if self.available and self._store.value.pose_reset_tap:
             self._looks.start(LOOK_MS)
@@ -114,14 +115,16 @@ class PoseReset(QObject):
         setup = self._host.setup
         if setup is None or self.left:
             return
-        if sum(self._tapped(hand) for hand in setup.hands):  # each is to see all its packets
+        if sum(
+            self._tapped(hand) for hand in setup.hands
+        ):  # evaluates all hands, so that each processes its packets
             self.begin()
 
     def _tapped(self, hand: EngineSetup) -> bool:
-        """Whether the back of this hand's glove was tapped twice since the last look."""
+        """Whether the back of this hand's glove was tapped twice since the last check."""
         root = hand.hand.segments[hand.hand.root].name
         if root not in hand.glove.imu_names:
             return False
         row, tap = hand.glove.imu_names.index(root), self._taps.setdefault(hand.side, DoubleTap())
-        packets = hand.tracked.recent_imu()  # those seen before are passed over
+        packets = hand.tracked.recent_imu()  # those processed before are skipped
         return sum(tap.feed(s.t, s.accel[row], s.gyro[row]) for s in packets) > 0

@@ -1,4 +1,4 @@
-"""The record key: begins a recording, after a countdown where one is wanted, and ends it."""
+"""The record key: starts a recording, after an optional countdown, and stops it."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ SECOND_MS = 1000
 
 
 class RecordKey(QObject):
-    """``left``: s until the recording begins; 0 while nothing is counted down."""
+    """``left``: s until the recording starts; 0 without a countdown."""
 
-    counted = Signal(int)  # `left` is another one
+    counted = Signal(int)  # `left` has changed
 
     def __init__(
         self, host: EngineHost, plan: RecordingPlan, parent: QObject | None = None
@@ -24,11 +24,11 @@ class RecordKey(QObject):
         self._timer = QTimer(self)
         self._timer.setInterval(SECOND_MS)
         self._timer.timeout.connect(self._count)
-        host.recording.begun.connect(self.cancel)  # from outside, which does not wait
+        host.recording.begun.connect(self.cancel)  # started by remote control, without a countdown
         host.running_changed.connect(lambda on: None if on else self.cancel())
 
     def press(self) -> None:
-        """End the recording, take the countdown back, or begin."""
+        """Stop the recording, cancel the countdown, or start."""
         if self._host.recording.request is not None:
             self._host.recording.end()
         elif self.left:
@@ -40,7 +40,7 @@ class RecordKey(QObject):
             self._host.toggle_recording(self._plan.request)
 
     def cancel(self) -> None:
-        """Nothing is recorded; also where nothing is counted down."""
+        """Cancel the countdown, if any."""
         self._timer.stop()
         if self.left:
             self._set(0)

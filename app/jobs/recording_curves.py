@@ -31,11 +31,11 @@ from tracker.session.motion import read_take as read_motion_of
 from tracker.session.reader import SessionReader
 
 KINDS = (ImuSample, Estimate, BlobFrame, Status)
-AT_ONCE = 500  # estimates or images between two looks whether the job is cancelled
+AT_ONCE = 500  # estimates or images between two checks for cancellation
 
 
 def read_motion(path: Path, side: str = "") -> Callable[[JobProgress], Take | None]:
-    """A job; None where the session has no estimates. ``side``: of the hand, of two."""
+    """A job; its result is None without estimates. ``side``: the hand, if there are two."""
 
     def job(progress: JobProgress) -> Take | None:
         with SessionReader(path, watch=progress, side=side) as reader:
@@ -57,7 +57,7 @@ def csv_of(text: str, path: Path) -> None:
 
 
 def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], TakeCurves]:
-    """A job that reads the recording of ``setup`` for the curves of all of its hands."""
+    """A job that reads the recording of ``setup`` for the curves of all its hands."""
 
     def job(progress: JobProgress) -> TakeCurves:
         rows: dict[tuple[str, SignalSource], Rows] = {}
@@ -73,7 +73,7 @@ def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], Take
 def _rows_of(
     reader: SessionReader, setup: EngineSetup, progress: JobProgress
 ) -> dict[SignalSource, Rows]:
-    """Of one hand, by source; times are s from the recording's start."""
+    """Rows of one hand by source; times are s from the recording's start."""
     found: dict[type, list[object]] = {kind: [] for kind in KINDS}
     for message in reader.messages(KINDS):
         found[type(message)].append(message)
@@ -107,7 +107,8 @@ def _images(
     estimates: Sequence[Estimate],
     progress: JobProgress,
 ) -> Rows:
-    """Which blob is which marker is not recorded: it follows from the recorded estimates."""
+    """The recording does not contain the matching of blobs and markers: it is computed from the
+    recorded estimates."""
     teller = (
         MarkerTeller(setup.hand, setup.glove, setup.camera.rig) if setup.camera.calibrated else None
     )
@@ -142,7 +143,7 @@ def _joined(parts: Sequence[Rows]) -> Rows:
 
 
 def two_takes_job(first: Path, second: Path) -> Job:
-    """A job whose result is a `TwoTakes`; it fails in words where one was never tracked."""
+    """A job whose result is a `TwoTakes`; fails with a message if one was never tracked."""
 
     def run(progress: JobProgress) -> TwoTakes:
         takes = []

@@ -27,14 +27,14 @@ from tracker.streaming.remote.reception import Allowance, DoorCounts
 from tracker.streaming.remote.registry import DoorKind, door_kinds, open_door, with_doors
 from tracker.streaming.remote.request import Reply, Request, RequestError, parse
 
-MOTOR_HZ = 50.0  # commands to one motor; more only fill the glove's line
+MOTOR_HZ = 50.0  # maximum rate of commands to one motor; more would only load the glove's line
 MOTORS = tuple(CHAINS)
-LOOK_MS = 250  # at contacts that nobody tells of any more
+LOOK_MS = 250  # interval of checks for contacts that are no longer updated
 CLOSING = "The window is closing."
 
 
 class RemoteAnswers(QObject):
-    """Starts, stops, notes, tells the state and lets motors vibrate."""
+    """Answers requests: start, stop, notes, state and vibration."""
 
     _came = Signal(object, object)  # Request, and the Future of its Reply
 
@@ -59,7 +59,7 @@ class RemoteAnswers(QObject):
         self._came.connect(self._act, Qt.ConnectionType.QueuedConnection)
 
     def answer(self, request: Request) -> Future[Reply]:
-        """Do it soon, in the window's thread; from any thread."""
+        """Schedule the answer in the window's thread; thread-safe."""
         future: Future[Reply] = Future()
         if self._ended:
             future.set_result(Reply(False, request.do, CLOSING, id=request.id))
@@ -72,7 +72,7 @@ class RemoteAnswers(QObject):
         return future
 
     def answer_line(self, line: str) -> str:
-        """A request of this computer's user, by the window's own local socket."""
+        """Answer a request of this computer's user, received on the window's local socket."""
         try:
             request = parse(line, monotonic())
         except RequestError as error:
@@ -83,7 +83,7 @@ class RemoteAnswers(QObject):
         return replace(do(request), id=request.id).as_json(with_folder=True)
 
     def _act(self, request: Request, future: Future[Reply]) -> None:
-        if future.set_running_or_notify_cancel():  # nobody waits any more: it is not done
+        if future.set_running_or_notify_cancel():  # false if the client no longer waits
             future.set_result(replace(self._do(request), id=request.id))
 
     def _do(self, request: Request) -> Reply:
@@ -133,7 +133,7 @@ class RemoteAnswers(QObject):
         return Reply(True, request.do, text, path, {"duration_s": round(elapsed, 3)})
 
     def _note(self, request: Request) -> Reply:
-        """Stamped with its arrival, however busy the window was."""
+        """Add a note, stamped with its arrival time."""
         if self._host.setup is None:
             return Reply(False, request.do, "There is nothing to note it in: nothing is open.")
         self._host.notes.add(request.text, request.t, request.data)
@@ -157,7 +157,7 @@ class RemoteAnswers(QObject):
         return Reply(True, request.do, text, None, more)
 
     def _vibrate(self, request: Request) -> Reply:
-        """From any thread, as the glove's link takes it."""
+        """Thread-safe, as the glove's link is."""
         glove = self._glove(request.side)
         if glove is None or not self._host.running:
             return Reply(False, request.do, "No glove with motors is running.")
@@ -170,14 +170,14 @@ class RemoteAnswers(QObject):
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
     def _glove(self, side: str) -> GloveDevice | None:
-        """Of the hand of ``side``, or of the first; None where it has no motors."""
+        """The glove of the hand of ``side``, or of the first hand; None without motors."""
         setup = self._host.setup
         hands = setup.hands if setup is not None else ()
         found = [hand for hand in hands if side in ("", hand.hand.side)]
         return found[0].connection.device if found else None
 
     def _contact(self, request: Request) -> Reply:
-        """From any thread: felt while it lasts, and recorded where it begins and ends."""
+        """Thread-safe. A contact vibrates while it lasts; its start and end are recorded."""
         setup = self._host.setup
         if setup is None or not self._host.running:
             return Reply(False, request.do, "Nothing is running that could be touched.")
@@ -192,14 +192,14 @@ class RemoteAnswers(QObject):
         return Reply(True, request.do, f"The {request.finger} {word} {request.object or 'it'}.")
 
     def _record(self, events: list[Event]) -> None:
-        """In the session that is recorded, if any."""
+        """Add events to the recording, if there is one."""
         setup = self._host.setup
         if setup is not None and setup.live is not None:
             for event in events:
                 setup.live.hand.record(event)
 
     def end(self) -> None:
-        """Nothing is done any more; who still waits is told."""
+        """Stop answering, and reply to clients that still wait."""
         self._look.stop()
         self._ended = True
         for future in list(self._waiting):
@@ -208,7 +208,7 @@ class RemoteAnswers(QObject):
 
 
 class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
-    """Opens the doors that are switched on; ``answers`` does what comes through them."""
+    """Opens the servers that are switched on; ``answers`` handles their requests."""
 
     def __init__(
         self,
@@ -228,13 +228,13 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
         self._open_all()
 
     def use(self, words: str, host: str = "") -> None:
-        """Open what the command line asks for; not remembered unless something is changed."""
+        """Open the servers that the command line requests; stored only if a setting is changed."""
         if words or host:
             self.settings = with_doors(self.settings, words, host)
             self._open_all()
 
     def counts(self, name: str) -> DoorCounts | None:
-        """Of a door that is open; None where it is not."""
+        """Statistics of an open server; None if it is not open."""
         door = self._openings.get(name)
         return door.counts() if door is not None else None
 
@@ -254,6 +254,6 @@ class RemoteControl(Connections[DoorKind[Any], ConnectionSettings]):
         return True
 
     def shut_down(self) -> None:
-        """Close all doors; who still waits is told. After the last job."""
+        """Close all servers and reply to clients that still wait. After the last job."""
         self.answers.end()
         self._openings.shut_down()

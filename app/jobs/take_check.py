@@ -1,4 +1,4 @@
-"""Looks a recording through once it has ended: whether it is whole, and how it went."""
+"""Checks a finished recording: whether it is complete, and how well it was tracked."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from tracker.session.verify import verify
 
 
 def check_job(path: Path) -> Job:
-    """A job that reads all of the file and gives its `TakeReport`; in a process of its own, for the
-    hand is tracked meanwhile."""
+    """A job that reads the whole file and returns its `TakeReport`; in a subprocess, since the hand
+    is tracked at the same time."""
 
     def run(progress: JobProgress) -> TakeReport:
         try:
@@ -32,7 +32,7 @@ def check_job(path: Path) -> Job:
 
 
 def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
-    """Raises FileError where it cannot be read."""
+    """Raises FileError if it cannot be read."""
 
     findings = verify(path, progress)
     errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]

@@ -1,1 +1,1 @@
-"""What the window needs of the system it runs on: tasks, crashes, one instance, the screen."""
+"""Integration with the operating system: tasks, crashes, single instance, screen."""

@@ -1,4 +1,5 @@
-"""A job's work in a process of its own, which leaves lock and processor to what tracks the hand."""
+"""Runs the work of a job in a subprocess, which leaves interpreter lock and processor to
+tracking."""
 
 from __future__ import annotations
 
@@ -16,15 +17,15 @@ from tracker.base.damage import gather, merged, pass_on
 from tracker.base.errors import GlovetrackError
 
 Work = Callable[[Callable[..., None]], Any]
-STEP = 0.01  # of the work: as often it tells how far it is, and hears whether it is wanted
+STEP = 0.01  # minimum progress between two reports, after which cancellation is checked
 KINDNESS = 10  # that the window and the trackers come first
 
 
 def aside(name: str, work: Work, progress: JobProgress) -> Any:
-    """What ``work(progress)`` returns; it and its result are pickled.
+    """The result of ``work(progress)``; both are pickled.
 
-    Raises Cancelled, GlovetrackError with the sentence that the work has ended with, RuntimeError
-    where it has failed otherwise.
+    Raises Cancelled, GlovetrackError with the message of a failure in the work, RuntimeError after
+    an unexpected end.
     """
     pipe, process = start_child(f"glovetrack {name}", _serve, work)
     try:
@@ -56,8 +57,8 @@ def _follow(pipe: Connection, progress: JobProgress) -> Any:
 
 
 def _serve(pipe: Connection, work: Work) -> None:
-    """In the process: the work, and what has become of it."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # meant for the window, which then lets go
+    """In the subprocess: run the work and send its result."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # meant for the window, which then cancels
     if hasattr(os, "nice"):
         os.nice(KINDNESS)
     try:
@@ -75,7 +76,7 @@ def _serve(pipe: Connection, work: Work) -> None:
 
 
 class _ProgressReporter:
-    """Asks at each step of the work whether it is wanted still."""
+    """Reports progress and checks for cancellation at each step."""
 
     def __init__(self, pipe: Connection) -> None:
         self._pipe, self._told = pipe, -STEP
@@ -87,5 +88,5 @@ class _ProgressReporter:
         try:
             self._pipe.send(("share", share))
             self._pipe.recv()
-        except (EOFError, OSError) as error:  # nobody is there any more
+        except (EOFError, OSError) as error:  # the window has closed the pipe
             raise Cancelled from error

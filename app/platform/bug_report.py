@@ -1,6 +1,6 @@
-"""A bug report: one zip with what helps to find a fault, and without what is personal.
+"""A bug report: one zip with diagnostic data, without personal data.
 
-`Material` is gathered in the window's thread; `write_bundle` does the slow rest in a job.
+`Material` is collected in the window's thread; `write_bundle` does the slow rest in a job.
 """
 
 from __future__ import annotations
@@ -32,24 +32,23 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 
 EXCERPT_S = 10.0
 PERSONAL_SETTINGS = ("participant", "task", "recording_name", "sessions_folder")
-SHORTEST_NAME = 3  # letters; shorter ones stand in too many words
+SHORTEST_NAME = 3  # letters; shorter ones occur in too many words
 
 
 @dataclass(frozen=True)
 class Choice:
-    """What the user ticked."""
+    """The parts that the user selected."""
 
     screenshot: bool = True
     session: bool = True
-    images: bool = False  # of the cameras, in the session's excerpt
+    images: bool = False  # camera images in the session excerpt
     personal: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class Material:
-    """What the window knows. ``screenshot`` is a PNG; ``session_file`` the file whose last seconds
-    are taken; without one ``write_recent`` writes what is in memory to a path it is given.
-    """
+    """Data from the window. ``screenshot`` is a PNG; ``session_file`` the file whose last seconds
+    are used; without one ``write_recent`` writes the data in memory to a path."""
 
     log: str
     settings: AppSettings
@@ -59,11 +58,11 @@ class Material:
     screenshot: bytes = b""
     session_file: Path | None = None
     write_recent: Callable[[Path], None] | None = None
-    names: tuple[str, ...] = field(default=())  # that are personal where they occur in texts
+    names: tuple[str, ...] = field(default=())  # personal names to be removed from texts
 
 
 def contents(choice: Choice) -> list[str]:
-    """What will be inside, in words."""
+    """The contents, as text."""
     out = [
         tr("the log of the window and of the program, and of a crash if there was one"),
         tr("versions of Glovetrack, its packages and the operating system; size of the machine"),
@@ -93,7 +92,7 @@ def contents(choice: Choice) -> list[str]:
 
 
 def machine() -> dict[str, str]:
-    """The computer and its software, nothing of the user's."""
+    """The computer and its software, without personal data."""
 
     packages = {p.name: p.version for p in parts()}
     return {
@@ -120,9 +119,9 @@ def _optional(names: Sequence[str]) -> dict[str, str]:
 
 
 def write_bundle(path: Path, material: Material, choice: Choice) -> list[str]:
-    """Write the zip; returns sentences about what could not be put in.
+    """Write the zip; returns messages about parts that could not be added.
 
-    Raises FileError where ``path`` cannot be written.
+    Raises FileError if ``path`` cannot be written.
     """
     clean = _cleaner(material, choice)
     troubles: list[str] = []
@@ -155,7 +154,7 @@ def _readme(choice: Choice, troubles: Sequence[str]) -> str:
 
 
 def _texts(material: Material, choice: Choice) -> dict[str, str]:
-    """The files of words, by name."""
+    """The text files, by name."""
     settings = asdict(material.settings)
     if not choice.personal:
         settings |= dict.fromkeys(PERSONAL_SETTINGS, "")
@@ -172,7 +171,7 @@ def _texts(material: Material, choice: Choice) -> dict[str, str]:
 
 
 def _cleaner(material: Material, choice: Choice) -> Callable[[str], str]:
-    """Takes names of people and of their folder out of texts, unless they may be in."""
+    """Removes names of people and of their folder from texts, unless they are allowed."""
     if choice.personal:
         return lambda text: text
     home = Path.home()
@@ -188,7 +187,7 @@ def _cleaner(material: Material, choice: Choice) -> Callable[[str], str]:
 
 
 def _excerpt(material: Material, choice: Choice, path: Path) -> list[str]:
-    """The last seconds as a session file; sentences where that fails."""
+    """The last seconds as a session file; returns messages about failures."""
     try:
         if material.session_file is not None:
             cut_tail(material.session_file, path, EXCERPT_S, choice.images, choice.personal)
@@ -211,7 +210,7 @@ def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: b
             info = replace(info, participant="", notes="", extra={})
         start = max(reader.span_ns[1] - round(duration * NS), reader.span_ns[0])
         begin = reader.anchor.monotonic(start)
-        info = replace(info, anchor=reader.anchor.at(begin))  # there the file begins
+        info = replace(info, anchor=reader.anchor.at(begin))  # start of the file
         params = RecorderParams(images="jpeg" if images else "none", sync=False)
         with SessionRecorder(out, info, params) as recorder:
             for message in reader.messages(_kinds(images), start=begin):
@@ -219,8 +218,8 @@ def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: b
 
 
 def _kinds(images: bool) -> tuple[type, ...]:
-    """What is copied; images are not even unpacked where they are not wanted. Events may hold
-    what a user wrote, and the log has those of the program."""
+    """The messages to copy; images are not even decompressed unless they are wanted. Events may
+    contain text that a user wrote, and the log contains those of the program."""
 
     unwanted = (Event,) if images else (Event, StereoFrame)
     return tuple(k for k in MESSAGE_KINDS if k not in unwanted)

@@ -1,4 +1,4 @@
-"""The window of the very first start from source: kernels are compiled, and one sees how far."""
+"""The progress window while kernels are compiled at the very first start from source."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from tracker.kernels import tools
 
 FOR_DEMO = "--for-demo"
 WIDTH_PX = 460
-NICE = 19  # the rest is compiled while the window is in use
+NICE = 19  # the remaining kernels are compiled while the window is in use
 
 
 class CompilingWindow(QWidget):
-    """Shows a compiler's progress. It closes when that ends, or when the user does not wait."""
+    """Shows a compiler's progress. Closes at its end, or when the user does not want to wait."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -54,7 +54,7 @@ class CompilingWindow(QWidget):
         self._process.errorOccurred.connect(self._waiting.quit)
 
     def run(self, command: list[str]) -> bool:
-        """Show it until the command has ended; whether that went well."""
+        """Show the progress of the command; whether it succeeded."""
         self.show()
         self._process.start(command[0], command[1:])
         self._waiting.exec()
@@ -85,10 +85,12 @@ class CompilingWindow(QWidget):
 
 
 def compile_before_start(app: QApplication) -> None:
-    """Where kernels were never compiled and can be: do it in sight, and begin anew with them.
+    """If kernels were never compiled and can be, compile them with a progress window and start
+    again.
 
-    What the demo does without is compiled beside the window that opens then. Does nothing where
-    there is a library, or where the user did not want to wait: numba compiles then as it goes.
+    Kernels that the demo does not need are compiled in the background afterwards. Does nothing if
+    there is a library, or if the user did not want to wait: numba then compiles kernels on first
+    use.
     """
     if not tools.are_wanted():
         return

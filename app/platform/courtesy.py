@@ -1,4 +1,4 @@
-"""The window's side of `tracker.live.right_of_way`."""
+"""The window's counterpart of `tracker.live.right_of_way`."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from tracker.live.right_of_way import RightOfWay
 
 
 class Courtesy:
-    """``to``: what the window gives way to while something follows the hand that cannot wait."""
+    """``to``: callback that pauses painting while a time-critical device follows the hand."""
 
     def __init__(self) -> None:
         self.to: RightOfWay | None = None
 
     def give_way(self) -> None:
-        """Asked between the pieces of what is painted."""
+        """Called between parts of a painting operation."""
         if self.to is not None:
             self.to.give()
 
 
 PAINTING = Courtesy()
-"""Of the one thread that paints, as Qt has one application."""
+"""For the one thread that paints."""

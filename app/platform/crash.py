@@ -1,9 +1,9 @@
-"""What ends the program against its will leaves a log, and the next start knows of it.
+"""Crash logs, reported at the next start.
 
-While the program runs there is ``running-PID.log``, into which Python's fault handler writes where
-a hard crash happened, and this module each exception that nobody caught. A run that ends as it
-should takes its file away (or keeps it as ``crash-….log`` where something is in it); a file whose
-process is gone tells of a crash.
+While the program runs there is ``running-PID.log``, into which Python's fault handler writes the
+traceback of a hard crash, and this module each unhandled exception. A regular end removes the file
+(or renames it to ``crash-….log`` if it is not empty); the file of a process that no longer exists
+indicates a crash.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ from tracker.base.logs import FORMAT
 _log = logging.getLogger(__name__)
 LOG_BYTES, LOG_FILES = 1_000_000, 3
 KEPT = 10  # crash logs
-MOST_DIFFERENT = 100  # exceptions written down in one run
+MOST_DIFFERENT = 100  # unhandled exceptions logged per run
 
 
 def log_folder() -> Path:
-    """Where the program's own logs are."""
+    """Folder of the program's logs."""
     return Path(platformdirs.user_log_dir("glovetrack", appauthor=False))
 
 
@@ -53,9 +53,9 @@ def log_to_file(folder: Path) -> None:
 
 
 class CrashWatch(QObject):
-    """Begins to watch when made. ``found``: the log of a run that crashed, or None."""
+    """Starts watching when created. ``found``: the log of a run that crashed, or None."""
 
-    happened = Signal(str)  # a sentence about an exception that nobody caught
+    happened = Signal(str)  # a message about an unhandled exception
 
     def __init__(self, folder: Path) -> None:
         super().__init__()
@@ -76,7 +76,7 @@ class CrashWatch(QObject):
         )
 
     def _look_back(self) -> Path | None:
-        """Logs of runs that are gone, by another name; the newest of them."""
+        """Rename logs of runs that have ended; returns the newest."""
         gone = [p for p in self.folder.glob("running-*.log") if not _is_running(p)]
         found = [_keep(p) for p in sorted(gone, key=lambda p: p.stat().st_mtime)]
         for old in sorted(self.folder.glob("crash-*.log"))[:-KEPT]:
@@ -86,13 +86,13 @@ class CrashWatch(QObject):
     def _caught(
         self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
     ) -> None:
-        """An exception that nobody caught: into the log, to the screen, on with the program."""
+        """Log an unhandled exception, show a message, and continue."""
         if issubclass(kind, KeyboardInterrupt):
             self._hooks[0](kind, error, trace)
             return
         text = "".join(traceback.format_exception(kind, error, trace))
         if text in self._seen or len(self._seen) >= MOST_DIFFERENT:
-            return  # what fails in a timer fails sixty times a second
+            return  # a failing timer fails sixty times a second
         self._seen.add(text)
         _log.error("Not caught:\n%s", text)
         sys.stderr.write(text)
@@ -103,7 +103,7 @@ class CrashWatch(QObject):
         )
 
     def end(self) -> None:
-        """The program ends as it should."""
+        """The program ends regularly."""
         if self._file.closed:
             return
         sys.excepthook, threading.excepthook = self._hooks
@@ -121,7 +121,7 @@ def _heading() -> str:
 
 
 def _is_running(path: Path) -> bool:
-    """Whether the process that wrote the file still lives; numbers of processes are used again."""
+    """Whether the process that wrote the file is still running; process ids are reused."""
     try:
         born = float(path.read_text("utf-8", "replace").partition("\n")[0])
         return abs(psutil.Process(int(path.stem.rpartition("-")[2])).create_time() - born) < 1.0
@@ -130,7 +130,7 @@ def _is_running(path: Path) -> bool:
 
 
 def _keep(path: Path) -> Path:
-    """The log as ``crash-….log``, named by when it was written last."""
+    """Rename the log to ``crash-….log`` with the time of its last change."""
     when = time.strftime("%Y-%m-%d_%H-%M-%S", time.localtime(path.stat().st_mtime))
     kept = path.with_name(f"crash-{when}-{path.stem.rpartition('-')[2]}.log")
     return path.replace(kept)

@@ -1,4 +1,4 @@
-"""Which OpenGL this machine has: asked in a process of its own, since a broken driver may crash."""
+"""Detection of the OpenGL renderer, in a subprocess since a broken driver may crash."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def is_card(renderer: str) -> bool:
 
 
 def gl_renderer() -> str:
-    """GL_RENDERER of this process's Qt; empty where there is no OpenGL."""
+    """GL_RENDERER of this process's Qt; empty without OpenGL."""
     surface, context = QOffscreenSurface(), QOpenGLContext()
     surface.create()
     if not context.create() or not context.makeCurrent(surface):
@@ -44,7 +44,7 @@ def gl_renderer() -> str:
 
 
 def _answer(pipe: Connection) -> None:
-    """The process's work."""
+    """Runs in the subprocess."""
     app = QGuiApplication.instance() or QGuiApplication(["glovetrack-graphics"])
     pipe.send(gl_renderer())
     pipe.close()
@@ -52,7 +52,7 @@ def _answer(pipe: Connection) -> None:
 
 
 class GraphicsQuery(QObject):
-    """Asks once; ``answered`` brings the renderer's name, empty where the asking ended badly."""
+    """Queries once; ``answered``: the renderer's name, empty after a failure."""
 
     answered = Signal(str)
 
@@ -65,7 +65,7 @@ class GraphicsQuery(QObject):
         self._waited_ms = 0
 
     def start(self) -> None:
-        """Begin, unless there is no screen to draw on."""
+        """Start the query, unless there is no screen."""
         if QGuiApplication.platformName() in WITHOUT_SCREEN:
             return
         self._pipe, self._process = start_child("glovetrack-graphics", _answer)
@@ -89,7 +89,7 @@ class GraphicsQuery(QObject):
         self.answered.emit(renderer)
 
     def stop(self) -> None:
-        """Ask no more. May be called at any time."""
+        """Stop the query. May be called at any time."""
         self._timer.stop()
         if self._process is not None:
             self._process.terminate()

@@ -1,4 +1,4 @@
-"""The user guide that travels along: its pages in Markdown."""
+"""The user guide that is shipped with the program: its pages in Markdown."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ LINK = re.compile(r"\[[^\]]*\]\(([\w.-]+\.md)\)")
 
 
 def place() -> Path:
-    """The folder of an installation, or of the tree that this runs from."""
+    """The folder in an installation, or in the source tree."""
     installed = Path(str(folder("guide")))
     return installed if installed.is_dir() else Path(__file__).parents[2] / "docs" / "guide"
 
 
 def site() -> Path | None:
-    """The whole documentation's first page, of an installation or as ``make docs`` built it; None
-    where it is not there."""
+    """First page of the documentation site, in an installation or as built by ``make docs``; None
+    if there is none."""
     built = Path(__file__).parents[2] / "build" / "site"
     pages = (Path(str(folder("site"))) / "index.html", built / "index.html")
     return next((page for page in pages if page.is_file()), None)
 
 
 def pages() -> dict[str, str]:
-    """The Markdown of each page by its file's name, in the order of the first page's list.
+    """The Markdown of each page by file name, in the order of the first page's list.
 
-    Raises FileNotFoundError where the guide did not travel along.
+    Raises FileNotFoundError if the guide is not installed.
     """
     first = (place() / FIRST).read_text("utf-8")
     names = [FIRST, *dict.fromkeys(LINK.findall(first))]
@@ -36,12 +36,12 @@ def pages() -> dict[str, str]:
 
 
 def title_of(page: str) -> str:
-    """Its first heading."""
+    """The first heading of a page."""
     found = re.search(r"^# (.+)$", page, re.MULTILINE)
     return found[1].strip() if found else ""
 
 
 def matches(found: dict[str, str], words: str) -> list[str]:
-    """Names of the pages that hold all of ``words``, whatever their case."""
+    """Names of the pages that contain all of ``words``, ignoring case."""
     wanted = words.casefold().split()
     return [name for name, text in found.items() if all(w in text.casefold() for w in wanted)]

@@ -1,4 +1,4 @@
-"""What Glovetrack contains and under which licences."""
+"""Packages contained in Glovetrack and their licences."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAME = re.compile(r"[A-Za-z0-9._-]+")
 
 @dataclass(frozen=True)
 class LicensedPackage:
-    """A package that the program is made of."""
+    """A package that the program contains."""
 
     name: str
     version: str
@@ -24,7 +24,7 @@ class LicensedPackage:
 
 
 def bundled_text() -> str:
-    """The list that was made with the bundle, with all texts; empty when run from source."""
+    """The list generated with the bundle, with all texts; empty when run from source."""
     path = Path(sys.executable).parent / "LICENCES.txt"
     if getattr(sys, "frozen", False) and path.is_file():
         return path.read_text("utf-8")
@@ -32,7 +32,7 @@ def bundled_text() -> str:
 
 
 def own_text() -> str:
-    """The words of Glovetrack's own licence; empty where the file did not travel along."""
+    """Glovetrack's own licence; empty if the file is not installed."""
     path = Path(__file__).resolve().parents[2] / "LICENSE"
     return path.read_text("utf-8") if path.is_file() else ""
 
@@ -49,7 +49,7 @@ def parts() -> list[LicensedPackage]:
         try:
             package = distribution(name)
         except PackageNotFoundError:
-            continue  # a requirement of another system
+            continue  # a requirement for another system
         data = package.metadata
         found[key] = LicensedPackage(data["Name"], package.version, licence_of(package))
         waiting += [m[0] for r in package.requires or () if (m := _needed(r))]
@@ -59,7 +59,7 @@ def parts() -> list[LicensedPackage]:
 
 
 def _needed(requirement: str) -> re.Match[str] | None:
-    """The name in a requirement; None where it is for an extra."""
+    """The name in a requirement; None if it belongs to an extra."""
     return None if "extra ==" in requirement else NAME.match(requirement)
 
 
@@ -81,20 +81,20 @@ def _first(values: list[str] | None) -> str:
 
 
 def icons_text() -> str:
-    """The licence of the icons, which are files of another project's in this one."""
+    """The licence of the icons, which come from another project."""
     words = (folder("icons") / "lucide" / "LICENSE").read_text("utf-8")
     return f"The icons are of the Lucide set, under this licence:\n\n{words}"
 
 
 def page_text() -> str:
-    """The licences of what the page for headsets is made of, likewise."""
+    """The licences of the parts of the headset page."""
     found = {"three.js 0.170.0": "LICENSE-three", "IWER 2.5.0": "LICENSE-iwer"}
     texts = [(n, (folder("webxr") / file).read_text("utf-8")) for n, file in found.items()]
     return "\n\n".join(f"{name} is under this licence:\n\n{words}" for name, words in texts)
 
 
 def as_text() -> str:
-    """What the About box shows."""
+    """The text of the About box."""
     made = bundled_text()
     if made:
         return made

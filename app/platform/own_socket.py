@@ -1,6 +1,6 @@
-"""Where the window's local socket is, and whose process is at its other end.
+"""The path of the window's local socket, and the owner of the process at its other end.
 
-Everybody may create names in the shared temporary folder, so the socket is in a folder that only
+All users may create names in the shared temporary folder, so the socket is in a folder that only
 this user can write to: `XDG_RUNTIME_DIR`, else a folder in the user's cache. Both ends also compare
 the user id of the other process with their own.
 
@@ -45,10 +45,10 @@ class ForeignSocket(GlovetrackError):
 
 
 def addresses(name: str) -> list[str]:
-    """Where a window may listen, the place for a new one first.
+    """Addresses on which a window may listen, that of a new one first.
 
     There may be two: a script that is started by cron has no `XDG_RUNTIME_DIR`, but the window has.
-    Raises ForeignSocket, DiskError where no folder of the user's own can be made.
+    Raises ForeignSocket, or DiskError if no private folder can be created.
     """
     if WINDOWS:
         return [f"{name}-{_pipe_secret()}"]
@@ -75,7 +75,7 @@ def check_peer(descriptor: int, address: str) -> None:
 
 
 def _runtime_folders() -> Iterator[Path]:
-    """Folders that the system makes for a logged-in user and that are this user's alone."""
+    """Folders that the system creates for a logged-in user and that only this user can access."""
     named = [os.environ.get("XDG_RUNTIME_DIR", ""), f"/run/user/{os.getuid()}"]
     for text in dict.fromkeys(named):
         if text.startswith("/") and _is_private(Path(text)):
@@ -98,7 +98,7 @@ def _fits(path: Path) -> bool:
 
 
 def _is_private(folder: Path) -> bool:
-    """Whether it is a folder, not a link, of this user, that nobody else can enter."""
+    """Whether it is a folder, not a link, that only this user can access."""
     try:
         found = folder.lstat()
     except OSError:
@@ -112,7 +112,7 @@ def _made_private(folder: Path) -> Path:
         folder.parent.mkdir(parents=True, exist_ok=True)
         folder.mkdir(mode=0o700, exist_ok=True)
     except FileExistsError:
-        pass  # a file or a link, which is refused below
+        pass  # a file or a link, rejected below
     except OSError as error:
         raise disk_error(folder, error) from error
     if not _is_private(folder):
@@ -125,7 +125,7 @@ def _made_private(folder: Path) -> Path:
 
 
 def _peer_uid(descriptor: int) -> int | None:
-    """The user id of the process that connected or listened; None where it is not known."""
+    """The user id of the process at the other end; None if unknown."""
     with socket.socket(fileno=os.dup(descriptor)) as line:
         try:
             if hasattr(socket, "SO_PEERCRED"):
@@ -139,7 +139,7 @@ def _peer_uid(descriptor: int) -> int | None:
 
 
 def _pipe_secret() -> str:
-    """A random text that only this user can read; made by the first window."""
+    """A random text that only this user can read; created by the first window."""
     path = platformdirs.user_data_path("glovetrack", appauthor=False) / _SECRET
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -154,14 +154,14 @@ def _pipe_secret() -> str:
 
 
 def is_own_pipe(handle: int) -> bool:
-    """``handle`` is of either end of a connected pipe."""
+    """``handle``: either end of a connected pipe."""
     ours = _user_of(os.getpid())
     processes = _processes_of(handle) - {os.getpid()}
     return ours is not None and all(_user_of(process) == ours for process in processes)
 
 
 def _processes_of(handle: int) -> set[int]:
-    """Those of both ends; 0, which is no user's, where one is not known."""
+    """The processes of both ends; 0, which has no user, for an unknown one."""
     found = set()
     for name in ("GetNamedPipeServerProcessId", "GetNamedPipeClientProcessId"):
         number = ctypes.c_ulong(0)
@@ -171,7 +171,7 @@ def _processes_of(handle: int) -> set[int]:
 
 
 def _user_of(process: int) -> bytes | None:
-    """The SID of the user who runs a process; None where the system does not say."""
+    """The SID of the user who runs a process; None if unknown."""
     kernel, advapi = _library("kernel32"), _library("advapi32")
     kernel.OpenProcess.restype = ctypes.c_void_p
     opened = kernel.OpenProcess(_QUERY_LIMITED, False, process)
@@ -194,7 +194,7 @@ def _sid(advapi: Any, token: ctypes.c_void_p) -> bytes | None:
     data = ctypes.create_string_buffer(size.value)
     if not advapi.GetTokenInformation(token, _TOKEN_USER, data, size, ctypes.byref(size)):
         return None
-    sid = ctypes.c_void_p.from_buffer(data)  # TOKEN_USER begins with a pointer to it
+    sid = ctypes.c_void_p.from_buffer(data)  # TOKEN_USER begins with a pointer to the SID
     length = advapi.GetLengthSid(sid)
     return ctypes.string_at(sid.value or 0, length) if sid.value else None
 

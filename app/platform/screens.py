@@ -1,4 +1,4 @@
-"""Whether there is a screen, asked before Qt is: Qt ends the program where it finds none."""
+"""Check for a screen before Qt is started: Qt ends the program without one."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 PLATFORM = "QT_QPA_PLATFORM"
-TIMEOUT = 3.0  # s for a screen on another computer
+TIMEOUT = 3.0  # s to connect to a screen on another computer
 X_PORT = 6000
 Address = tuple[str, int] | str
 """Host and port, or the path of a local socket."""
 
 
 def answers(address: Address) -> bool:
-    """Whether somebody listens there."""
+    """Whether a server listens at the address."""
     family = socket.AF_UNIX if isinstance(address, str) else socket.AF_INET
     try:
         if not isinstance(address, str):
@@ -31,7 +31,7 @@ def answers(address: Address) -> bool:
 
 
 def addresses(environment: Mapping[str, str]) -> Iterator[Address]:
-    """Where the screens that the environment names listen."""
+    """Addresses of the screens that the environment names."""
     found = re.fullmatch(r"(?:(.*)/)?(.*):(\d+)(?:\.\d+)?", environment.get("DISPLAY", ""))
     if found is not None:
         _, host, number = found.groups()
@@ -50,7 +50,7 @@ def has_screen(
     system: str = sys.platform,
     listens: Callable[[Address], bool] = answers,
 ) -> bool:
-    """Whether Qt will find a screen, or has been told to do without."""
+    """Whether Qt will find a screen, or is configured to run without one."""
     if not system.startswith("linux"):
         return True
     platform = environment.get(PLATFORM, "").partition(":")[0]

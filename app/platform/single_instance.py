@@ -1,9 +1,9 @@
-"""One window per user: a second start hands its session file to the first one and ends.
+"""One window per user: a second start passes its session file to the first one and ends.
 
-By the same socket, which accepts this user alone (`own_socket`), `ask` has the window start, stop
-and note.
+The socket accepts only this user (`own_socket`). `ask` sends requests to start, stop and annotate a
+recording.
 
-The name of the local socket is made from the folder of the settings: each folder of settings has
+The name of the local socket is derived from the folder of the settings: each folder of settings has
 its own window.
 """
 
@@ -27,7 +27,7 @@ from tracker.base.errors import GlovetrackError
 from tracker.streaming.remote.request import is_reply
 
 WAIT_MS = 2000
-ASK_MS = 10_000  # a window that opens devices is busy for seconds
+ASK_MS = 10_000  # a window that is opening devices does not respond for seconds
 MOST_BYTES = 65536
 ANSWER = b"taken\n"
 NOT_A_WINDOW = "The program that answered is not a Glovetrack window."
@@ -42,10 +42,9 @@ def server_name() -> str:
 
 
 def hand_over(session: Path | None, name: str | None = None) -> bool:
-    """Give ``session`` (None: only show yourself) to the window that is open; False if none is.
+    """Pass ``session`` (None: only show the window) to the open window; False if there is none.
 
-    Raises ForeignSocket where another user's program listens, GlovetrackError where the answer is
-    not one of a window.
+    Raises ForeignSocket if another user's program listens, GlovetrackError for an invalid answer.
     """
     said = {"open": str(session.resolve()) if session is not None else ""}
     answer = _converse(said, name, WAIT_MS)
@@ -55,10 +54,9 @@ def hand_over(session: Path | None, name: str | None = None) -> bool:
 
 
 def ask(words: dict[str, Any], name: str | None = None) -> str | None:
-    """Have the window that is open do something; its answer as JSON, None where none answers.
+    """Send a request to the open window; its answer as JSON, None if there is none.
 
-    Raises ForeignSocket where another user's program listens, GlovetrackError where the answer is
-    not one of a window.
+    Raises ForeignSocket if another user's program listens, GlovetrackError for an invalid answer.
     """
     answer = _converse({"remote": words}, name, ASK_MS)
     if not answer:
@@ -69,7 +67,7 @@ def ask(words: dict[str, Any], name: str | None = None) -> str | None:
 
 
 def _converse(said: dict[str, Any], name: str | None, wait_ms: int) -> bytes:
-    """Send one line to the window that is open; its answer, empty where there is none."""
+    """Send one line to the open window; its answer, empty without one."""
     socket = _connected_to(name or server_name())
     if socket is None:
         return b""
@@ -86,7 +84,7 @@ def _converse(said: dict[str, Any], name: str | None, wait_ms: int) -> bytes:
 
 
 def _connected_to(name: str) -> QLocalSocket | None:
-    """A connection to a window of this user; None where none listens. Raises ForeignSocket."""
+    """A connection to a window of this user; None if there is none. Raises ForeignSocket."""
     for address in addresses(name):
         socket = QLocalSocket()
         socket.connectToServer(address)
@@ -97,11 +95,11 @@ def _connected_to(name: str) -> QLocalSocket | None:
 
 
 class Instance(QObject):
-    """Listens for later starts; ``asked`` has the session's path, or "" for the window alone.
+    """Accepts later starts; ``asked``: path of the session, or "" to show the window.
 
-    Raises ForeignSocket, DiskError where no socket of the user's own can be made.
+    Raises ForeignSocket, or DiskError if no private socket can be created.
 
-    ``answer``, once there is a window, does what is asked as JSON and answers as JSON.
+    ``answer``, once there is a window, handles requests in JSON and returns answers in JSON.
     """
 
     asked = Signal(str)
@@ -114,15 +112,15 @@ class Instance(QObject):
         self._server.setSocketOptions(QLocalServer.SocketOption.UserAccessOption)
         self._server.newConnection.connect(self._connected)
         name = name or server_name()
-        if not _is_served(name):  # Qt would take the name away from the window that has it
+        if not _is_served(name):  # otherwise Qt would remove the socket of an open window
             self._address = addresses(name)[0]
-            QLocalServer.removeServer(self._address)  # left by a crash
+            QLocalServer.removeServer(self._address)  # left behind by a crash
             if not self._server.listen(self._address):
                 _log.warning("%s: %s", self._address, self._server.errorString())
 
     @property
     def listening(self) -> bool:
-        """False where another window was first: a demo may run beside it."""
+        """False if another window was first: a demo may run next to it."""
         return self._server.isListening()
 
     def _connected(self) -> None:
@@ -175,7 +173,7 @@ class Instance(QObject):
 
 
 def _is_served(name: str) -> bool:
-    """Whether a window of this user listens there. Raises ForeignSocket."""
+    """Whether a window of this user listens at the address. Raises ForeignSocket."""
     socket = _connected_to(name)
     if socket is not None:
         socket.abort()

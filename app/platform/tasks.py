@@ -1,4 +1,5 @@
-"""Long jobs: plain functions with progress and cancel, run one thread each, joined by one owner."""
+"""Background jobs: plain functions with progress and cancellation, one thread each, joined by one
+owner."""
 
 from __future__ import annotations
 
@@ -17,18 +18,18 @@ _log = logging.getLogger(__name__)
 
 
 class Cancelled(Exception):
-    """Raised inside a job when the user has cancelled it."""
+    """Raised inside a job after the user cancelled it."""
 
 
 class JobProgress:
-    """Handed to a job: it reports how far it is and learns here that it shall end."""
+    """Passed to a job to report progress and to check for cancellation."""
 
     def __init__(self, report: Callable[[float, str], None]) -> None:
         self._report = report
         self._cancel = threading.Event()
 
     def __call__(self, fraction: float, text: str = "") -> None:
-        """Report ``fraction`` (0..1, negative where unknown); raises Cancelled when cancelled."""
+        """Report ``fraction`` (0..1, negative if unknown); raises Cancelled after cancellation."""
         if self._cancel.is_set():
             raise Cancelled
         self._report(fraction, text)
@@ -45,12 +46,12 @@ Job = Callable[[JobProgress], Any]
 
 
 class RunningJob(QObject):
-    """One job under way. Signals arrive in the window's thread."""
+    """A running job. Signals arrive in the window's thread."""
 
     progressed = Signal(float, str)
     done = Signal(object)
     failed = Signal(str)
-    noted = Signal(str)  # a sentence about what was left out of a session
+    noted = Signal(str)  # a message about parts of a session that were skipped
     ended = Signal()
 
     def __init__(self, title: str, job: Job) -> None:
@@ -78,7 +79,7 @@ class RunningJob(QObject):
             with gather() as left_out:
                 result = self._job(self._progress)
         except Cancelled:
-            pass  # wanted by the user: `ended` alone says it
+            pass  # requested by the user: only `ended` is emitted
         except GlovetrackError as error:
             self.failed.emit(error_text(error))
         except Exception as error:  # noqa: BLE001 - a job's crash must reach the window, whatever it is
@@ -117,9 +118,9 @@ class TaskOwner(QObject):
         progressed: Callable[[float, str], None] | None = None,
         failed: Callable[[str], None] | None = None,
     ) -> RunningJob:
-        """Run ``job`` in its own thread. In this thread ``progressed`` hears of its progress,
-        ``done`` gets its result or ``failed`` a sentence, and ``ended`` is called however it ends:
-        all are connected before the job begins."""
+        """Run ``job`` in its own thread. In this thread, ``progressed`` is called with its
+        progress, ``done`` with its result or ``failed`` with a message, and ``ended`` in any case:
+        all are connected before the job starts."""
         # No child of the owner: what is connected to a task may hold the last reference to the
         # owner, which would delete the task once more, in the middle of the task's own deletion.
         task = RunningJob(title, job)
@@ -147,7 +148,7 @@ class TaskOwner(QObject):
             self.changed.emit()
 
     def shut_down(self) -> None:
-        """Cancel everything and wait for it."""
+        """Cancel all jobs and wait for them."""
         for task in self._tasks:
             task.cancel()
         for task in self._tasks:
@@ -156,10 +157,10 @@ class TaskOwner(QObject):
 
 
 class LatestJob(QObject):
-    """Answers the newest of many questions, for jobs of a moment: no list shows them.
+    """Runs short jobs, of which only the newest counts; they are not listed.
 
-    One job runs at a time. A question that is overtaken before its job has begun is never asked,
-    and an answer to an outdated one is dropped, so `done` hears of the newest alone.
+    One job runs at a time. A job that is superseded before it starts is never run, and the result
+    of an outdated job is dropped, so that `done` receives only the newest.
     """
 
     failed = Signal(str)
@@ -171,10 +172,13 @@ class LatestJob(QObject):
         self._owner.failed.connect(self.failed)
         self._waiting: tuple[Job, Callable[[Any], None]] | None = None
         self._busy = False
-        self._done: Callable[[Any], None] | None = None  # of the job under way, while wanted
+        self._done: Callable[[Any], None] | None = (
+            None  # callback of the running job, while it is wanted
+        )
 
     def run(self, job: Job, done: Callable[[Any], None]) -> None:
-        """Ask; returns at once. ``done`` gets the answer in this thread, if it still is wanted."""
+        """Schedule a job and return. ``done`` receives the result in this thread, unless it is
+        outdated."""
         self.forget()
         self._waiting = job, done
         if not self._busy:
@@ -182,11 +186,11 @@ class LatestJob(QObject):
 
     @property
     def is_busy(self) -> bool:
-        """Whether a job is under way."""
+        """Whether a job is running."""
         return self._busy
 
     def forget(self) -> None:
-        """Nothing is wanted any more."""
+        """Discard the result of the running job."""
         self._waiting = self._done = None
 
     def _begin(self) -> None:
@@ -197,7 +201,7 @@ class LatestJob(QObject):
         self._owner.run(self._title, job, self._answer, self._ended)
 
     def _answer(self, result: Any) -> None:
-        """One job runs at a time, so what is wanted now is this one's answer, or none."""
+        """One job runs at a time, so the result belongs to the current callback, if any."""
         if self._done is not None:
             self._done(result)
 
@@ -206,6 +210,6 @@ class LatestJob(QObject):
         self._begin()
 
     def shut_down(self) -> None:
-        """Forget, and wait for the job under way."""
+        """Discard, and wait for the running job."""
         self.forget()
         self._owner.shut_down()

@@ -1,1 +1,1 @@
-"""What is kept between runs: settings, colours, wearers, images."""
+"""Persistent data: settings, colours, wearers, images."""

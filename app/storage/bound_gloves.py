@@ -1,4 +1,4 @@
-"""Gloves that were set up once, known again by the number in their HELLO wherever they are."""
+"""Gloves that were set up before, recognized by their number on any port."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from app.words import tr
 
 @dataclass(frozen=True)
 class BoundGlove:
-    """Side, files and wearer (a name, or empty) of one glove; ``port`` where it is found if that is
-    on no list, such as Bluetooth's."""
+    """Side, files and wearer (a name, or empty) of one glove; ``port`` if the system does not list
+    it, such as Bluetooth ports."""
 
     side: str
     glove: str
@@ -22,19 +22,19 @@ class BoundGlove:
 
 
 def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
-    """What the glove of that number was bound to; None where it is new, or told no number."""
+    """The stored glove of that number; None if it is new or has not reported a number."""
     said = settings.gloves.get(str(glove_id)) if glove_id is not None else None
     if not isinstance(said, dict):
         return None
     words = [said.get(name) for name in ("side", "glove", "hand", "wearer")]
-    words.append(said.get("port", ""))  # older versions kept none
+    words.append(said.get("port", ""))  # older versions did not store it
     if not all(isinstance(word, str) for word in words):
         return None
     return BoundGlove(*map(str, words))
 
 
 def bound_of(settings: AppSettings, side: str) -> tuple[int, BoundGlove] | None:
-    """Number and files of the glove that was bound to this side last."""
+    """Number and files of the glove used last on this side."""
     for number in reversed([n for n in settings.gloves if n.isdecimal()]):
         known = bound(settings, int(number))
         if known is not None and known.side == side:
@@ -43,20 +43,20 @@ def bound_of(settings: AppSettings, side: str) -> tuple[int, BoundGlove] | None:
 
 
 def ports_of(settings: AppSettings) -> list[str]:
-    """Where gloves were found that are on no list."""
+    """Ports of gloves that the system does not list."""
     known = (bound(settings, int(number)) for number in settings.gloves if number.isdecimal())
     return [glove.port for glove in known if glove is not None and glove.port]
 
 
 def with_bound(settings: AppSettings, glove_id: int, glove: BoundGlove) -> dict[str, Any]:
-    """The gloves of the settings with this one, to be kept."""
+    """The gloves of the settings including this one, to be stored."""
     others = {number: g for number, g in settings.gloves.items() if number != str(glove_id)}
     return {**others, str(glove_id): asdict(glove)}
 
 
 def as_bound(settings: AppSettings, glove_id: int | None) -> tuple[AppSettings, str]:
-    """The settings with the files that the glove was bound to, and a sentence where they are other
-    than those chosen last: a left glove is not tracked with a right one's files."""
+    """The settings with the files of the recognized glove, and a message if they differ from those
+    used last: a left glove must not be tracked with the files of a right one."""
     known = bound(settings, glove_id)
     if known is None or (known.glove, known.hand) == (settings.glove, settings.hand):
         return settings, ""

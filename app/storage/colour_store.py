@@ -16,7 +16,7 @@ _log = logging.getLogger(__name__)
 
 
 DELAY_MS = 400
-"""A slider that is being moved writes once."""
+"""A moving slider causes only one write."""
 
 
 class ColourStore:
@@ -29,13 +29,13 @@ class ColourStore:
         return self.folder / f"{slug(camera)}.toml"
 
     def cameras(self) -> list[str]:
-        """Names of the files that are there, without their suffix."""
+        """Names of the existing files, without suffix."""
         return sorted(p.stem for p in self.folder.glob("*.toml"))
 
     def load(self, camera: str, like: ColourProfile) -> ColourProfile | None:
-        """The camera's profile if there is one with the hues of ``like``, in their order.
+        """The camera's profile if it has the hues of ``like``, in the same order.
 
-        One that cannot be read is said in the log and left where it is.
+        A file that cannot be read is logged and not changed.
         """
         path = self.path(camera)
         if not path.is_file():
@@ -48,12 +48,12 @@ class ColourStore:
         return profile if profile.hue_names == like.hue_names else None
 
     def save(self, camera: str, profile: ColourProfile) -> None:
-        """Raises FileError where the disk refuses."""
+        """Raises FileError if it cannot be written."""
         write_kept(self.path(camera), profile_to_toml(profile))
 
 
 class ColourAutosave(QObject):
-    """The store of one camera at a time; without a camera (a replay) nothing is kept."""
+    """Stores the colours of one camera at a time; without a camera (a replay) nothing is stored."""
 
     failed = Signal(str)
 
@@ -67,13 +67,13 @@ class ColourAutosave(QObject):
         self._timer.timeout.connect(self.write)
 
     def open(self, camera: str, like: ColourProfile) -> ColourProfile | None:
-        """Turn to another camera; its profile if one is kept that fits ``like``."""
+        """Switch to another camera; its stored profile if it matches ``like``."""
         self.write()
         self.camera = slug(camera) if camera else ""
         return self.store.load(camera, like) if camera else None
 
     def others(self) -> list[str]:
-        """Cameras whose colours could be taken over."""
+        """Cameras whose colours can be copied."""
         return [c for c in self.store.cameras() if c != self.camera]
 
     def changed(self, profile: ColourProfile) -> None:
@@ -82,7 +82,7 @@ class ColourAutosave(QObject):
             self._timer.start(DELAY_MS)
 
     def write(self) -> None:
-        """Write what waits."""
+        """Write a pending profile."""
         self._timer.stop()
         profile, self._waiting = self._waiting, None
         if profile is None:

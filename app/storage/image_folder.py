@@ -1,4 +1,4 @@
-"""Images kept for tuning colours: both cameras side by side as PNG files in a folder."""
+"""Images stored for tuning colours: both cameras side by side as PNG files in a folder."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tracker.base.files import write_kept
 
 Image = NDArray[np.uint8]
 MOST = 24
-"""Images kept for a camera; the oldest goes when one more comes."""
+"""Images stored per camera; adding one more deletes the oldest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,9 +30,10 @@ class KeptImage:
 
 
 def read_image(path: Path) -> KeptImage:
-    """A PNG (or any image); twice as wide as high or more, it is a side-by-side pair.
+    """Read a PNG (or any image); if it is at least twice as wide as high, it is a side-by-side
+    pair.
 
-    Raises FileError in words.
+    Raises FileError.
     """
     image = cv2.imread(str(path), cv2.IMREAD_COLOR)
     if image is None:
@@ -47,7 +48,7 @@ def read_image(path: Path) -> KeptImage:
 
 
 def write_image(path: Path, shot: KeptImage) -> None:
-    """The pair side by side, lossless. Raises FileError in words."""
+    """Write the pair side by side, lossless. Raises FileError."""
     sides = [shot.left] if shot.right is None else [shot.left, shot.right]
     ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
     if not ok:
@@ -56,7 +57,7 @@ def write_image(path: Path, shot: KeptImage) -> None:
 
 
 class ImageFolder:
-    """The kept images of one camera, by name; the newest last."""
+    """The stored images of one camera, by name; the newest last."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -65,7 +66,7 @@ class ImageFolder:
         return sorted(p.stem for p in self.folder.glob("*.png"))
 
     def free_name(self, now: datetime) -> str:
-        """A name of the time of day that no kept image has."""
+        """An unused name from the date and time."""
         name = stem = now.strftime("%Y-%m-%d %H-%M-%S")
         number = 2
         while self.path(name).exists():
@@ -79,7 +80,7 @@ class ImageFolder:
         return read_image(self.path(name))
 
     def keep(self, shot: KeptImage) -> None:
-        """Write an image; beyond `MOST` the oldest ones go."""
+        """Write an image; delete the oldest ones beyond `MOST`."""
         write_image(self.path(shot.name), shot)
         for old in self.names()[:-MOST]:
             self.remove(old)

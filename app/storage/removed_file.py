@@ -1,4 +1,4 @@
-"""A small file of the user's that was removed and can be put back."""
+"""A small file that was removed and can be restored."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class RemovedFile:
     data: bytes
 
     def put_back(self) -> None:
-        """Write it again. Raises FileError, also where there is another one of its name by now."""
+        """Write it again. Raises FileError, also if the file exists again."""
         if self.path.exists():
             raise FileError(
                 tr("{} exists again; it is not replaced by the removed one.").format(self.path.name)
@@ -27,7 +27,7 @@ class RemovedFile:
 
 
 def remove_file(path: Path) -> RemovedFile:
-    """Remove a file that is small enough for memory. Raises FileError."""
+    """Remove a file, reading it into memory. Raises FileError if it is too large."""
     try:
         data = path.read_bytes()
         path.unlink()

@@ -1,7 +1,7 @@
-"""Words that the user puts on sessions, each session's in a small file beside it.
+"""Tags of sessions, each session's in a small file next to it.
 
 ``P01_pinch.mcap`` has ``P01_pinch.tags.json``: the session itself is never written again, so that
-its bits stay those that were recorded, and the words go with it to another folder or computer.
+its bits do not change, and the tags can be copied with it to another folder or computer.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ _log = logging.getLogger(__name__)
 
 
 def tags_path(session: Path) -> Path:
-    """Where the session's words are kept; there is no file while it has none."""
+    """The file of the session's tags; it does not exist without tags."""
     return session.with_name(session.stem + SUFFIX)
 
 
 def tags_of_text(text: str) -> tuple[str, ...]:
-    """Words between commas, each once, in the order in which they were written."""
+    """Words separated by commas, each once, in their order."""
     return tuple(dict.fromkeys(" ".join(word.split()) for word in text.split(",") if word.strip()))
 
 
 def read_tags(session: Path) -> tuple[str, ...]:
-    """The session's words; none where there is no such file, or none that can be read."""
+    """The session's tags; empty if there is no readable file."""
     path = tags_path(session)
     try:
         if path.stat().st_size > MOST_BYTES:
@@ -46,7 +46,7 @@ def read_tags(session: Path) -> tuple[str, ...]:
 
 
 def write_tags(session: Path, tags: Iterable[str]) -> None:
-    """Keep these words, or remove the file where there are none. Raises FileError."""
+    """Write these tags, or remove the file if there are none. Raises FileError."""
     path, words = tags_path(session), list(tags)
     try:
         if words:
@@ -58,7 +58,7 @@ def write_tags(session: Path, tags: Iterable[str]) -> None:
 
 
 def move_tags(before: Path, after: Path) -> None:
-    """The session has another name. Raises FileError."""
+    """Rename the tags with their session. Raises FileError."""
     path = tags_path(before)
     if not path.exists():
         return

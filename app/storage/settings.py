@@ -1,8 +1,8 @@
-"""What the window remembers between runs: one small JSON file, versioned, replaced atomically.
+"""The settings of the window: one small JSON file, versioned, replaced atomically.
 
-A file of an earlier version is migrated step by step (`MIGRATIONS`) after a copy of it was put
-beside it; one that cannot be read, or that a later version wrote, is set aside under another name.
-What happened is said once, in `SettingsStore.notice`.
+A file of an earlier version is migrated step by step (`MIGRATIONS`) after a copy of it was made; a
+file that cannot be read, or that a later version wrote, is renamed. `SettingsStore.notice` contains
+a message about it.
 """
 
 from __future__ import annotations
@@ -28,57 +28,61 @@ _log = logging.getLogger(__name__)
 
 @dataclass(frozen=True)
 class AppSettings:
-    """The user's choices; every field has a default that serves a first start."""
+    """The user's settings; the defaults are for a first start."""
 
     version: int = VERSION
     language: str = "system"  # "system", "en" or the code of a language that is complete
     theme: str = "system"  # "system", "light" or "dark"
     geometry: str = ""  # base64 of QWidget.saveGeometry
-    layout: dict[str, Any] = field(default_factory=dict)  # as the program ended
-    job: str = "watch"  # whose layout is on; empty: one of ``layouts``
-    job_layouts: dict[str, Any] = field(default_factory=dict)  # of each job, as it was left
-    layouts: dict[str, Any] = field(default_factory=dict)  # those with a name
+    layout: dict[str, Any] = field(default_factory=dict)  # at the end of the program
+    job: str = "watch"  # the current layout; empty: one of ``layouts``
+    job_layouts: dict[str, Any] = field(
+        default_factory=dict
+    )  # customized versions of the standard layouts
+    layouts: dict[str, Any] = field(default_factory=dict)  # named layouts
     sessions_folder: str = ""
     recent: list[str] = field(default_factory=list)  # sessions opened or recorded last
-    recording: str = ""  # the file being written; a start after a crash asks for it
+    recording: str = ""  # the file being written; checked at the next start after a crash
     library_columns: list[int] = field(default_factory=list)  # their widths, px
     export: dict[str, Any] = field(default_factory=dict)  # the last `ExportChoice`
-    export_presets: dict[str, Any] = field(default_factory=dict)  # others, by name
+    export_presets: dict[str, Any] = field(default_factory=dict)  # named ones
     export_folder: str = ""  # the last one
     participant: str = ""
     task: str = ""
-    recording_name: str = ""  # the template of file names; empty for the usual one
+    recording_name: str = ""  # template of file names; empty for the default
     countdown: int = 0  # s before a recording begins
     countdown_sound: bool = False
-    guided_sound: bool = True  # a beep when a guided pose has been held
-    wearers: dict[str, Any] = field(default_factory=dict)  # by side: whose calibration is used
-    demo_wearers: dict[str, Any] = field(default_factory=dict)  # never a real wearer's
+    guided_sound: bool = True  # beep when a guided pose has been held
+    wearers: dict[str, Any] = field(default_factory=dict)  # by side: wearer of the glove
+    demo_wearers: dict[str, Any] = field(default_factory=dict)  # by side, for the demo only
     pose_reset_key: str = "R"
     pose_reset_countdown: int = 3  # s
     pose_reset_sound: bool = True
     pose_reset_tap: bool = False  # two taps on the glove reset the pose, too
-    engine: str = "chain"  # what tracks
-    curves: str = ""  # which of the sensors panel are shown
-    graphs: dict[str, Any] = field(default_factory=dict)  # of the graphs panel; also by name
-    angle_unit: str = "deg"  # or "rad": of the motion panel
+    engine: str = "chain"  # the tracking engine
+    curves: str = ""  # selection of the sensors panel
+    graphs: dict[str, Any] = field(
+        default_factory=dict
+    )  # of the graphs panel, including named layouts
+    angle_unit: str = "deg"  # or "rad"; for the motion panel
     view_3d: str = "auto"  # "auto", "card" or "painted"
-    card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted
-    both_hands: bool = False  # the other hand's glove is expected where it is not there
+    card_trial: bool = False  # the GPU renderer has not yet drawn enough images to be trusted
+    both_hands: bool = False  # the other hand's glove is expected, too
     hand: str = "reference-right"
     glove: str = "vist-small"
-    gloves: dict[str, Any] = field(default_factory=dict)  # `BoundGlove`s, by their numbers
+    gloves: dict[str, Any] = field(default_factory=dict)  # `BoundGlove`s, by number
     port: str = ""
-    baud: int = 0  # of the glove's line; 0: whichever it answers at
-    glove_rate: int = 100  # packets a second that a glove is asked for
+    baud: int = 0  # of the glove's line; 0: automatic
+    glove_rate: int = 100  # packets per second requested from a glove
     camera: str = ""  # see `app.engines.camera_choice`
-    camera_exchanged: bool = False  # left and right images change places
+    camera_exchanged: bool = False  # left and right images are swapped
     camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`
     calibration: str = ""  # path of the stereo calibration
     streams: dict[str, Any] = field(default_factory=dict)  # table of `StreamSettings`
     remote: dict[str, Any] = field(default_factory=dict)  # table of `ConnectionSettings`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
     robot: dict[str, Any] = field(default_factory=dict)  # of `extensions.robot.settings`
-    robot_port: int = 0  # of its states by UDP; 0: they are not sent
+    robot_port: int = 0  # UDP port of its states; 0: not sent
     board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 
 
@@ -86,17 +90,17 @@ Migration = Callable[[dict[str, Any]], dict[str, Any]]
 
 
 def _from_1(data: dict[str, Any]) -> dict[str, Any]:
-    """Version 2 has other docks: where those of version 1 stood would hide the new ones."""
+    """Version 2 has other docks: the positions of version 1 would hide the new ones."""
     return {**data, "layout": ""}
 
 
 def _from_2(data: dict[str, Any]) -> dict[str, Any]:
-    """Version 3 keeps layouts as shares of the window, not in px."""
+    """Version 3 stores layouts relative to the window, not in px."""
     return {**data, "layout": {}}
 
 
 def _from_3(data: dict[str, Any]) -> dict[str, Any]:
-    """Version 4 has the names of wearers by side."""
+    """Version 4 stores the names of wearers by side."""
     out = dict(data)
     for prefix in ("", "demo_"):
         right, left = out.pop(f"{prefix}wearer", ""), out.pop(f"{prefix}left_wearer", "")
@@ -109,7 +113,7 @@ MIGRATIONS: dict[int, Migration] = {1: _from_1, 2: _from_2, 3: _from_3}
 
 
 class SettingsStore:
-    """Reads and writes `AppSettings`. ``notice``: a sentence about the file, or empty."""
+    """Reads and writes `AppSettings`. ``notice``: a message about the file, or empty."""
 
     def __init__(self, path: Path | None = None) -> None:
         folder = Path(platformdirs.user_config_dir("glovetrack", appauthor=False))
@@ -137,7 +141,7 @@ class SettingsStore:
             return AppSettings()
 
     def _back_up(self, version: int) -> None:
-        """A copy as version ``version`` left it, so that one can go back to it."""
+        """Copy the file of version ``version``, to allow downgrades."""
         copy = free_path(self.path.with_suffix(f".v{version}.json"))
         shutil.copy2(self.path, copy)
         _log.info("Settings of version %d are kept as %s.", version, copy)
@@ -162,14 +166,14 @@ def _version_of(data: Any) -> int:
 
 
 def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
-    """Settings of ``version`` as those of today."""
+    """Settings of ``version`` converted to the current version."""
     for step in range(version, VERSION):
         data = {**MIGRATIONS[step](data), "version": step + 1}
     return data
 
 
 def _settings_from(data: dict[str, Any]) -> AppSettings:
-    """Settings from JSON. Unknown keys are dropped; wrong types are ValueErrors."""
+    """Settings from JSON. Unknown keys are dropped; wrong types raise ValueError."""
 
     def complain(key: str, why: str) -> None:
         if why != UNKNOWN:
@@ -179,12 +183,12 @@ def _settings_from(data: dict[str, Any]) -> AppSettings:
 
 
 def wearer_of(settings: AppSettings, side: str, of_demo: bool = False) -> str:
-    """The wearer of the glove on one side ("left" or "right"); empty if none is chosen."""
+    """The wearer of the glove on one side ("left" or "right"); empty if none is selected."""
     return str((settings.demo_wearers if of_demo else settings.wearers).get(side, ""))
 
 
 def sessions_folder(settings: AppSettings) -> Path:
-    """Where recordings go: the user's choice, else the documents folder."""
+    """The folder for recordings: the user's choice, else the documents folder."""
     if settings.sessions_folder:
         return Path(settings.sessions_folder)
     return Path(platformdirs.user_documents_dir()) / "Glovetrack"

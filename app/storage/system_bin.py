@@ -19,8 +19,8 @@ from tracker.base.files import disk_error
 class Binned:
     """A session in the bin.
 
-    ``moved``: pairs of where each of its files was and where it is in the bin. A system that does
-    not report the latter leaves it None; the session can then be restored from the bin itself.
+    ``moved``: pairs of the original path of each file and its path in the bin. If the system does
+    not report the latter, it is None; the session can then be restored only with the file manager.
     """
 
     path: Path
@@ -32,7 +32,7 @@ class Binned:
 
 
 def to_bin(path: Path) -> Binned:
-    """Move a session and its tags to the bin. Raises FileError where there is none."""
+    """Move a session and its tags to the bin. Raises FileError if there is no bin."""
     done, there = move_to_bin(path)
     if not done:
         raise FileError(tr("{} cannot be moved to the bin.").format(path.name))
@@ -43,7 +43,7 @@ def to_bin(path: Path) -> Binned:
 
 
 def move_to_bin(path: Path) -> tuple[bool, Path | None]:
-    """Whether the file was moved, and where it is now if the system reports that."""
+    """Whether the file was moved, and its new path if the system reports it."""
     file = QFile(str(path))
     done = file.moveToTrash()
     there = Path(file.fileName()) if done and file.fileName() else None
@@ -51,7 +51,8 @@ def move_to_bin(path: Path) -> tuple[bool, Path | None]:
 
 
 def restore(binned: Sequence[Binned]) -> None:
-    """Move sessions back to where they were. Raises FileError; what was restored by then stays."""
+    """Move sessions back to their original paths. Raises FileError; sessions restored by then
+    stay."""
     for session in binned:
         if session.path.exists():
             raise FileError(

@@ -21,7 +21,7 @@ SUFFIX = ".toml"
 
 
 def _is_same(path: Path, wearer: WearerFile) -> bool:
-    """Whether the file contains just this profile."""
+    """Whether the file contains exactly this profile."""
     try:
         return read_text(path) == wearer_text(wearer)
     except FileError:
@@ -29,7 +29,7 @@ def _is_same(path: Path, wearer: WearerFile) -> bool:
 
 
 class WearerStore:
-    """One file per person in ``folder``; people are known by the name they were saved under."""
+    """One file per wearer in ``folder``, with the name it was saved under."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -43,20 +43,20 @@ class WearerStore:
         return self.folder / f"{kept_name(name)}{SUFFIX}"
 
     def load(self, name: str, layout: ChainLayout) -> WearerFile:
-        """Raises FileError where there is none, or one of another glove."""
+        """Raises FileError if there is none, or if it is for another glove."""
         return read_wearer(self.path(name), layout)
 
     def save(self, name: str, wearer: WearerFile) -> str:
-        """Write the file and return the name it has: ``name``, or with the glove's name appended
-        where a profile of that name is for another hand or glove. Raises FileError."""
+        """Write the file and return its name: ``name``, or with the glove's name appended if a
+        profile of that name is for another hand or glove. Raises FileError."""
         if self.path(name).exists() and not is_for(self.path(name), wearer.layout):
             name = f"{name} {wearer.layout.glove.name}"
         write_wearer(self.path(name), wearer)
         return kept_name(name)
 
     def take_in(self, path: Path, layout: ChainLayout) -> str:
-        """Keep a file of elsewhere under its own name, with a number if another person's profile
-        has that name; the name that it is kept under. Raises FileError."""
+        """Import a file under its own name, with a number if another profile has that name; returns
+        the name. Raises FileError."""
         wearer = read_wearer(path, layout)
         stem = kept_name(path.stem)[:50].strip(" ._") or kept_name("")
         name, n = stem, 1
@@ -68,5 +68,5 @@ class WearerStore:
         return self.save(name, wearer)
 
     def remove(self, name: str) -> RemovedFile:
-        """Raises FileError where there is none, or the disk refuses."""
+        """Raises FileError if it does not exist or cannot be removed."""
         return remove_file(self.path(name))

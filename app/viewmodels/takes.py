@@ -68,7 +68,7 @@ def report_text(report: TakeReport) -> str:
 
 
 def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
-    """How long its glove was silent, if it was, and how long it was tracked."""
+    """Time without data from the hand's glove, if any, and tracked time."""
     parts = []
     if hand.glove_silent:
         parts.append(tr("nothing from the glove for {:.1f} s").format(local(hand.glove_silent)))
@@ -82,7 +82,7 @@ def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
 
 
 def of_hand(side: str, words: str) -> str:
-    """What is said of one hand of two."""
+    """A text about one of two hands."""
     pattern = tr("left hand: {}") if side == "left" else tr("right hand: {}")
     return pattern.format(words)
 
@@ -94,7 +94,8 @@ def packets_lost(count: int) -> str:
 
 
 class HandNow(NamedTuple):
-    """A hand at this instant: its status, the newest packets of its glove, the names of IMUs."""
+    """The current state of a hand: its status, the newest packets of its glove, the names of
+    IMUs."""
 
     side: str
     status: Status
@@ -104,14 +105,13 @@ class HandNow(NamedTuple):
 
 
 Missing = dict[str, str]
-"""What a recording lacks at this instant: the words for each device, sensor and hand by a key."""
+"""Data that a recording currently lacks: texts for each device, sensor and hand, by a key."""
 
 
 def missing_now(hands: Sequence[HandNow], image_rate: float | None) -> Missing:
-    """What does not arrive at this instant; empty where everything does.
+    """Data that do not arrive at this instant; empty if all do.
 
-    ``image_rate``: images a second that the camera should give; 0 where that is not known, None
-    where there is no camera.
+    ``image_rate``: nominal images per second of the camera; 0 if unknown, None without a camera.
     """
     missing = {} if image_rate is None else _missing_images(hands[0].status, image_rate)
     for hand in hands:
@@ -123,7 +123,7 @@ def missing_now(hands: Sequence[HandNow], image_rate: float | None) -> Missing:
 
 
 def missing_text(missing: Missing) -> str:
-    """One sentence; empty where nothing is missing."""
+    """One sentence; empty if nothing is missing."""
     if not missing:
         return ""
     return tr("This recording is incomplete: {}.").format("; ".join(missing.values()))
@@ -154,21 +154,23 @@ def _missing_imus(hand: HandNow) -> Missing:
 
 
 class MissingWatch:
-    """Follows what is missing through a recording, without reports of what is brief.
+    """Reports missing data during a recording, and ignores short interruptions.
 
-    A part is reported once it was missing in ``APPEAR`` looks in a row, from the recording's first
-    look on at once; and until it was there in ``DISAPPEAR`` looks in a row.
+    A part is reported after it was missing in ``APPEAR`` checks in a row, or at once in the first
+    check of a recording; the report ends after it was present in ``DISAPPEAR`` checks in a row.
     """
 
     APPEAR, DISAPPEAR = 2, 3
 
     def __init__(self) -> None:
         self._shown: Missing = {}
-        self._looks: dict[str, int] = {}  # in a row in which the part is not as it is reported
+        self._looks: dict[
+            str, int
+        ] = {}  # number of consecutive checks in which a part differs from its report
         self._first = True
 
     def look(self, now: Missing) -> Missing:
-        """What to report after this look; ``now``: see `missing_now`."""
+        """The report after this check; ``now``: see `missing_now`."""
         for key in {*now, *self._shown}:
             if (key in now) == (key in self._shown):
                 self._looks.pop(key, None)
@@ -189,7 +191,7 @@ class MissingWatch:
 
 
 def rename(path: Path, name: str) -> Path:
-    """Give a session another name in its folder. Raises FileError where that cannot be."""
+    """Rename a session within its folder. Raises FileError if that is not possible."""
     stem = name_part(name.strip().removesuffix(path.suffix))
     target = path.with_name(f"{stem}{path.suffix}")
     if not stem:

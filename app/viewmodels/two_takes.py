@@ -1,6 +1,6 @@
-"""Two takes on one time axis: that of the first one's replay, in s from its first measurement.
+"""Two recordings on one time axis: that of the first one's replay, in s from its first measurement.
 
-``offset`` is where on it the second one begins.
+``offset``: start of the second recording on this axis.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from tracker.session.images import PackedFrame
 from tracker.session.motion import instants
 from tracker.session.reader import SessionReader
 
-LATEST = 0.3  # s before an instant within which an image still shows it
+LATEST = 0.3  # maximum age of an image in s at which it is shown for an instant
 Image = NDArray[np.uint8]
 
 
@@ -50,13 +50,14 @@ class TakeAngles:
     angles: Array
 
     def curve(self, name: str) -> tuple[Array, Array]:
-        """Times (s) and values (rad) of an angle to draw a line through."""
+        """Times (s) and values (rad) of an angle, as a line."""
         return with_breaks(self.t, self.angles[:, self.names.index(name)])
 
 
 @dataclass(frozen=True)
 class AngleDifference:
-    """Of a joint angle, rad, over ``common`` s in which both takes know it."""
+    """Difference of a joint angle, rad, over ``common`` s in which it is known in both
+    recordings."""
 
     rms: float
     largest: float
@@ -70,18 +71,19 @@ class TwoTakes:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The joint angles that both have, in the first one's order."""
+        """The joint angles that both have, in the order of the first."""
         return tuple(n for n in self.first.names if n in self.second.names)
 
     @property
     def by_clock(self) -> float | None:
-        """The offset that the computers' clocks tell; None where the takes do not overlap."""
+        """The offset according to the computers' clocks; None if the recordings do not overlap."""
         offset = (self.second.wall_ns - self.first.wall_ns) / NS
         apart = offset > self.first.duration or offset < -self.second.duration
         return None if apart else offset
 
     def by_movement(self) -> Match:
-        """Where their angles' speeds fit best. Raises FileError where nothing fits, or too much."""
+        """The offset with the best match of angular velocities. Raises FileError without an
+        unambiguous match."""
         one, other = (
             course_of_angles(take.wall_ns, take.t, take.angles[:, columns])
             for take, columns in ((t, [t.names.index(n) for n in self.names]) for t in self._both)
@@ -90,7 +92,7 @@ class TwoTakes:
 
     @property
     def kept(self) -> float | None:
-        """The offset that was kept beside the second one, for the first one; None without one."""
+        """The offset stored next to the second recording for the first; None without one."""
         path = kept_beside(self.second.path)
         if not path.is_file():
             return None
@@ -101,7 +103,7 @@ class TwoTakes:
         return found.offset_s if found.first == self.first.path.name else None
 
     def keep(self, offset: float) -> Path:
-        """Write the offset beside the second one; where. Raises FileError."""
+        """Store the offset next to the second recording; returns the file. Raises FileError."""
         path = kept_beside(self.second.path)
         by_clock = (self.second.wall_ns - self.first.wall_ns) / NS
         names = self.first.path.name, self.second.path.name

@@ -34,7 +34,7 @@ def choice(parent: QWidget, title: str, words: str, items: Sequence[str]) -> str
 
 
 def answer(parent: QWidget, title: str, words: str, text: str = "") -> str:
-    """What is answered, without space around it; empty where nothing is, or not now."""
+    """The text entered, without surrounding white space; empty if cancelled."""
     dialog = question(parent, title, words, text)
     said: list[str] = []
     dialog.textValueSelected.connect(said.append)
@@ -43,7 +43,8 @@ def answer(parent: QWidget, title: str, words: str, text: str = "") -> str:
 
 
 def title_width(title: str) -> int:
-    """px that a window needs for it: frames write it in bold, and cut what is longer."""
+    """Window width in px for a title, which window frames show in bold and truncate if
+    necessary."""
     font = QApplication.font()
     font.setBold(True)
     return min(WIDEST, QFontMetrics(font).horizontalAdvance(title) + BUTTONS)

@@ -29,7 +29,7 @@ LOW, HIGH, BOTH = "low", "high", "both"
 
 
 class PlainRangeSlider(QWidget):
-    """``changed`` says the new pair, ``released`` that a handle was let go."""
+    """``changed``: the new pair; ``released``: a handle was released."""
 
     changed = Signal(int, int)
     released = Signal()
@@ -71,13 +71,14 @@ class PlainRangeSlider(QWidget):
 
 
 class HueRangeSlider(QWidget):
-    """Two handles on hues 0..``top``; the interval goes from the low one upward to the high one.
+    """Two handles on hues 0..``top``; the interval extends from the first one upward to the last
+    one.
 
-    A handle is dragged, or the bar between them. Keys: left and right move the marked handle, down
-    marks the low one and up the high one.
+    A handle or the bar between them can be dragged. Keys: left and right move the selected handle,
+    down selects the first and up the last one.
     """
 
-    changed = Signal(int, int)  # low, high; low > high where it runs through 0
+    changed = Signal(int, int)  # low, high; low > high if the interval contains 0
     released = Signal()
 
     def __init__(self, top: int, parent: QWidget | None = None) -> None:
@@ -103,7 +104,7 @@ class HueRangeSlider(QWidget):
         return self._low, self._high
 
     def set_values(self, low: int, high: int) -> None:
-        """Show an interval without a signal."""
+        """Show an interval without emitting a signal."""
         self._low, self._high = low, high
         self.update()
 
@@ -121,14 +122,14 @@ class HueRangeSlider(QWidget):
         return min(max(int(share * self._hues), 0), self._hues - 1)
 
     def bars(self) -> list[tuple[float, float]]:
-        """Left and right end (px) of each part of the bar: two where it runs through 0."""
+        """Left and right end (px) of each part of the bar: two parts if it contains 0."""
         a, b = self._x(self._low), self._x(self._high)
         if self._low <= self._high:
             return [(a, b)]
         return [(a, self._x(self._hues - 0.5)), (self._x(-0.5), b)]
 
     def _grip(self, x: float) -> str | None:
-        """What a press at ``x`` takes hold of."""
+        """The part that a press at ``x`` drags."""
         to_low, to_high = abs(x - self._x(self._low)), abs(x - self._x(self._high))
         if min(to_low, to_high) <= HANDLE:
             return LOW if to_low <= to_high else HIGH
@@ -206,7 +207,7 @@ class HueRangeSlider(QWidget):
         painter.end()
 
     def _paint_groove(self, painter: QPainter, top: float) -> None:
-        """All hues, faint where the interval is not."""
+        """Draw all hues, fainter outside the interval."""
         step = 2
         for hue in range(0, self._hues, step):
             inside = (hue - self._low) % self._hues <= (self._high - self._low) % self._hues
@@ -223,9 +224,9 @@ class HueRangeSlider(QWidget):
 
 
 class RangeRow(QWidget):
-    """``changed`` says the new pair and whether a handle is still held.
+    """``changed``: the new pair, and whether a handle is still held.
 
-    With ``wraps`` the first number may be the larger one: the interval runs through 0.
+    With ``wraps`` the first number may exceed the second: the interval contains 0.
     """
 
     changed = Signal(int, int, bool)
@@ -252,7 +253,7 @@ class RangeRow(QWidget):
         box = NumberBox()
         box.setRange(0, top)
         box.setWrapping(self._wraps)
-        box.setButtonSymbols(NumberBox.ButtonSymbols.NoButtons)  # the arrow keys count
+        box.setButtonSymbols(NumberBox.ButtonSymbols.NoButtons)  # the arrow keys change the number
         box.setFixedWidth(42)
         return box
 
@@ -267,8 +268,8 @@ class RangeRow(QWidget):
         return self.low.value(), self.high.value()
 
     def set_values(self, low: int, high: int, spare_focused: bool = False) -> None:
-        """Show a pair without a signal; with ``spare_focused`` a number with the keyboard's focus
-        shows it once it was edited."""
+        """Show a pair without emitting a signal; with ``spare_focused`` a focused field is updated
+        after it was edited."""
         self._pair = low, high
         for box, value in ((self.low, low), (self.high, high)):
             if spare_focused and box.hasFocus():

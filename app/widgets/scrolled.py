@@ -1,4 +1,4 @@
-"""A panel that scrolls where its dock is too small for it, instead of being cut off."""
+"""A panel that scrolls if its dock is too small for it."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from PySide6.QtCore import QEvent, QObject, QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
-SMALLEST = QSize(220, 60)  # px; two such above each other fit on a screen at 200 %
+SMALLEST = QSize(220, 60)  # px; two of these above each other fit on a screen at 200 %
 
 
 class Scrolled(QScrollArea):
-    """Gives the panel all the space there is and scrolls only below what it needs at least.
+    """Gives the panel all available space and scrolls only below its minimum size.
 
-    Qt's own way (``widgetResizable``) scrolls already below what a panel with wrapped text would
-    like to have, though its images and tables could give way.
+    Qt's own behaviour (``widgetResizable``) already scrolls below the preferred size of a panel
+    with wrapped text, although its images and tables could shrink.
     """
 
     def __init__(self, panel: QWidget, parent: QWidget | None = None) -> None:

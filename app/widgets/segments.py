@@ -1,4 +1,4 @@
-"""A segmented control: one of a few, each a word."""
+"""A segmented control for a choice between a few words."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 
 class Segments(QWidget):
-    """Buttons of ``actions`` side by side; at most one is on, none while nothing is chosen."""
+    """Buttons of ``actions`` side by side, of which at most one is checked."""
 
     def __init__(self, actions: Sequence[QAction], parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""How the shapes of an overlay are painted: lines keep their width at any zoom."""
+"""Painting of overlay shapes: line widths do not depend on the zoom."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _paint_cross(painter: QPainter, shape: Cross, centre: QPointF) -> None:
 
 
 def _paint_label(painter: QPainter, shape: ImageLabel, anchor: QPointF) -> None:
-    """Text with a dark edge, so that it reads on any image."""
+    """Text with a dark outline, legible on any image."""
     where = anchor + QPointF(5, -4)
     painter.setPen(QColor(0, 0, 0, 200))
     for dx, dy in ((1, 1), (-1, 1)):

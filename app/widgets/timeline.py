@@ -1,4 +1,4 @@
-"""A line of time with a playhead, an in and an out point, and signs where something happened."""
+"""A time line with a playhead, an in and an out point, and marks for events."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-MARGIN = 9  # px left and right, so that a handle at the end is whole
-REACH = 6  # px within which the mouse takes a handle or finds a mark
+MARGIN = 9  # px left and right, so that a handle at the end is not clipped
+REACH = 6  # px within which the mouse selects a handle or a mark
 TRACK = QColor(128, 128, 128, 90)
 PLAYHEAD, HANDLE = "head", ("in", "out")
 
 
 @dataclass(frozen=True)
 class Mark:
-    """Something at ``position`` s; ``sign`` says its kind beside the colour; an empty one is that
-    of text."""
+    """An event at ``position`` s; ``sign`` shows its kind in addition to the colour; an empty
+    colour is that of text."""
 
     position: float
     text: str
@@ -36,7 +36,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class TimelineSpan:
-    """A stretch from ``start`` to ``stop`` s that is drawn under the line; ``text`` is its tip."""
+    """An interval from ``start`` to ``stop`` s, drawn below the line; ``text`` is its tool tip."""
 
     start: float
     stop: float
@@ -45,7 +45,7 @@ class TimelineSpan:
 
 
 class TimelineBar(QWidget):
-    """Mouse: press and drag. Keys: arrows step images, Page goes by seconds, Home and End."""
+    """Mouse: press and drag. Keys: arrows step images, Page moves by seconds, Home and End."""
 
     sought = Signal(float)
     stepped = Signal(int)
@@ -71,7 +71,7 @@ class TimelineBar(QWidget):
         self.update()
 
     def show_spans(self, spans: Sequence[TimelineSpan]) -> None:
-        """Later ones are drawn over earlier ones."""
+        """Draw these intervals, later ones over earlier ones."""
         self.spans = tuple(spans)
         self.update()
 
@@ -81,18 +81,18 @@ class TimelineBar(QWidget):
             self.update()
 
     def show_range(self, in_out: tuple[float, float]) -> None:
-        """The range alone, while the mouse holds the playhead."""
+        """Update only the range while the mouse drags the playhead."""
         self.show_place(self._position, in_out)
 
     @property
     def held(self) -> bool:
-        """Whether the mouse holds something."""
+        """Whether the mouse is dragging."""
         return bool(self._held)
 
     # --- positions and pixels
 
     def x_of(self, position: float) -> float:
-        """Where a position (s) stands, px."""
+        """Coordinate of a position (s), px."""
         share = position / self._duration if self._duration > 0 else 0.0
         return MARGIN + share * (self.width() - 2 * MARGIN)
 
@@ -113,7 +113,7 @@ class TimelineBar(QWidget):
         return min(near, key=lambda m: abs(self.x_of(m.position) - x), default=None)
 
     def span_at(self, x: float) -> TimelineSpan | None:
-        """The shortest one there."""
+        """The shortest interval at a coordinate."""
         there = [s for s in self.spans if self.x_of(s.start) - 2 <= x <= self.x_of(s.stop) + 2]
         return min(there, key=lambda s: s.stop - s.start, default=None)
 

@@ -1,1 +1,1 @@
-"""Dialogs that lead through a set-up step by step."""
+"""Dialogs that guide through a set-up step by step."""

@@ -1,4 +1,4 @@
-"""The camera's set-up: which one, and what of its image is locked."""
+"""The camera dialog: selection of the camera, and locks of its controls."""
 
 from __future__ import annotations
 
@@ -44,12 +44,12 @@ from tracker.sensors.image_input import CameraName, Image
 TICK_MS = 200
 NAMES = {"exposure": mark("Exposure"), "gain": mark("Gain"), "white_balance": mark("White balance")}
 LARGEST = 100_000.0
-ABSENT = -1  # index of a camera that is chosen and not connected
-LIVE = 90  # px that an image is high at least
+ABSENT = -1  # index of a selected camera that is not connected
+LIVE = 90  # px, minimum height of an image
 
 
 class CameraSetup(FormDialog):
-    """Locks take effect at once. ``chosen`` says that another camera was stored."""
+    """Locks take effect immediately. ``chosen``: another camera was stored."""
 
     chosen = Signal()
 
@@ -65,7 +65,7 @@ class CameraSetup(FormDialog):
         self._host, self._store, self._tasks, self._find = host, store, tasks, find
         self._cameras: list[CameraName] = []
         self._searched = False
-        self._shown: str | None = None  # `choice` as it was last offered
+        self._shown: str | None = None  # `choice` as offered last
         self.setWindowTitle(self.tr("Camera set-up"))
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
         self.other_right = QLineEdit()
@@ -113,7 +113,7 @@ class CameraSetup(FormDialog):
         return form
 
     def _live(self) -> QWidget:
-        """What arrives now, where it can be seen whether left is left."""
+        """Live images, to check which one is the left one."""
         live = filler()
         row = QHBoxLayout(live)
         row.setContentsMargins(0, 0, 0, 0)
@@ -125,7 +125,7 @@ class CameraSetup(FormDialog):
     # --- which camera
 
     def search(self) -> None:
-        """Ask the system for its cameras."""
+        """List the cameras of the system."""
         self._tasks.run(self.tr("Looking for cameras"), lambda _progress: self._find(), self._found)
 
     def _found(self, cameras: list[CameraName]) -> None:
@@ -133,7 +133,7 @@ class CameraSetup(FormDialog):
         self._show_cameras(cameras)
 
     def _show_cameras(self, cameras: list[CameraName]) -> None:
-        """Offer these; what was edited meanwhile stays chosen, else what the settings hold."""
+        """Offer these cameras; keep an edited selection, otherwise select that of the settings."""
         edited = self._shown is not None and self.choice() != self._shown
         chosen = self.choice() if edited else self._store.value.camera
         self._cameras = cameras
@@ -153,7 +153,7 @@ class CameraSetup(FormDialog):
         self._shown = self.choice()
 
     def _show_choice(self, chosen: str) -> None:
-        """The settings' text, without its count: on the list, or as it was typed."""
+        """Show the setting, without its number of images: in the list, or as entered."""
         pair = chosen.startswith(PAIR)
         named = pair or chosen.startswith(NAME)
         first, second = chosen.removeprefix(NAME), ""
@@ -183,7 +183,7 @@ class CameraSetup(FormDialog):
             self.other.setText(name)
 
     def choice(self) -> str:
-        """As the settings hold it."""
+        """The selection as stored in the settings."""
         left, right = self.left.currentData(), self.right.currentData()
         count = "" if isinstance(right, CameraName) else str(right or "")
         address, beside = self.other.text().strip(), self.other_right.text().strip()
@@ -214,7 +214,7 @@ class CameraSetup(FormDialog):
             self.locks.show_controls(controls.controls())
 
     def _arriving(self) -> str:
-        """Show the images that come now; their size and rate, empty where none do."""
+        """Show the live images; returns their size and rate, empty without images."""
         view = self._host.snapshot()
         unfit = view.unfit if view is not None else None
         if unfit is not None:
@@ -241,7 +241,7 @@ class CameraSetup(FormDialog):
         return arriving
 
     def _name_images(self, alone: bool) -> None:
-        """One camera's image is no left one."""
+        """Name the image of a single camera "Camera" instead of "Left"."""
         self.images[0].set_title(self.tr("Camera") if alone else self.tr("Left"))
         self.images[1].setHidden(alone)
 
@@ -261,7 +261,7 @@ class CameraSetup(FormDialog):
 
 
 class LockBox(QGroupBox):
-    """A row per control: locked or not, and at which value."""
+    """A row for each control: whether it is locked, and at which value."""
 
     wanted = Signal(object)  # Locks
 
@@ -297,7 +297,7 @@ class LockBox(QGroupBox):
         self.boxes[name], self.values[name], self._states[name] = box, value, state
 
     def show_locks(self, locks: Locks) -> None:
-        """What the user wants."""
+        """Show the requested locks."""
         for name, box in self.boxes.items():
             value = getattr(locks, name)
             box.setChecked(value is not None)
@@ -305,7 +305,7 @@ class LockBox(QGroupBox):
                 self._put(name, value)
 
     def show_nothing(self, words: str) -> None:
-        """There is no camera whose controls could be asked for."""
+        """Show that there is no camera with controls."""
         self.words.setText(words)
         for widgets in (self.boxes, self.values):
             for widget in widgets.values():
@@ -314,7 +314,7 @@ class LockBox(QGroupBox):
             state.clear()
 
     def show_controls(self, controls: tuple[Control, ...]) -> None:
-        """What the camera says."""
+        """Show the state that the camera reports."""
         self.words.setText(self.tr("Automatic exposure changes the colours with every movement."))
         for control in controls:
             self._known[control.name] = control
@@ -331,7 +331,7 @@ class LockBox(QGroupBox):
         )
 
     def _clicked(self, name: str, on: bool) -> None:
-        """A lock begins at the value that the camera has found by itself."""
+        """Start a lock at the value that the camera has set automatically."""
         if on and name in self._known:
             self._put(name, self._known[name].value)
         self.values[name].setEnabled(on)

@@ -1,4 +1,4 @@
-"""The glove's firmware: which version it has, and writing the one that comes with the program."""
+"""The firmware dialog: version of the glove's firmware, and writing the included one."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LARGEST_NUMBER = 65535
 
 
 class FirmwareSetup(FormDialog):
-    """Tracking on the real glove is stopped before its firmware is written."""
+    """Stops tracking of a real glove before writing its firmware."""
 
     def __init__(
         self,
@@ -81,13 +81,13 @@ class FirmwareSetup(FormDialog):
 
     @property
     def _in_use(self) -> bool:
-        """Whether tracking holds a real glove's port."""
+        """Whether the port of a real glove is in use by tracking."""
         setup = self._host.setup
         live = setup is not None and not setup.simulated and setup.player is None
         return live and setup is not None and setup.connection.present
 
     def look(self) -> None:
-        """Ask the ports who is there; those in use are left alone."""
+        """Query the ports that are not in use."""
         if self._in_use:
             self._show_ports([PortReport(path, None) for path in serial_ports()])
             self.words.setText(self.tr("The glove is in use. Writing stops tracking first."))
@@ -173,6 +173,7 @@ class FirmwareSetup(FormDialog):
         self._allow()
 
     def _allow(self) -> None:
-        """One thing at a time: what ends later would end the writing's waiting, too."""
+        """Enable one action at a time: another job that ends would also end the waiting for the
+        writing."""
         self.again.setEnabled(not self._is_busy)
         self.write.setEnabled(not self._is_busy and bool(self.ports.currentText().strip()))

@@ -1,4 +1,4 @@
-"""A dialog that asks for a device: its port or name, what is known of it, and one thing to do."""
+"""Base class of dialogs that select a device: its port or name, its properties, and one action."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from app.wizards.sizing import fit_to_screen
 
 
 class FormDialog(QDialog):
-    """Not modal. ``again`` looks for devices anew."""
+    """Not modal. ``again`` searches for devices again."""
 
     def __init__(self, name: str, size: tuple[int, int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -29,7 +29,7 @@ class FormDialog(QDialog):
         self.again = QPushButton(self.tr("&Search again"))
 
     def lay_out(self, parts: Sequence[QWidget | QLayout], main: QPushButton) -> None:
-        """The parts below one another; ``main`` is what the dialog is for."""
+        """Stack the parts; ``main`` is the default button."""
         main.setProperty("role", "primary")
         main.setDefault(True)
         close = QPushButton(self.tr("Close"))
@@ -49,14 +49,14 @@ class FormDialog(QDialog):
 
 
 def labelled(text: str, field: QWidget) -> QLabel:
-    """A label whose key leads to the field."""
+    """A label whose mnemonic focuses the field."""
     label = QLabel(text)
     label.setBuddy(field)
     return label
 
 
 def beside(wide: QWidget, button: QWidget) -> QHBoxLayout:
-    """A field that takes the room, and its button."""
+    """A field that takes the available width, followed by its button."""
     row = QHBoxLayout()
     row.addWidget(wide, 1)
     row.addWidget(button)
@@ -64,7 +64,7 @@ def beside(wide: QWidget, button: QWidget) -> QHBoxLayout:
 
 
 def filler() -> QWidget:
-    """Takes the height that is left."""
+    """A spacer that takes the remaining height."""
     widget = QWidget()
     widget.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
     return widget

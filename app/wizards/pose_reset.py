@@ -23,7 +23,8 @@ LONGEST = 10  # s of the countdown
 
 
 class PoseResetSettings(FormDialog):
-    """``saved`` after the settings were written. ``user_of`` names the command that has a key."""
+    """``saved``: the settings were written. ``user_of`` returns the name of the command that uses a
+    key."""
 
     saved = Signal()
 

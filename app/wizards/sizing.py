@@ -5,10 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QDialog
 
-MARGIN = 48  # of the window's own frame and the desktop's bars, px
+MARGIN = 48  # of the window frame and the desktop's bars, px
 
 
 def fit_to_screen(dialog: QDialog, width: int, height: int) -> None:
-    """Begin at this size, or as large as the screen allows."""
+    """Resize to this size, limited to that of the screen."""
     screen = dialog.screen().availableSize() - QSize(MARGIN, MARGIN)
     dialog.resize(QSize(width, height).boundedTo(screen))

@@ -1,1 +1,1 @@
-"""The 3D view: a scene, and two ways to draw it."""
+"""The 3D view: a scene, and two renderers."""

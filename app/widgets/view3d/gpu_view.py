@@ -1,7 +1,6 @@
-"""The 3D view of a machine with a graphics card: VTK draws straight into the window.
+"""The 3D view rendered by VTK on a graphics card.
 
-pyvistaqt's QtInteractor is used for that alone; it is imported here because it takes two seconds,
-which only a machine that gains from it should pay.
+Only pyvistaqt's QtInteractor is used. It is imported on use because that takes two seconds.
 """
 
 from __future__ import annotations
@@ -17,11 +16,11 @@ from app.widgets.view3d.scene import Label
 from app.widgets.view3d.vtk_scene import VtkScene
 
 SMOOTH_SAMPLES = 4
-"""Of multisampling, on a graphics card; a software renderer takes four times as long with it."""
+"""Multisampling on a graphics card; a software renderer would take four times as long."""
 
 
 class GpuView(QWidget):
-    """Raises ImportError without pyvistaqt, and what VTK and Qt raise without OpenGL."""
+    """Raises ImportError without pyvistaqt, and exceptions of VTK and Qt without OpenGL."""
 
     on_card = True
 
@@ -34,7 +33,7 @@ class GpuView(QWidget):
         self.surface: Any = make_surface(self, auto_update=False, lighting="none")
         software = not is_card(gl_renderer())
         self.surface.render_window.SetMultiSamples(0 if software else SMOOTH_SAMPLES)
-        self.surface.disable()  # its own mouse: the orbit has ours
+        self.surface.disable()  # disables its own mouse control; `OrbitControl` is used
         self.scene: VtkScene | None = VtkScene(self.surface.renderer)
         self._label = QLabel()
         self._label.setStyleSheet("color: #E69F00")
@@ -56,7 +55,7 @@ class GpuView(QWidget):
             self.scene.set_labels(labels)
 
     def render_scene(self) -> None:
-        """Draw the scene from the orbit's eye. RuntimeError where the driver draws nothing."""
+        """Render the scene. RuntimeError if the driver draws nothing."""
         if self.scene is None or not self.surface.isVisible():
             return
         self.scene.look_from(self._orbit)
@@ -66,7 +65,7 @@ class GpuView(QWidget):
             raise RuntimeError("the OpenGL context is gone")
 
     def shut_down(self) -> None:
-        """Free what VTK holds on the card."""
+        """Release resources of the graphics card."""
         if self.scene is not None:
             self.scene = None
             self.surface.close()

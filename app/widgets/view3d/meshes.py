@@ -1,4 +1,4 @@
-"""Shapes of the 3D view as points, normals and faces, for a graphics card; no more than NumPy."""
+"""Meshes of the 3D view's shapes, for a graphics card; uses only NumPy."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from tracker.messages import Array
 
 @dataclass(frozen=True)
 class BodyMesh:
-    """A surface of quads, or lines. In the body's own frame, m."""
+    """A surface of quads, or lines, in the body's own frame, m."""
 
     points: Array  # (N, 3)
-    normals: Array  # (N, 3) outwards, of length 1; (0, 3) for lines
+    normals: Array  # (N, 3) outward unit normals; (0, 3) for lines
     cells: npt.NDArray[
         np.intp
     ]  # (M, 4) corners of each face, or (M, 2) ends of each line; indices of points
@@ -29,7 +29,7 @@ class BodyMesh:
 
 
 def mesh_of(shape: Shape) -> BodyMesh:
-    """In the frame that the shape has."""
+    """The mesh of a shape in its own frame."""
     if isinstance(shape, CapsuleShape):
         return capsule(shape)
     if isinstance(shape, Disc):
@@ -58,8 +58,8 @@ def disc(shape: Disc, sides: int = 16) -> BodyMesh:
 
 
 def block(shape: Block, sides: int = 6) -> BodyMesh:
-    """An outline goes up around the edges, ``sides`` steps a corner, from one flat side's middle
-    to the other's."""
+    """The outline follows the edges with ``sides`` steps per corner, from the centre of one flat
+    side to that of the other."""
     quarter = np.linspace(0.0, np.pi / 2, sides + 1)
     angle = (quarter + np.pi / 2 * np.arange(4)[:, None]).ravel()
     out = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)  # (A, 3) of the outline
@@ -70,7 +70,7 @@ def block(shape: Block, sides: int = 6) -> BodyMesh:
     rise = np.concatenate([-quarter[::-1], quarter])[:, None, None]
     normals = np.cos(rise) * out + np.sin(rise) * up
     level = np.sign(rise) * (shape.half[2] - shape.edge) * up
-    level[sides] = -level[-1]  # where the rise is 0 the lower edge ends and the upper one begins
+    level[sides] = -level[-1]  # at zero height the lower edge ends and the upper one begins
     level[sides + 1] = level[-1]
     points = outline + level + shape.edge * normals
     flat = np.broadcast_to(up, (1, *outline.shape))
@@ -88,7 +88,7 @@ def lines(shape: Lines) -> BodyMesh:
 
 
 def _revolved(profile: Array, normals: Array, sides: int) -> BodyMesh:
-    """A profile (K, 2) of (along x, away from x), with its normals, turned around x."""
+    """A surface of revolution: a profile (K, 2) of (along x, distance from x) with its normals."""
     angle = np.linspace(0.0, 2 * np.pi, sides + 1)[:-1]
     spokes = np.stack([np.zeros(sides), np.cos(angle), np.sin(angle)], axis=1)  # (S, 3)
 
@@ -100,7 +100,7 @@ def _revolved(profile: Array, normals: Array, sides: int) -> BodyMesh:
 
 
 def _grid(rows: int, columns: int) -> npt.NDArray[np.intp]:
-    """(M, 4) quads between neighbours of a grid whose columns close to a ring."""
+    """(M, 4) quads of a grid whose columns form a closed ring."""
     at = np.arange(rows * columns).reshape(rows, columns)
     right = np.roll(at, -1, axis=1)
     quads = np.stack([at[:-1], right[:-1], right[1:], at[1:]], axis=-1)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 Vector = NDArray[np.float64]
 STEEPEST = np.deg2rad(89.0)
 VIEW_ANGLE_DEG = 32.0
-"""From the lower to the upper side of the image that the eye sees."""
+"""Vertical field of view."""
 
 
 RAD_PER_PX = 0.008
@@ -27,7 +27,7 @@ ZOOMS = {Qt.Key.Key_Plus: KEY_ZOOM, Qt.Key.Key_Equal: KEY_ZOOM, Qt.Key.Key_Minus
 
 
 class Orbit:
-    """Azimuth and elevation (rad) and distance (m) of the eye from ``target`` (3,) m."""
+    """Azimuth and elevation (rad) and distance (m) of the camera from ``target`` (3,) m."""
 
     def __init__(self) -> None:
         self.target: Vector = np.zeros(3)
@@ -37,7 +37,7 @@ class Orbit:
 
     @property
     def direction(self) -> Vector:
-        """Unit vector (3,) from the target to the eye."""
+        """Unit vector (3,) from the target to the camera."""
         c = np.cos(self.elevation)
         return np.array(
             [c * np.cos(self.azimuth), c * np.sin(self.azimuth), np.sin(self.elevation)]
@@ -49,7 +49,7 @@ class Orbit:
 
     @property
     def up(self) -> Vector:
-        """(3,) the image's upward direction, defined straight above too."""
+        """(3,) upward direction of the image; also defined for a vertical view."""
         s = np.sin(self.elevation)
         c = np.cos(self.elevation)
         return np.array([-s * np.cos(self.azimuth), -s * np.sin(self.azimuth), c])
@@ -62,18 +62,19 @@ class Orbit:
         self.distance = float(np.clip(self.distance * factor, 0.08, 5.0))
 
     def pan(self, right: float, up: float) -> None:
-        """Move the target by fractions of what the view shows."""
+        """Move the target by fractions of the visible area."""
         across = np.cross(self.up, self.direction)
         self.target = self.target + self.distance * 0.57 * (right * across + up * self.up)
 
     def look_from(self, direction: Vector) -> None:
-        """Put the eye on the ray from the target along ``direction`` (3,)."""
+        """Move the camera to the ray from the target along ``direction`` (3,)."""
         d = direction / np.linalg.norm(direction)
         self.elevation = float(np.clip(np.arcsin(d[2]), -STEEPEST, STEEPEST))
         self.azimuth = float(np.arctan2(d[1], d[0]))
 
     def sees(self, points: Vector) -> bool:
-        """Whether all points (N, 3) m lie well before the eye and within the height of its view."""
+        """Whether all points (N, 3) m are well in front of the camera and within its vertical field
+        of view."""
         away = points - self.eye
         depth = away @ -self.direction
         across = away - depth[:, None] * -self.direction
@@ -82,7 +83,7 @@ class Orbit:
 
 
 class OrbitControl(QObject):
-    """Filters the events of ``widget``. Left button turns, another one moves, the wheel zooms."""
+    """Event filter of ``widget``. The left button rotates, other buttons pan, the wheel zooms."""
 
     turned = Signal()
 

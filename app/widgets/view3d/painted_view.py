@@ -1,7 +1,7 @@
-"""The 3D view of every machine: our own renderer makes an image, Qt paints it.
+"""The 3D view with software rendering, which Qt paints.
 
-It needs neither OpenGL nor a graphics card. On software GL a QOpenGLWidget would make Qt compose
-the whole window in GL, which halves the window's rate. `QWidget.grab` sees what is painted.
+It needs neither OpenGL nor a graphics card. With software GL, a QOpenGLWidget would make Qt compose
+the whole window in GL, which halves the frame rate. `QWidget.grab` captures it.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from app.widgets.view3d.raster.scene import RasterScene, camera_pose, focal_px
 from app.widgets.view3d.scene import Label
 
 MAX_PIXELS = 1000 * 800
-"""A larger view is scaled up, so that an image takes no more than a quarter of its time."""
+"""Larger views are upscaled, so that rendering takes no more than a quarter of the frame time."""
 
 
 class PaintedView(QWidget):
-    """An image is made where it is asked for: it takes milliseconds and no lock of Python's."""
+    """Renders in the calling thread: it takes milliseconds and releases the interpreter lock."""
 
     on_card = False
 
@@ -39,7 +39,7 @@ class PaintedView(QWidget):
         self._labels = labels
 
     def render_scene(self) -> None:
-        """Render the scene from the orbit's eye and show it."""
+        """Render the scene and show it."""
         if self.width() < 2 or self.height() < 2:
             return
         pixels = self.scene.render(self._orbit, *self._size_px())  # the image shares its memory
@@ -66,7 +66,7 @@ class PaintedView(QWidget):
         painter.end()
 
     def _paint_caption(self, painter: QPainter) -> None:
-        """Legible over whatever is drawn, on either background."""
+        """Draw the caption, legible on either background."""
         flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
         room = self.rect().adjusted(20, self.height() - 56, -20, -12)
         words = painter.boundingRect(room, flags, self._caption)
@@ -88,5 +88,5 @@ class PaintedView(QWidget):
                 painter.drawText(QPointF(u, v), label.text)
 
     def shut_down(self) -> None:
-        """Forget the bodies."""
+        """Remove the bodies."""
         self.scene.clear()

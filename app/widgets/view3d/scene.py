@@ -1,4 +1,4 @@
-"""What the 3D view shows, whoever draws it: bodies that are moved and dressed."""
+"""The contents of the 3D view, independent of the renderer."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from tracker.messages import Array
 
 
 class Grid(IntEnum):
-    """Whether a body's grid of lines is drawn."""
+    """Whether the grid lines of a body are drawn."""
 
     NONE = 0
     OVER = 1  # on its surface
-    ALONE = 2  # in place of its surface, front and back
+    ALONE = 2  # instead of its surface, front and back
 
 
 @dataclass(frozen=True)
 class BodyLook:
-    """How a body is drawn. Shares of one, ``line_width`` in pixels.
+    """The look of a body. Values 0..1, ``line_width`` in pixels.
 
-    Where two see-through bodies of one ``group`` lie behind each other only the nearer is seen, so
-    that they look like one; group 0 is none. Only the painted view knows groups.
+    Of two overlapping transparent bodies in one ``group`` only the nearer is visible, so that they
+    look like one; group 0 is none. Only the software renderer supports groups.
     """
 
     colour: str  # #rrggbb
@@ -45,17 +45,17 @@ class DrawnBody(Protocol):
     def show(self, on: bool) -> None: ...
 
     def wear(self, look: BodyLook) -> None:
-        """Look like this from now on."""
+        """Set the look."""
 
     def reshape(self, points: Array) -> None:
-        """Other points (N, 3) for the same `Lines`."""
+        """Set other points (N, 3) for the same `Lines`."""
 
     def move(self, R: Array, p: Array) -> None:
-        """To a rotation (3, 3), times a size, and a position (3,), both in G."""
+        """Set a rotation (3, 3), multiplied by a size, and a position (3,), both in G."""
 
 
 class DrawnSurface(Protocol):
-    """A surface in the scene, whose points move one by one."""
+    """A deformable surface in the scene."""
 
     @property
     def shown(self) -> bool: ...
@@ -63,15 +63,15 @@ class DrawnSurface(Protocol):
     def show(self, on: bool) -> None: ...
 
     def choose(self, faces: BoolVector) -> None:
-        """Draw only those of its faces (F,) from now on."""
+        """Draw only these faces (F,)."""
 
     def drape(self, points: Array, normals: Array, dress: Array) -> None:
-        """To points (V, 3) m with normals (V, 3), in G, and looks (V, `DRESS`)."""
+        """Set points (V, 3) m with normals (V, 3), in G, and looks (V, `DRESS`)."""
 
 
 @dataclass(frozen=True, eq=False)
 class GroundLines:
-    """Thin lines behind everything: ends (M, 6) m in G, strength (M,) in their middle."""
+    """Thin lines in the background: ends (M, 6) m in G, strength (M,) at their centres."""
 
     ends: Array
     strength: Array
@@ -79,7 +79,7 @@ class GroundLines:
 
 @dataclass(frozen=True, eq=False)
 class Label:
-    """A short text beside a point (3,) m in G."""
+    """A short text next to a point (3,) m in G."""
 
     text: str
     p_G: Array
@@ -87,36 +87,36 @@ class Label:
 
 
 class BodyScene(Protocol):
-    """A set of bodies and surfaces before a plain background."""
+    """Bodies and surfaces in front of a plain background."""
 
     def add(self, shape: Shape, look: BodyLook) -> DrawnBody:
-        """A body at the origin."""
+        """Add a body at the origin."""
 
     def add_surface(self, surface: Surface) -> DrawnSurface:
-        """Not shown yet."""
+        """Add a surface, initially hidden."""
 
     def add_outline(self, surface: Surface) -> DrawnSurface:
-        """A surface of which only the outline is drawn, over everything. Not shown yet."""
+        """Add a surface of which only the outline is drawn, over everything; initially hidden."""
 
     def set_ink(self, colour: str) -> None:
-        """``#rrggbb`` of outlines and of the ground."""
+        """Set the colour of outlines and of the ground, ``#rrggbb``."""
 
     def set_ground(self, ground: GroundLines) -> None: ...
 
     def clear(self) -> None:
-        """Without bodies, as in the beginning."""
+        """Remove all bodies."""
 
     def set_background(self, colour: str) -> None:
-        """``#rrggbb``."""
+        """Set the background colour, ``#rrggbb``."""
 
 
 def contrast(background: str) -> str:
-    """An ink that stands out from a background, both ``#rrggbb``."""
+    """A colour with high contrast to a background, both ``#rrggbb``."""
     red, green, blue = rgb(background)
     return "#FFFFFF" if 0.299 * red + 0.587 * green + 0.114 * blue < 0.5 else "#101418"
 
 
 def rgb(colour: str) -> tuple[float, float, float]:
-    """``#rrggbb`` as three shares of one."""
+    """``#rrggbb`` as three values 0..1."""
     red, green, blue = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
     return red, green, blue

@@ -1,4 +1,4 @@
-"""Bodies of the 3D view as pure forms, each in a frame of its own; whoever draws them knows how."""
+"""Analytic shapes of the 3D view, each in its own frame."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def _origin() -> Array:
 
 @dataclass(frozen=True, eq=False)
 class CapsuleShape:
-    """Along x from the origin to ``length`` (m), with half a ball on either end."""
+    """A capsule along x from the origin to ``length`` (m)."""
 
     length: float
     radius: float
@@ -34,20 +34,20 @@ class Disc:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """A slab around ``centre`` (3,), ``half`` (3,) as large along each axis, m, thinnest along z.
+    """A rounded slab around ``centre`` (3,) with half sides ``half`` (3,), m, thinnest along z.
 
-    Seen along z it is a rectangle with round corners; its edges are round too.
+    Along z it appears as a rectangle with round corners; its edges are round, too.
     """
 
     half: Array
     centre: Array = field(default_factory=_origin)
 
-    CORNER = 0.45  # radius of the corners seen along z, of the shorter half side
-    EDGE = 0.75  # radius of the edges, of the half thickness
+    CORNER = 0.45  # radius of the corners relative to the shorter half side
+    EDGE = 0.75  # radius of the edges relative to the half thickness
 
     @property
     def corner(self) -> float:
-        """Radius of the corners seen along z, m."""
+        """Radius of the corners in the xy plane, m."""
         return float(max(self.CORNER * self.half[:2].min(), self.edge))
 
     @property
@@ -65,16 +65,15 @@ class Lines:
 
 
 DRESS = 7
-"""Numbers that say how a point of a `Surface` looks: red, green, blue, cover, ambient, hatch, dots;
-shares of one."""
+"""Values per point of a `Surface`: red, green, blue, opacity, ambient, hatch, dots, 0..1."""
 
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """Triangles ``faces`` (F, 3) between V points that move, counter-clockwise seen from outside.
+    """Triangles ``faces`` (F, 3) between V moving points, counter-clockwise from outside.
 
-    part (F,) tells parts apart whose edges are to be smooth before one another; along (V,) m is
-    what lines of hatching follow.
+    part (F,): parts with smooth edges in front of each other; along (V,) m: coordinate of the
+    hatching.
     """
 
     faces: npt.NDArray[np.int64]
@@ -91,13 +90,13 @@ def ball(radius: float) -> CapsuleShape:
 
 
 def polyline(points: Array) -> Lines:
-    """From each of ``points`` (N, 3) to the next."""
+    """Lines that connect consecutive ``points`` (N, 3)."""
     first = np.arange(len(points) - 1)
     return Lines(np.asarray(points, float), np.stack([first, first + 1], axis=1))
 
 
 def turn_x_to(direction: Array) -> Array:
-    """(3, 3) a rotation that takes x to ``direction`` (3,) of length 1."""
+    """(3, 3) rotation that maps x to ``direction`` (3,) of length 1."""
     other = np.eye(3)[np.abs(direction).argmin()]
     y = np.cross(direction, other)
     y /= np.linalg.norm(y)

@@ -1,4 +1,4 @@
-"""The 3D view: drawn by the graphics card where there is one, painted where there is none."""
+"""The 3D view: rendered on the graphics card if possible, otherwise in software."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ if TYPE_CHECKING:
 _log = logging.getLogger(__name__)
 
 
-LEAST = 4.5  # of the contrast of words
+LEAST = 4.5  # minimum contrast of text
 STEPS = 20
 
 
 def luminance(colour: str) -> float:
-    """Of ``#rrggbb`` in sRGB, 0 to 1."""
+    """Relative luminance of ``#rrggbb`` in sRGB, 0 to 1 (WCAG 2.1)."""
     shares = [share / 255 for share in _channels(colour)]
     linear = [s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4 for s in shares]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
 def contrast_of(one: str, other: str) -> float:
-    """1 of a colour with itself to 21 of black on white."""
+    """Contrast ratio: 1 for identical colours, 21 for black on white."""
     dark, light = sorted((luminance(one), luminance(other)))
     return (light + 0.05) / (dark + 0.05)
 
 
 @cache
 def legible(colour: str, ground: str) -> str:
-    """``colour``, as much darker or lighter as words in it need on ``ground``."""
+    """``colour``, made darker or lighter until text is legible on ``ground`` (WCAG 2.1, 1.4.3)."""
     end = max(("#000000", "#FFFFFF"), key=lambda c: contrast_of(c, ground))
     mixed = (_mixed(colour, end, k / STEPS) for k in range(STEPS + 1))
     return next((c for c in mixed if contrast_of(c, ground) >= LEAST), end)
@@ -56,9 +56,9 @@ def _channels(colour: str) -> list[int]:
 
 
 class View3D(QWidget):
-    """Owns the orbit and the view that draws; ``scene`` is None once it is shut down.
+    """Owns the orbit and the renderer; ``scene`` is None after shut-down.
 
-    ``scene_changed``: another view draws now, and its scene is empty.
+    ``scene_changed``: another renderer is in use, with an empty scene.
     """
 
     scene_changed = Signal()
@@ -86,15 +86,15 @@ class View3D(QWidget):
 
     @property
     def on_card(self) -> bool:
-        """Whether the graphics card draws into the window."""
+        """Whether the graphics card renders the view."""
         return self._view is not None and self._view.on_card
 
     def use_painted(self) -> None:
-        """Paint: works everywhere."""
+        """Use software rendering."""
         self._put(PaintedView(self.orbit))
 
     def use_card(self) -> bool:
-        """Draw into the window; False, and as before, where that cannot be done."""
+        """Use the graphics card; False, without a change, if that fails."""
         try:
             from app.widgets.view3d.gpu_view import (
                 GpuView,  # deferred: needs the extra packages of the graphics card's view
@@ -108,7 +108,7 @@ class View3D(QWidget):
         return True
 
     def _put(self, view: PaintedView | GpuView) -> None:
-        """Let ``view`` take the place of the present one."""
+        """Replace the current renderer."""
         before, self._view = self._view, view
         if before is not None:
             self._column.removeWidget(before)
@@ -147,7 +147,7 @@ class View3D(QWidget):
         self._write_labels()
 
     def set_labels(self, labels: Sequence[Label]) -> None:
-        """Short texts beside points of G, over everything."""
+        """Set short texts next to points of G, drawn over everything."""
         self._labels = tuple(labels)
         self._write_labels()
 
@@ -158,7 +158,7 @@ class View3D(QWidget):
             self._view.set_labels(tuple(told))
 
     def render_scene(self) -> None:
-        """Draw the scene from the orbit's eye; a card that fails gives way to the painted view."""
+        """Render the scene; if the graphics card fails, switch to software rendering."""
         if self._view is None:
             return
         try:
@@ -170,7 +170,7 @@ class View3D(QWidget):
             self.use_painted()
 
     def shut_down(self) -> None:
-        """Free what the view holds while its surface is still there."""
+        """Release the renderer's resources before its window is deleted."""
         if self._view is not None:
             self._view.shut_down()
             self._view = None

@@ -1,4 +1,4 @@
-"""Meshes in VTK's form; the arrays are copied."""
+"""Conversion of meshes to VTK; the arrays are copied."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from app.widgets.view3d.meshes import BodyMesh
 
 
 def polydata(mesh: BodyMesh) -> vtkPolyData:
-    """VTK's form of a mesh; the arrays are copied."""
+    """A mesh as vtkPolyData; the arrays are copied."""
     data, points = vtkPolyData(), vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.points), deep=True))
     data.SetPoints(points)
@@ -25,7 +25,7 @@ def polydata(mesh: BodyMesh) -> vtkPolyData:
 
 
 def cells_of(cells: npt.NDArray[np.intp]) -> vtkCellArray:
-    """(M, K) corners as VTK's offsets and indices."""
+    """(M, K) corners as VTK offsets and connectivity."""
     many, corners = cells.shape
     offsets = np.arange(0, many * corners + 1, corners)
     array = vtkCellArray()

@@ -1,6 +1,6 @@
-"""The scene of the graphics card's view: bodies that VTK draws in a renderer of its own.
+"""The scene of the GPU renderer.
 
-VTK's own modules are used for it: only the window on the card comes from pyvistaqt.
+It uses VTK directly; only the window comes from pyvistaqt.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ GROUND_OPACITY = 0.25
 
 
 PLAIN, HATCHED, DOTTED = 0.125, 0.375, 0.625
-"""Where in the texture each pattern is: the middle of its row of four."""
+"""Texture coordinate of each pattern: the centre of its row of four."""
 
 
 class VtkSurface:
-    """A surface with patterns; ``outlined`` draws its outline alone."""
+    """A surface with patterns; ``outlined`` draws only its outline."""
 
     def __init__(self, surface: Surface, renderer: vtkRenderer, outlined: bool) -> None:
         self._surface, self._outlined = surface, outlined
@@ -74,7 +74,7 @@ class VtkSurface:
         self.data.SetPolys(cells_of(self._surface.faces[faces]))
 
     def colour(self, colour: str) -> None:
-        """Of an outline."""
+        """Set the colour of an outline."""
         self.actor.GetProperty().SetColor(*rgb(colour))
 
     def drape(self, points: Array, normals: Array, dress: Array) -> None:
@@ -109,7 +109,7 @@ def _patterns() -> vtkTexture:
 
 
 class VtkBody:
-    """A mesh that VTK draws."""
+    """A mesh drawn by VTK."""
 
     def __init__(self, mesh: BodyMesh) -> None:
         self._data, mapper = polydata(mesh), vtkPolyDataMapper()
@@ -154,7 +154,7 @@ class VtkBody:
 
 
 class VtkScene:
-    """What a renderer draws, wherever that renderer draws to."""
+    """The contents of a VTK renderer."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
@@ -171,7 +171,7 @@ class VtkScene:
         drawn = body.actor.GetProperty()
         drawn.SetEdgeColor(0.0, 0.0, 0.0)
         drawn.SetInterpolationToPhong()
-        drawn.SetLighting(len(mesh.normals) > 0)  # lines have a colour and no sides
+        drawn.SetLighting(len(mesh.normals) > 0)  # lines are not lit
         self._renderer.AddActor(body.actor)
         return body
 
@@ -222,7 +222,7 @@ class VtkScene:
         self._renderer.SetBackground(*rgb(colour))
 
     def look_from(self, orbit: Orbit) -> None:
-        """Put the camera into the orbit's eye."""
+        """Set the VTK camera from the orbit."""
         camera = self._renderer.GetActiveCamera()
         camera.SetPosition(*orbit.eye)
         camera.SetFocalPoint(*orbit.target)

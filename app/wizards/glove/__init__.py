@@ -1,1 +1,1 @@
-"""Set-up of the glove."""
+"""The glove set-up."""

@@ -1,4 +1,4 @@
-"""Which glove: its port, its file, the side, the hand."""
+"""Selection of the glove: its port, its file, the side, the hand."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ from tracker.sensors.protocol import BAUD, BAUDS
 SIMULATED = "simulated"
 SESSION = "session"
 USUAL = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
-"""The glove's file that a side begins with."""
+"""Default glove file of each side."""
 
 
 class ChoicePage(QWidget):
-    """``models()`` is the chosen hand and glove; ``port()`` a path, `SIMULATED` or `SESSION`."""
+    """``models()``: the selected hand and glove; ``port()``: a path, `SIMULATED` or `SESSION`."""
 
     changed = Signal()
     search = Signal()
@@ -59,7 +59,7 @@ class ChoicePage(QWidget):
             self.speed.addItem(self.tr("{} baud").format(baud), baud)
         self.speed.setCurrentIndex(max(0, self.speed.findData(settings.baud)))
         self._answered_at: dict[str, int] = {}
-        self._numbers: dict[str, int] = {}  # of the gloves that answered, by port
+        self._numbers: dict[str, int] = {}  # numbers of the gloves that responded, by port
         self.side.addItem(self.tr("Right hand"), "right")
         self.side.addItem(self.tr("Left hand"), "left")
         self._lay_out()
@@ -93,7 +93,7 @@ class ChoicePage(QWidget):
         column.addStretch(1)
 
     def _fill(self, glove: str, hand: str) -> None:
-        """Only files of the chosen side."""
+        """List only files of the selected side."""
         side = self.side.currentData()
         for box, kind, chosen in ((self.gloves, "gloves", glove), (self.hands, "hands", hand)):
             box.blockSignals(True)
@@ -107,20 +107,20 @@ class ChoicePage(QWidget):
         self.changed.emit()
 
     def _show_wearer(self) -> None:
-        """Who wore a glove of the chosen side last."""
+        """Select the last wearer of a glove of this side."""
         name = wearer_of(self._settings, str(self.side.currentData()))
         self.wearers.setCurrentIndex(max(0, self.wearers.findData(name)))
 
     def _match_hand(self) -> None:
-        """The hand that the glove's file refers to."""
+        """Select the hand file that the glove file refers to."""
         try:
             hand, _ = library.load(self.gloves.currentText())
         except GlovetrackError:
-            return  # the page says it where the glove is used
+            return  # the error is shown when the glove is used
         self.hands.setCurrentIndex(max(0, self.hands.findText(hand.name)))
 
     def models(self) -> tuple[HandModel, GloveModel] | None:
-        """None, with the reason on the page, where the files do not fit each other."""
+        """None, with the reason on the page, if the files do not match."""
         try:
             return library.load(self.gloves.currentText(), self.hands.currentText())
         except GlovetrackError as error:
@@ -131,11 +131,11 @@ class ChoicePage(QWidget):
         return str(self.ports.currentData() or "")
 
     def glove_id(self) -> int | None:
-        """Of the glove at the chosen port; None where it told none."""
+        """Number of the glove at the selected port; None if it has not reported one."""
         return self._numbers.get(self.port())
 
     def glove_name(self, number: int | None) -> str:
-        """The glove at the chosen port for people; ``number`` is what it reports of itself."""
+        """Display name of the glove at the selected port; ``number`` is the one it reports."""
         port = self.port()
         if port == SIMULATED:
             return self.tr("Simulated glove")
@@ -146,7 +146,7 @@ class ChoicePage(QWidget):
         return self.tr("Glove at {}").format(port)
 
     def bound(self) -> BoundGlove:
-        """What the glove is bound to by the choices as they are."""
+        """The settings to store for this glove."""
         return BoundGlove(
             str(self.side.currentData()),
             self.gloves.currentText(),
@@ -155,7 +155,7 @@ class ChoicePage(QWidget):
         )
 
     def _recall(self) -> None:
-        """A glove that was set up before brings its side, its files and its wearer."""
+        """Restore side, files and wearer of a glove that was set up before."""
         known = bound(self._settings, self.glove_id())
         if known is None or self.side.findData(known.side) < 0:
             return
@@ -164,11 +164,11 @@ class ChoicePage(QWidget):
         self.wearers.setCurrentIndex(max(0, self.wearers.findData(known.wearer)))
 
     def baud(self) -> int:
-        """The chosen speed; 0 where the glove's own is taken."""
+        """The selected speed; 0 for automatic."""
         return int(self.speed.currentData() or 0)
 
     def baud_of_port(self) -> int:
-        """At which the chosen port is read."""
+        """The speed at which the selected port is read."""
         return self.baud() or self._answered_at.get(self.port(), BAUD)
 
     def _ask_port(self) -> None:
@@ -178,8 +178,8 @@ class ChoicePage(QWidget):
             self.add_port(path)
 
     def add_port(self, path: str) -> None:
-        """Offer and choose a port that nobody asked yet."""
-        self.words.clear()  # what was said of the others
+        """Add and select a port that has not been queried."""
+        self.words.clear()  # messages about other ports do not apply
         self.ports.insertItem(0, path, path)
         self.ports.setCurrentIndex(0)
 
@@ -188,7 +188,7 @@ class ChoicePage(QWidget):
         self.again.setEnabled(False)
 
     def show_ports(self, reports: list[PortReport], last: str) -> None:
-        """Gloves that answered first; then what else there is."""
+        """List gloves that responded first, then other ports."""
         self.again.setEnabled(True)
         before = self.port() or last
         self.ports.blockSignals(True)
@@ -202,7 +202,7 @@ class ChoicePage(QWidget):
                     self._numbers[report.path] = report.hello.glove_id
                 self.ports.addItem(_title(report), report.path)
         if before not in ("", SESSION, SIMULATED) and self.ports.findData(before) < 0:
-            self.ports.addItem(before, before)  # it may come back, and is not on every list
+            self.ports.addItem(before, before)  # it may be reconnected, and is not on every list
         self.ports.addItem(self.tr("Simulated glove (for practice)"), SIMULATED)
         self.ports.setCurrentIndex(max(0, self.ports.findData(before)))
         self.ports.blockSignals(False)
@@ -222,7 +222,7 @@ def _title(report: PortReport) -> str:
 
 
 def _remarks(reports: list[PortReport], chosen: str) -> list[str]:
-    """Sentences about the ports that were searched; the ``chosen`` one is in use and was not."""
+    """Messages about the ports; the ``chosen`` one is in use and was not queried."""
     if not reports and chosen == SIMULATED:
         return [
             tr(
@@ -238,7 +238,7 @@ def _remarks(reports: list[PortReport], chosen: str) -> list[str]:
 
 
 def _side(kind: str, name: str) -> str:
-    """``side`` of a hand or glove file; "" for one that cannot be read."""
+    """``side`` of a hand or glove file; "" if it cannot be read."""
     try:
         return read_toml(library.text(kind, name), name).text("side")
     except GlovetrackError:

@@ -1,4 +1,4 @@
-"""Samples of a glove for the set-up: of the open session, of a port, or simulated."""
+"""Samples for the glove set-up: from the open session, from a port, or simulated."""
 
 from __future__ import annotations
 
@@ -27,28 +27,28 @@ WAIT = 0.05
 
 
 class GloveFeed(Protocol):
-    """What the set-up's pages need of a glove."""
+    """The interface to a glove during set-up."""
 
     @property
     def trouble(self) -> str:
-        """What keeps samples from coming, in words."""
+        """Why no samples arrive, as text."""
 
     @property
     def glove_id(self) -> int | None:
-        """What the glove says that its number is; None where it has told none."""
+        """The number that the glove reports; None if it has not reported one."""
 
     def recent(self) -> Sequence[ImuSample]:
         """Samples of the last seconds, oldest first."""
 
     def ask(self, part: str) -> None:
-        """Tell a simulated wearer what to move."""
+        """Instruct a simulated wearer."""
 
     def stop(self) -> None:
-        """Free the port; may take a moment."""
+        """Release the port; may take a moment."""
 
 
 class SessionFeed:
-    """The glove that the window tracks already."""
+    """The glove that is already being tracked."""
 
     def __init__(self, host: EngineHost) -> None:
         self._host = host
@@ -67,14 +67,14 @@ class SessionFeed:
         return setup.tracked.recent_imu() if setup is not None else ()
 
     def ask(self, part: str) -> None:
-        """A real wearer reads it."""
+        """A real wearer reads the instruction."""
 
     def stop(self) -> None:
-        """The session frees its port itself."""
+        """The session releases its port itself."""
 
 
 class PortFeed:
-    """A glove at a port of its own, read in a thread. ``free`` is called at the end."""
+    """A glove at another port, read in a thread. ``free`` is called at the end."""
 
     def __init__(
         self,
@@ -131,7 +131,7 @@ class PortFeed:
 
 
 def simulated_feed(hand: HandModel, glove: GloveModel) -> PortFeed:
-    """A glove on a pseudo-terminal, worn by somebody who does what is asked."""
+    """A simulated glove on a pseudo-terminal, whose wearer follows the instructions."""
     wearer = PlayAlong(hand, glove)
     device = SimulatedGlove(wearer.samples(), len(glove.imus), t_0=time.monotonic())
 

@@ -1,4 +1,4 @@
-"""The pages of the glove's set-up that look at its IMUs."""
+"""The pages of the glove set-up that check its IMUs."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from tracker.messages import ImuSample
 
 
 class CheckTable(QTableWidget):
-    """Rows of `GloveRow`; the last column but the words carries a sign."""
+    """A table of `GloveRow`s; the column before the texts also shows a sign."""
 
     def __init__(self, heads: Sequence[str], signed: int) -> None:
         super().__init__(0, len(heads))
@@ -62,7 +62,7 @@ class CheckTable(QTableWidget):
 
 
 class StillPage(QWidget):
-    """Biases and noise of a resting hand."""
+    """Measurement of biases and noise while the hand rests."""
 
     asked = Signal(str)
     measured = Signal(object)  # StillPose
@@ -126,7 +126,7 @@ class StillPage(QWidget):
 
 
 class WigglePage(QWidget):
-    """Moves one finger after the other and says which IMU sits where."""
+    """Wiggle test: the wearer moves one finger after the other to locate the IMUs."""
 
     asked = Signal(str)
 
@@ -183,7 +183,7 @@ class WigglePage(QWidget):
 
     @property
     def phase(self) -> SetUpPhase | None:
-        """Where the test stands; None before the first."""
+        """State of the test; None before the first."""
         return self._run.phase if self._run is not None else None
 
     def begin(self) -> None:

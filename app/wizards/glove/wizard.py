@@ -1,4 +1,4 @@
-"""The glove's set-up: which glove, biases at rest, and whether each IMU is where it should be."""
+"""The glove set-up: selection of the glove, biases at rest, and position of each IMU."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.protocol import BAUDS
 
 TICK_MS = 80
-ENOUGH = 0.5  # s of packets, from which on their rate can be told
+ENOUGH = 0.5  # s of packets needed to compute their rate
 
 
 class GloveSetup(QDialog):
-    """Not modal. ``chosen`` says that port, glove and hand were stored for the next start;
-    ``measured`` gives a `StillPose` of the glove in use."""
+    """Not modal. ``chosen``: port, glove and hand were stored for the next start; ``measured``: a
+    `StillPose` of the glove in use."""
 
     chosen = Signal()
     measured = Signal(object)
@@ -103,24 +103,24 @@ class GloveSetup(QDialog):
     # --- which glove
 
     def search(self) -> None:
-        """Ask every port whether a glove is behind it; a silent one takes seconds."""
+        """Query every port for a glove; a port without a response takes seconds."""
         self.choice.show_searching()
         setup, port = self._host.setup, self.choice.port()
-        # a port that is being read already answers nobody else
+        # a port that is already open cannot be opened again
         busy = {port, self._store.value.port if setup is not None else ""}
         baud = self.choice.baud()
         bauds = (baud,) if baud else BAUDS
         self._tasks.run(
             self.tr("Looking for gloves"),
             lambda progress: _search(progress, busy, bauds),
-            self._found,  # a method: not called any more once this window is gone
+            self._found,  # a bound method: not called after this window was deleted
         )
 
     def _found(self, reports: list[PortReport]) -> None:
         self.choice.show_ports(reports, self._store.value.port)
 
     def _choose(self) -> None:
-        """Turn to the glove that is chosen now."""
+        """Switch to the selected glove."""
         models, port = self.choice.models(), self.choice.port()
         simulated = port == SIMULATED
         self.use.setText(self.tr("&Use these files") if simulated else self.tr("&Use this glove"))
@@ -142,8 +142,8 @@ class GloveSetup(QDialog):
             self._feed = PortFeed(port, len(glove.imus), baud=self.choice.baud_of_port())
 
     def _is_in_use(self, port: str) -> bool:
-        """Whether the glove there is the one that the session has open, by the place that it was
-        bound to: nobody else can open it."""
+        """Whether the glove at this port is the one of the open session, which cannot be opened
+        twice."""
         setup = self._host.setup
         if setup is None or setup.simulated or setup.player is not None or not self._host.running:
             return False
@@ -151,7 +151,7 @@ class GloveSetup(QDialog):
         return setup.connection.present and known is not None and known.port == port
 
     def _simulated(self, hand: HandModel, glove: GloveModel) -> GloveFeed | None:
-        """None, with the reason on the page, on a system that cannot."""
+        """None, with the reason on the page, on a system without pseudo-terminals."""
         try:
             return simulated_feed(hand, glove)
         except DeviceError as error:
@@ -159,7 +159,7 @@ class GloveSetup(QDialog):
             return None
 
     def _leave(self, then: Callable[[], None] | None = None) -> None:
-        """``then`` is called once the port is free for others."""
+        """Call ``then`` once the port has been released."""
         feed, self._feed = self._feed, None
         if feed is not None:
             title = self.tr("Releasing the glove's port")
@@ -183,13 +183,13 @@ class GloveSetup(QDialog):
         self._leave(self._used)
 
     def _used(self) -> None:
-        """The window opens the port at once: it must not find it taken by this dialog."""
+        """The window opens the port immediately, so this dialog must have released it."""
         self.chosen.emit()
         self.close()
 
     def _bind(self, port: str) -> None:
-        """Remember side, files and wearer of the glove that was chosen, if it told its number; and
-        where it is, if no list of ports will show it."""
+        """Store side, files and wearer of the selected glove if it has reported its number; and its
+        port, if that is not listed by the system."""
         number = self.choice.glove_id()
         if number is None and port != SIMULATED and self._feed is not None:
             number = self._feed.glove_id
@@ -215,7 +215,7 @@ class GloveSetup(QDialog):
             self.wiggle.look(recent)
 
     def _answer(self, recent: list[ImuSample]) -> str:
-        """Which glove it is, and whether it sends or what prevents that."""
+        """Show which glove it is, and whether it sends data or why not."""
         if self._feed is None:
             return ""
         if self._feed.trouble:
@@ -238,7 +238,7 @@ class GloveSetup(QDialog):
             self.measured.emit(pose)
 
     def done(self, result: int) -> None:
-        """However it is closed: the port is freed."""
+        """Release the port, however the dialog is closed."""
         self._timer.stop()
         self._leave()
         super().done(result)

@@ -1,4 +1,4 @@
-"""Guided calibration: half a minute of poses that the engine and the recording are notified of."""
+"""Guided calibration: half a minute of poses, reported to the engine and the recording."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from app.words import tr
 from tracker.base.clock import monotonic
 from tracker.messages import Estimate
 
-THINKING_MS = 1200  # after the last pose: the engine learns of it once images have come
-MOST_ANSWERS = 5  # that are asked for while it is still learning
+THINKING_MS = 1200  # after the last pose: the engine needs some images to evaluate it
+MOST_ANSWERS = 5  # number of queries while the engine is still evaluating
 
 
 class GuidedResultPage(OutcomePage):
@@ -41,12 +41,12 @@ class GuidedResultPage(OutcomePage):
         self.lay_out(self.undo_button, self.keep_button)
 
     def show_waiting(self) -> None:
-        """Before the engine has answered."""
+        """Show that the engine has not answered yet."""
         self.tell(self.tr("Evaluating the poses…"), "")
         self.enable(False)
 
     def show_learned(self, learned: LearnedWords, held: int, asked: int) -> None:
-        """The engine's answer, after ``held`` of ``asked`` poses."""
+        """Show the engine's result, after ``held`` of ``asked`` poses."""
         nothing = self.tr("Your fingers bend as expected.")
         rows = [
             (row.what, row.before, row.after, f"▲ {row.change}" if row.is_clear else row.change)
@@ -58,14 +58,14 @@ class GuidedResultPage(OutcomePage):
         self.keep_button.setFocus()
 
     def show_nothing(self, words: str) -> None:
-        """There is nothing to be kept."""
+        """Show that there is no result."""
         self.tell(self.tr("The calibration has not changed"), words)
         self.enable(False)
         self.again_button.setEnabled(True)
 
 
 class LeadPage(LeadingPage):
-    """Buttons and words; `GuidedDialog` does what they ask."""
+    """Buttons and texts; `GuidedDialog` executes the requests."""
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
         super().__init__(setup, background, parent)
@@ -82,7 +82,7 @@ class LeadPage(LeadingPage):
         self.lay_out((self.words, self.word, self.notes), buttons)
 
     def show_run(self, run: GuidedRun, t: float, estimate: Estimate | None) -> None:
-        """As it is at the time ``t`` (s)."""
+        """Show the state at time ``t`` (s)."""
         waiting = run.phase == GuidedPhase.WAITING
         if not waiting and self.stage.pose != run.pose:
             self.stage.show_pose(run.pose)
@@ -119,7 +119,7 @@ class LeadPage(LeadingPage):
 
 
 class GuidedDialog(LeadingDialog):
-    """``kept``: what was learned shall stay."""
+    """``kept``: the user accepted the result."""
 
     kept = Signal()
 
@@ -137,7 +137,7 @@ class GuidedDialog(LeadingDialog):
         self.lead, self.outcome = lead, outcome
         self._host, self._setup = host, setup
         self._before: WearerNow | None = None
-        self._taught = False  # some pose was held since then
+        self._taught = False  # a pose has been held since then
         self._outcomes = self._answers = 0
         judge = LiveJudge(setup.tracked.latest_estimate, setup.hand, monotonic)
         self.run = GuidedRun(live, judge)
@@ -151,7 +151,7 @@ class GuidedDialog(LeadingDialog):
         self.begin()
 
     def _title(self) -> str:
-        """With the side of the hand where there are two."""
+        """The title, with the side of the hand if there are two."""
         if not self._setup.others:
             return self.tr("Guided calibration")
         if self._setup.side == "left":
@@ -161,7 +161,9 @@ class GuidedDialog(LeadingDialog):
     def _connect(self) -> None:
         lead, outcome = self.lead, self.outcome
         self.due.connect(self._go_on)
-        self._host.engine_changed.connect(self.give_up)  # the new one knows of no pose
+        self._host.engine_changed.connect(
+            self.give_up
+        )  # the new engine was not notified of any pose
         lead.start.clicked.connect(self.start)
         lead.insist.clicked.connect(lambda: self.run.insist(monotonic()))
         lead.skip.clicked.connect(lambda: self.run.skip(monotonic()))
@@ -175,7 +177,7 @@ class GuidedDialog(LeadingDialog):
     # --- the poses
 
     def start(self) -> None:
-        """From the first pose; what was known before can be had again."""
+        """Start with the first pose; the previous calibration can be restored."""
         self._thinking.stop()
         self.pages.setCurrentWidget(self.lead)
         self._outcomes = self._answers = 0
@@ -220,7 +222,7 @@ class GuidedDialog(LeadingDialog):
             self.outcome.show_learned(found, held, len(self.run.poses))
 
     def _refuse(self) -> None:
-        """Poses would teach nothing."""
+        """Report that poses would have no effect."""
         self._thinking.stop()
         self.run.cancel()
         self.pages.setCurrentWidget(self.outcome)
@@ -229,7 +231,7 @@ class GuidedDialog(LeadingDialog):
         )
 
     def _keep(self) -> None:
-        self._host.show_hand(self._setup.side)  # whose profile it belongs into
+        self._host.show_hand(self._setup.side)  # whose profile receives the result
         self.kept.emit()
         self.close()
 
@@ -241,7 +243,7 @@ class GuidedDialog(LeadingDialog):
     # --- the window
 
     def reject(self) -> None:
-        """Esc: what was held so far is shown before the dialog goes."""
+        """Esc: show the results so far before closing."""
         if self.run.is_running and any(self.run.held.values()):
             self.run.cancel()
             self._finish()
@@ -249,7 +251,7 @@ class GuidedDialog(LeadingDialog):
             super().reject()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """One hand is busy with the pose: single keys for the other."""
+        """Single keys, for the free hand."""
         lead = self.lead
         button = {Qt.Key.Key_S: lead.skip, Qt.Key.Key_R: lead.repeat}.get(Qt.Key(event.key()))
         if button is not None and button.isVisible():
@@ -258,7 +260,7 @@ class GuidedDialog(LeadingDialog):
             super().keyPressEvent(event)
 
     def done(self, result: int) -> None:
-        """No pose is asked for any more."""
+        """Stop requesting poses."""
         self._thinking.stop()
         if self.run.is_running:
             self.run.cancel()

@@ -1,1 +1,1 @@
-"""What dialogs have in common that lead the wearer from pose to pose and tell what came of it."""
+"""Shared parts of dialogs that guide the wearer from pose to pose and show the result."""

@@ -1,4 +1,4 @@
-"""A dialog that leads the wearer: a page that is refreshed while it does, then the outcome."""
+"""A dialog that guides the wearer: a page that is refreshed continuously, then the result."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from app.wizards.sizing import fit_to_screen
 
 TICK_MS = 33
 SMALLEST_PX = 20
-INK = "#101418"  # on a state's colour: contrast 5 or more
+INK = "#101418"  # on the colour of a state: contrast of 5 or more
 
 
 class LeadingDialog(QDialog):
-    """Not modal; it closes when the engine stops. ``due``: a tick of the page that leads."""
+    """Not modal; closes when the engine stops. ``due``: refresh the guiding page."""
 
     due = Signal()
 
@@ -48,11 +48,11 @@ class LeadingDialog(QDialog):
 
     @property
     def leads(self) -> bool:
-        """Whether the page that leads is shown."""
+        """Whether the guiding page is shown."""
         return self.pages.currentWidget() is self._first
 
     def begin(self) -> None:
-        """Refresh from now on."""
+        """Start refreshing."""
         self._timer.start()
         self.tick()
 
@@ -61,7 +61,7 @@ class LeadingDialog(QDialog):
             self.due.emit()
 
     def beep(self) -> None:
-        """Where it is wanted."""
+        """Beep, if sound is enabled."""
         if self._first.sound.isChecked():
             QApplication.beep()
 
@@ -70,12 +70,12 @@ class LeadingDialog(QDialog):
             self.give_up()
 
     def give_up(self) -> None:
-        """Close without a question: there is nothing left that leads or learns."""
+        """Close without asking, because the engine has changed."""
         if self.isVisible():
             self.done(int(QDialog.DialogCode.Rejected))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Words as large as the window allows: they are read from afar."""
+        """Scale the text with the window: it is read from a distance."""
         super().resizeEvent(event)
         px = max(min(self.height() // 17, self.width() // 26), SMALLEST_PX)
         self.setStyleSheet(
@@ -89,7 +89,7 @@ class LeadingDialog(QDialog):
         )
 
     def done(self, result: int) -> None:
-        """However it is closed."""
+        """Clean up, however the dialog is closed."""
         self._timer.stop()
         self._first.stage.shut_down()
         super().done(result)

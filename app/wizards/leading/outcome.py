@@ -1,4 +1,4 @@
-"""A page that tells what came of it: a heading, a sentence, a table, and what may follow."""
+"""A page with results: a heading, a sentence, a table, and buttons."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from app.wizards.leading.page import foot_row
 
 
 class OutcomePage(QWidget):
-    """Says what the user decides; the dialog does it."""
+    """Emits the user's decision; the dialog executes it."""
 
     again = Signal()
 
@@ -38,7 +38,7 @@ class OutcomePage(QWidget):
         self.buttons = [self.again_button]
 
     def name_columns(self, table: str, names: Sequence[str], wide: int) -> None:
-        """``table`` is told to screen readers; the column ``wide`` takes the room that is left."""
+        """``table``: accessible name; the column ``wide`` takes the remaining width."""
         self.table.setAccessibleName(table)
         self.table.setColumnCount(len(names))
         self.table.setHorizontalHeaderLabels(list(names))
@@ -50,7 +50,7 @@ class OutcomePage(QWidget):
         header.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
 
     def lay_out(self, *buttons: QPushButton) -> None:
-        """With these buttons beside `again_button`; the last is what is usually wanted."""
+        """Place these buttons next to `again_button`; the last one is the default."""
         buttons[-1].setProperty("role", "primary")
         self.buttons += buttons
         column = QVBoxLayout(self)
@@ -66,7 +66,7 @@ class OutcomePage(QWidget):
         rows: Sequence[Sequence[str]] = (),
         colours: Sequence[str] = (),
     ) -> None:
-        """One text for each column of each row; ``colours``: of the first one of each."""
+        """Show one text for each column of each row; ``colours``: of the first column."""
         self.heading.setText(heading)
         self.words.setText(words)
         self.table.setRowCount(len(rows))

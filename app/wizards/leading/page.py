@@ -22,17 +22,17 @@ from app.widgets.view3d.view_3d import View3D
 from tracker.base.clock import monotonic
 from tracker.messages import Estimate, Validity
 
-NOW = "▶"  # sign of the step that is under way
+NOW = "▶"  # sign of the current step
 
 
-WIDTH = 0.045  # of the ring, of its diameter
+WIDTH = 0.045  # of the ring, relative to its diameter
 INSET = 6  # px to the border
 TURN = 360 * 16  # Qt's angles are sixteenths of a degree
 TOP = 90 * 16
 
 
 class HoldRing(QWidget):
-    """Lies over another widget, in its middle, and takes no clicks."""
+    """A ring centred over another widget; ignores the mouse."""
 
     def __init__(self, over: QWidget) -> None:
         super().__init__(over)
@@ -41,7 +41,7 @@ class HoldRing(QWidget):
         self._full, self._empty = QColor("#009E73"), QColor(128, 128, 128, 90)
 
     def show_share(self, share: float, colour: str) -> None:
-        """``share`` 0..1 of the ring in ``colour``."""
+        """Show ``share`` 0..1 of the ring in ``colour``."""
         self.share = min(max(share, 0.0), 1.0)
         self._full = QColor(colour)
         self.setAccessibleName(self.tr("held for {} % of the time").format(round(100 * self.share)))
@@ -64,9 +64,9 @@ class HoldRing(QWidget):
 
 
 class PoseStage(QWidget):
-    """Draws for one hand; `show_pose` begins the way to a pose, `refresh` goes on with it.
+    """Draws one hand; `show_pose` starts the movement to a pose, `refresh` continues it.
 
-    The wearer's own hand, as it is tracked, lies over the drawn one as an outline.
+    The tracked hand of the wearer is drawn over it as an outline.
     """
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
@@ -95,7 +95,7 @@ class PoseStage(QWidget):
 
     @property
     def is_ready(self) -> bool:
-        """Whether there is a hand to be seen."""
+        """Whether the mesh is available."""
         return self._skin is not None
 
     def _put_on(self, skin: HandSkin) -> None:
@@ -107,13 +107,13 @@ class PoseStage(QWidget):
         self._body, self._outline = scene.add_surface(surface), scene.add_outline(surface)
 
     def show_pose(self, pose: str) -> None:
-        """Go from the pose that is shown to this one."""
+        """Move from the displayed pose to this one."""
         if pose != self.pose:
             self.before, self.pose = self.pose, pose
         self._since = monotonic()
 
     def refresh(self, estimate: Estimate | None, again: bool) -> None:
-        """Draw the hand as it is by now; ``again``: show the way anew after a while."""
+        """Draw the hand at the current time; ``again``: repeat the movement after a while."""
         skin, body = self._skin, self._body
         if skin is None or body is None:
             return
@@ -128,7 +128,7 @@ class PoseStage(QWidget):
         self.view.render_scene()
 
     def _refresh_outline(self, skin: HandSkin, estimate: Estimate | None, shown: Shown) -> None:
-        """The wearer's hand with its back where the drawn one has it."""
+        """Draw the wearer's hand with its dorsum aligned to that of the drawn hand."""
         if self._outline is None:
             return
         there = estimate is not None and bool(np.isfinite(estimate.segment_p).all())
@@ -147,13 +147,13 @@ class PoseStage(QWidget):
         return super().eventFilter(watched, event)
 
     def shut_down(self) -> None:
-        """Wait for the skin and free what the view holds."""
+        """Wait for the mesh and release the view."""
         self._skins.shut_down()
         self.view.shut_down()
 
 
 def _plain(skin: HandSkin, shown: Shown) -> Draped:
-    """In no state's colour: it is nobody's hand."""
+    """Without state colours: it is not a tracked hand."""
     states = np.full(len(shown.R), int(Validity.MEASURED), np.int64)
     draped = skin.draped(shown.R, shown.p, states)
     looks = draped.looks.copy()
@@ -162,7 +162,7 @@ def _plain(skin: HandSkin, shown: Shown) -> Draped:
 
 
 def foot_row(first: QWidget, rest: Iterable[QWidget]) -> QHBoxLayout:
-    """``first`` on the left of a page's foot, ``rest`` on its right."""
+    """``first`` on the left of a page's bottom row, ``rest`` on its right."""
     row = QHBoxLayout()
     row.addWidget(first)
     row.addStretch(1)
@@ -172,7 +172,7 @@ def foot_row(first: QWidget, rest: Iterable[QWidget]) -> QHBoxLayout:
 
 
 class LeadingPage(QWidget):
-    """Buttons and words; the dialog does what they ask."""
+    """Buttons and texts; the dialog executes the requests."""
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -187,14 +187,14 @@ class LeadingPage(QWidget):
         self.stop.setAutoDefault(False)
 
     def label(self, role: str) -> QLabel:
-        """One whose size follows the window's, as `LeadingDialog` says by its role."""
+        """A label whose font size follows the window's, see `LeadingDialog`."""
         label = QLabel()
         label.setObjectName(f"leading_{role}")
         label.setWordWrap(True)
         return label
 
     def lay_out(self, said: Sequence[QWidget], buttons: Sequence[QWidget]) -> None:
-        """``said`` stands beside the hand, ``buttons`` below, each in this order."""
+        """Place ``said`` next to the hand and ``buttons`` below, in order."""
         text = QVBoxLayout()
         text.addStretch(1)
         for widget in said:
@@ -211,6 +211,6 @@ class LeadingPage(QWidget):
         column.addLayout(foot_row(self.sound, buttons))
 
     def show_chips(self, chips: Iterable[tuple[str, str]]) -> None:
-        """Signs and names of all steps; that which is under way stands out."""
+        """Show sign and name of all steps, with the current one highlighted."""
         told = (f"<b>{s} {n}</b>" if s == NOW else f"{s} {n}" for s, n in chips)
         self.chips.setText(" &nbsp; ".join(told))

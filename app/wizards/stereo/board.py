@@ -1,4 +1,4 @@
-"""First page of the stereo calibration: which board, which images, or a file of before."""
+"""First page of the stereo calibration: the board, the source of images, or an existing file."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ DPI, PREVIEW_DPI = 300, 110
 
 @dataclass(frozen=True)
 class ImageChoice:
-    """Where images of the board may come from."""
+    """A source of images of the board."""
 
     title: str
     make: Callable[[BoardSpec], ImageInput]
@@ -43,7 +43,7 @@ class ImageChoice:
 
 
 class BoardPage(QWidget):
-    """``spec()`` is what the user has set; `import_zed` and `import_opencv` ask for a file."""
+    """``spec()``: the board; `import_zed` and `import_opencv` ask for a file."""
 
     import_zed = Signal()
     import_opencv = Signal()
@@ -132,7 +132,7 @@ class BoardPage(QWidget):
         return box
 
     def set_choices(self, choices: list[ImageChoice]) -> None:
-        """Offer these sources of images; what was chosen stays chosen where it is still there."""
+        """Offer these sources of images; the selection is kept if it is still available."""
         before = self.images.currentText()
         self.choices = choices
         self.images.clear()
@@ -144,7 +144,7 @@ class BoardPage(QWidget):
         return self.choices[index] if 0 <= index < len(self.choices) else None
 
     def spec(self) -> BoardSpec | None:
-        """The board; None, with the reason on the page, where there is none such."""
+        """The board; None, with the reason on the page, if it is invalid."""
         try:
             return BoardSpec(
                 self.kind.currentData(),
@@ -177,7 +177,7 @@ class BoardPage(QWidget):
             self.save_board(Path(path))
 
     def save_board(self, path: Path) -> bool:
-        """Write the page as a PNG that knows its scale; whether it could be written."""
+        """Write the page as a PNG with its resolution; whether that was possible."""
         spec = self.spec()
         if spec is None:
             return False
@@ -217,7 +217,7 @@ class BoardPreview(QWidget):
 
 
 def _grey_image(pixels: NDArray[np.uint8]) -> QImage:
-    """A QImage with memory of its own."""
+    """A QImage with its own copy of the pixels."""
     height, width = pixels.shape
     data = np.ascontiguousarray(pixels)
     image = QImage(data.data, width, height, data.strides[0], QImage.Format.Format_Grayscale8)

@@ -1,4 +1,4 @@
-"""Reads images of a board and finds it, in a thread of its own."""
+"""Reads images and detects the board in a separate thread."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from tracker.sensors.image_input import ImageInput, Pair
 
 _log = logging.getLogger(__name__)
 
-NO_IMAGE = 0.05  # s to wait where the device has none
+NO_IMAGE = 0.05  # s to wait if the device has no image
 
 
 @dataclass(frozen=True, eq=False)
 class BoardSeen:
-    """One exposure, what was found in it and what became of it."""
+    """One exposure, the detected corners and the decision about the view."""
 
     number: int
     pair: Pair
@@ -38,7 +38,7 @@ class BoardSeen:
 
 
 class BoardWatcher:
-    """Collects views until it is stopped. Every method may be called from the window's thread."""
+    """Collects views until it is stopped. Thread-safe."""
 
     def __init__(self, make_source: Callable[[], ImageInput], finder: BoardFinder) -> None:
         self._make_source, self._finder = make_source, finder
@@ -64,7 +64,7 @@ class BoardWatcher:
             return tuple(self._collector.views) if self._collector is not None else ()
 
     def error_px(self, view: StereoView) -> float:
-        """How far a view's corners are off in a calibration of all views so far; NaN before one."""
+        """Error of a view's corners in a calibration of all views so far; NaN before one."""
         return self._errors.get(view, math.nan)
 
     def remove(self, index: int) -> None:
@@ -73,12 +73,12 @@ class BoardWatcher:
                 self._collector.remove(index)
 
     def begin_anew(self) -> None:
-        """Forget all views; the next are fresh ones."""
+        """Discard all views and start collecting again."""
         with self._lock:
             self._collector = None
 
     def stop(self) -> None:
-        """End the thread and free the camera. May be called again."""
+        """Stop the thread and release the camera. May be called repeatedly."""
         self._stopping.set()
         self._thread.join()
 
@@ -124,21 +124,21 @@ class BoardWatcher:
             self._judge(sizes_of(pair))
 
     def _judge(self, sizes: Sequence[Size]) -> None:
-        """Tells a bad view while there is time to take a better one."""
+        """Detect a bad view while there is time to replace it."""
         views = self.views()
         if len(views) < SolveParams().least_views:
             return
         try:
             found = solve(views, sizes)
         except CalibrationError:
-            return  # the result page says why
+            return  # the result page shows the reason
         self._errors = dict(zip(views, found.error.max(axis=1).tolist(), strict=True))
 
 
 class Watching:
-    """One `BoardWatcher` at a time, or none.
+    """At most one `BoardWatcher`.
 
-    A job, called ``closing``, frees the camera: that may take a second.
+    A job, called ``closing``, releases the camera, which may take a second.
     """
 
     def __init__(self, tasks: TaskOwner, closing: str) -> None:
@@ -158,6 +158,6 @@ class Watching:
         return self.watcher.views() if self.watcher is not None else ()
 
     def remove(self, index: int) -> None:
-        """Forget a view; a negative ``index`` is none."""
+        """Discard a view; a negative ``index`` is ignored."""
         if self.watcher is not None and index >= 0:
             self.watcher.remove(index)

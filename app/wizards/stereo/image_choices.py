@@ -1,4 +1,4 @@
-"""Where the stereo calibration may take its images from."""
+"""Sources of images for the stereo calibration."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 
 @dataclass(eq=False)
 class SessionImages:
-    """An `ImageInput` of the images that the open session receives."""
+    """An `ImageInput` of the images of the open session."""
 
     host: EngineHost
     live: bool = True
@@ -42,7 +42,7 @@ class SessionImages:
         if setup is None:
             raise DeviceError(tr("The camera was closed. Start glove and camera again."))
         unfit = setup.camera.device.unfit if setup.camera.device is not None else None
-        if unfit is not None:  # a calibration of another camera: here it gets its own
+        if unfit is not None:  # the calibration of another camera does not fit
             return self._once(unfit.pair)
         latest = setup.tracked.latest_frame()
         if latest is None or latest[0].index == self._last:
@@ -62,8 +62,8 @@ class SessionImages:
 
 
 class ChosenImages:
-    """An `ImageInput` that is opened here until the session opens the same camera: then it is the
-    session's, since a camera has one reader."""
+    """An `ImageInput` that is opened here until the session opens the same camera: a camera can
+    only be opened once."""
 
     def __init__(self, host: EngineHost, own: ImageInput) -> None:
         self._own, self._used = own, SessionImages(host)
@@ -91,7 +91,7 @@ class ChosenImages:
 
 
 def camera_in_use(host: EngineHost) -> bool:
-    """Whether the open session has a real camera."""
+    """Whether the open session uses a real camera."""
     setup = host.setup
     if setup is None or setup.player is not None or setup.simulated:
         return False
@@ -101,7 +101,7 @@ def camera_in_use(host: EngineHost) -> bool:
 def image_choices(
     host: EngineHost, settings: AppSettings, cameras: list[CameraName]
 ) -> list[ImageChoice]:
-    """All of them, the likeliest first."""
+    """All sources, the most likely first."""
     from tracker.simulation.board_camera import (
         BoardCamera,  # deferred: only the demo has a simulated camera
     )
@@ -115,7 +115,7 @@ def image_choices(
         return ImageChoice(title, lambda _spec: choose(wanted, WIDTH, HEIGHT, FPS, cameras).source)
 
     found = [
-        # a plug-in's camera has no index
+        # the camera of a plug-in has no index
         choice(f"{c.name} ({c.path or c.index})", str(c.index) if c.index >= 0 else c.path)
         for c in cameras
     ]
@@ -131,13 +131,13 @@ def image_choices(
 
 
 def folder_choice(folder: Path) -> ImageChoice:
-    """Images on disk: names with left and right in them, in the order of their names; all of them
-    one camera's where no name has either."""
+    """Images on disk: names that contain left and right, sorted by name; all of one camera if no
+    name contains either."""
     return ImageChoice(tr("Folder {}").format(folder.name), lambda _spec: folder_input(folder))
 
 
 def folder_input(folder: Path) -> ImageInput:
-    """Raises DeviceError where there are not as many left as right images."""
+    """Raises DeviceError if the numbers of left and right images differ."""
     files = sorted(p for p in folder.iterdir() if p.suffix.lower() in SUFFIXES)
     sides = [[p for p in files if side in p.name.lower()] for side in ("left", "right")]
     if not any(sides):

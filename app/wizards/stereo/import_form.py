@@ -1,4 +1,5 @@
-"""Asks for files of others, and for what a foreign calibration file does not say."""
+"""Dialogs for calibration files of other programs, and for information that these files do not
+contain."""
 
 from __future__ import annotations
 
@@ -24,7 +25,7 @@ UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), (mark("squares of the board"), 
 
 
 class ImportFormDialog(QDialog):
-    """The image's size, and the unit of the distance between the lenses."""
+    """Asks for the image size, and the unit of the baseline."""
 
     def __init__(self, path: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -61,7 +62,7 @@ class ImportFormDialog(QDialog):
 
 
 def ask_import_form(path: Path, parent: QWidget) -> ImportForm | None:
-    """None where the user thinks better of it."""
+    """None if the user cancels."""
     dialog = ImportFormDialog(path, parent)
     return dialog.form() if dialog.exec() == QDialog.DialogCode.Accepted else None
 
@@ -74,7 +75,7 @@ def _pixels(value: int) -> QSpinBox:
 
 
 def ask_zed(parent: QWidget) -> tuple[Path, None] | None:
-    """The camera's factory file."""
+    """Ask for the factory file of the camera."""
     start = str(ZED_FOLDER) if ZED_FOLDER.is_dir() else ""
     title = QCoreApplication.translate("StereoWizard", "ZED factory file")
     path, _ = QFileDialog.getOpenFileName(parent, title, start, "*.conf")
@@ -82,7 +83,7 @@ def ask_zed(parent: QWidget) -> tuple[Path, None] | None:
 
 
 def ask_opencv(parent: QWidget) -> tuple[Path, ImportForm] | None:
-    """A file that OpenCV's tools wrote, and what it does not say."""
+    """Ask for a file written by OpenCV's tools, and for missing information."""
     title = QCoreApplication.translate("StereoWizard", "OpenCV calibration")
     path, _ = QFileDialog.getOpenFileName(parent, title, "", "*.yml *.yaml *.xml *.json")
     form = ask_import_form(Path(path), parent) if path else None
@@ -90,7 +91,7 @@ def ask_opencv(parent: QWidget) -> tuple[Path, ImportForm] | None:
 
 
 def ask_folder(parent: QWidget) -> Path | None:
-    """Where the images are."""
+    """Ask for the folder of the images."""
     title = QCoreApplication.translate("StereoWizard", "Folder with left and right images")
     path = QFileDialog.getExistingDirectory(parent, title)
     return Path(path) if path else None

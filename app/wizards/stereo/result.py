@@ -34,7 +34,7 @@ from tracker.vision.rig import StereoRig
 
 
 class ResultPage(QWidget):
-    """Shows progress, then the solution or why there is none."""
+    """Shows progress, then the solution or the reason why there is none."""
 
     cancelled = Signal()
 
@@ -92,14 +92,15 @@ class ResultPage(QWidget):
         self.reasons.hide()
 
     def show_failure(self, why: str) -> None:
-        """There is no solution."""
+        """Show why there is no solution."""
         self._working(False)
         self.words.setText(f"{BAD.sign}  " + self.tr("No calibration"))
         self._show_reasons([why])
         self.table.setRowCount(0)
 
     def show_solution(self, solution: Solution, cover: Coverage, baseline: float) -> bool:
-        """Figures and views; whether it may go on to the check. ``baseline`` as in `problems`."""
+        """Show figures and views of the solution, and whether it can be checked. ``baseline`` as in
+        `problems`."""
         self._working(False)
         found = problems(solution, cover, baseline)
         look = BAD if found else GOOD
@@ -164,7 +165,7 @@ class Solving(QObject):
         sizes: Sequence[Size],
         done: Callable[[Solution | str], None],
     ) -> None:
-        """``done`` gets the solution, or why there is none."""
+        """``done`` receives the solution, or the reason why there is none."""
         job = _solving(views, sizes)
         self._task = self._tasks.run(self.tr("Camera calibration"), job, done, self._ended)
         self._task.progressed.connect(self.progressed)
@@ -181,7 +182,7 @@ class Solving(QObject):
 def _solving(
     views: tuple[StereoView, ...], sizes: Sequence[Size]
 ) -> Callable[[JobProgress], Solution | str]:
-    """The job; what cannot be solved is a result too, shown on the page."""
+    """The job; a failure to solve is a result, too, shown on the page."""
 
     def job(progress: JobProgress) -> Solution | str:
         try:
@@ -193,7 +194,7 @@ def _solving(
 
 
 def save_rig(folder: Path, title: str, rig: StereoRig, note: str) -> Path:
-    """A new file named by the camera and the day. Raises FileError."""
+    """Write a new file named by camera and date. Raises FileError."""
     path = free_path(folder / f"{slug(title)}-{datetime.now():%Y%m%d}.yml")
     cameras = extrinsics_of(rig)
     save_calibration(path, cameras.left, cameras.right, cameras.R, cameras.T, note)

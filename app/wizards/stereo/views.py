@@ -1,4 +1,5 @@
-"""The pages that look at the board: collecting views, and checking the result on fresh ones."""
+"""The pages with live images of the board: collecting views, and checking the result on new
+views."""
 
 from __future__ import annotations
 
@@ -48,7 +49,7 @@ from tracker.vision.rig import Camera, StereoRig
 
 
 class ImagePair(QSplitter):
-    """Both images side by side, or that of a camera alone."""
+    """Both images side by side, or that of a single camera."""
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
@@ -60,12 +61,12 @@ class ImagePair(QSplitter):
             self.addWidget(view)
 
     def show_sides(self, alone: bool) -> None:
-        """Both, or the one image of a camera ``alone``, which is no left one."""
+        """Show both images, or that of a single camera (``alone``), which is not named left."""
         self.left.set_title(self.tr("Camera") if alone else self.tr("Left"))
         self.right.setVisible(not alone)
 
     def show_pair(self, images: Pair, shapes: Sequence[Sequence[Shape]]) -> None:
-        """Images with what is drawn over each."""
+        """Show images with shapes drawn over each."""
         self.show_sides(alone=images[1] is None)
         for view, image, drawn in zip((self.left, self.right), images, shapes, strict=True):
             if image is not None:
@@ -78,7 +79,7 @@ class ImagePair(QSplitter):
 
 
 class CollectPage(QWidget):
-    """Live images, what they cover, and the views taken."""
+    """Live images, their coverage, and the collected views."""
 
     removed = Signal(int)
 
@@ -126,7 +127,7 @@ class CollectPage(QWidget):
         return column
 
     def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
-        """The latest exposure, and what has been collected."""
+        """Show the latest exposure and the collected views."""
         if seen is None:
             self.images.wait(trouble or self.tr("Waiting for the camera"))
             self.words.setText(trouble)
@@ -162,7 +163,7 @@ class CollectPage(QWidget):
     def show_list(
         self, views: Sequence[StereoView], error_px: Callable[[StereoView], float]
     ) -> None:
-        """The views taken, each with its error in a calibration of all of them."""
+        """List the collected views, each with its error in a calibration of all of them."""
         errors = tuple(error_px(v) for v in views)
         if self._listed == (views, errors):
             return
@@ -176,7 +177,7 @@ class CollectPage(QWidget):
 
 
 class CheckPage(QWidget):
-    """Rectified images, and how well rows agree on views that the solution has not seen."""
+    """Rectified images, and row differences in views that were not used for the solution."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -206,7 +207,7 @@ class CheckPage(QWidget):
         self.found: Verification | None = None
 
     def set_rig(self, rig: StereoRig) -> None:
-        """Check this one from now on."""
+        """Check this rig."""
         self._rig, self.found, self._seen = rig, None, None
         self._maps = tuple(_rectify_map(c) for c in (rig.left, rig.right))
         self._name_columns(rig.one_camera)
@@ -218,7 +219,7 @@ class CheckPage(QWidget):
         self.table.setHorizontalHeaderLabels([self.tr("View"), off])
 
     def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
-        """The latest exposure through the rig, and the fresh views so far."""
+        """Show the latest exposure, rectified, and the new views so far."""
         if seen is None:
             self.images.wait(trouble or self.tr("Show the board again."))
         elif seen is not self._seen:
@@ -228,7 +229,7 @@ class CheckPage(QWidget):
             self.show_views(views)
 
     def show_views(self, views: Sequence[StereoView]) -> None:
-        """What the fresh views say."""
+        """Show the errors of the new views."""
         if self._rig is None:
             return
         self.found = verify(self._rig, views)
@@ -247,7 +248,7 @@ class CheckPage(QWidget):
         assert self._rig is not None
         rig, lines = self._rig, []
         if seen.look.view is not None and not rig.one_camera:
-            # the left image's rows on both: they must meet the same corners
+            # the same rows in both images, which must meet the same corners
             lines = row_lines(rig.left, seen.look.left, rig.left.width)
         for widget, image, camera, maps in zip(
             (self.images.left, self.images.right),

@@ -40,8 +40,8 @@ BOARD, VIEWS, RESULT, CHECK = range(4)
 
 
 class StereoWizard(QDialog):
-    """Not modal: the window lives on beside it. ``finished_with`` gives the calibration's file, and
-    whether it is one of the real camera."""
+    """Not modal. ``finished_with``: the file of the calibration, and whether it is for the real
+    camera."""
 
     finished_with = Signal(object, bool)
     board_used = Signal(object)  # BoardSpec
@@ -58,10 +58,12 @@ class StereoWizard(QDialog):
         self._tasks, self._folder = tasks, folder
         self.watching = Watching(tasks, self.tr("Closing the camera"))
         self._solving = Solving(tasks, self)
-        self._fresh: list[StereoView] | None = None  # of images that do not come anew
+        self._fresh: list[StereoView] | None = (
+            None  # views of a folder of images, reserved for the check
+        )
         self._rig: StereoRig | None = None
-        self._imported = ""  # name of the file that was read, or empty
-        self._file: Path | None = None  # one that is used as it is
+        self._imported = ""  # name of the imported file, or empty
+        self._file: Path | None = None  # an existing file that is used unchanged
         self._usable = False
         self.board = BoardPage(spec or BoardSpec(), choices)
         self.collect, self.outcome, self.check = CollectPage(), ResultPage(), CheckPage()
@@ -117,7 +119,7 @@ class StereoWizard(QDialog):
     # --- going from page to page
 
     def go_on(self) -> None:
-        """What the page's main button does."""
+        """Do what the page's main button says."""
         page = self.pages.currentIndex()
         (self._start_views, self._start_solving, self._start_check, self._finish)[page]()
 
@@ -158,7 +160,7 @@ class StereoWizard(QDialog):
         else:
             found = self.check.found
             state = found.verdict()[0] if found is not None else "waiting"
-            # a file of before may be used without the board at hand
+            # an imported file may be used without the board
             on = state in ("good", "usable") or (state == "waiting" and bool(self._imported))
         self.next.setEnabled(on)
 
@@ -192,7 +194,7 @@ class StereoWizard(QDialog):
             self.watching.start(lambda: choice.make(spec), BoardFinder(spec))
 
     def use_folder(self, folder: Path | None) -> None:
-        """Take images from files, and go on; None where the user thinks better of it."""
+        """Use images from a folder and continue; None if the user cancels."""
         if folder is None:
             return
         self.board.set_choices([folder_choice(folder), *self.board.choices])
@@ -250,7 +252,7 @@ class StereoWizard(QDialog):
         choice, found = self.board.choice(), self.check.found
         title = choice.title if choice is not None else "camera"
         if self._imported:
-            title = self._imported  # not of where images for a check come from
+            title = self._imported  # instead of the source of the images for the check
         note = tr("checked: {:.3f} px").format(found.rms_px) if found is not None else ""
         try:
             path = self._file or save_rig(self._folder, title, self._rig, note)
@@ -267,7 +269,7 @@ class StereoWizard(QDialog):
             self.take_file(*chosen)
 
     def take_file(self, path: Path, form: ImportForm | None = None) -> bool:
-        """Check a file; where it is good, it can be used at once or tried on the board first."""
+        """Check a file; if it is valid, it can be used directly or tested with the board first."""
         try:
             rig = load_rig(path, form)
         except GlovetrackError as error:
@@ -284,7 +286,7 @@ class StereoWizard(QDialog):
         return True
 
     def done(self, result: int) -> None:
-        """However it is closed: the camera is freed, a calculation under way ends."""
+        """Release the camera and stop a running calculation, however the dialog is closed."""
         self._timer.stop()
         self._solving.cancel()
         self.watching.stop()

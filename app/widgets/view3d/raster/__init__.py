@@ -1,10 +1,12 @@
-"""The painted 3D view's renderer: rays meet pure forms, in compiled code without OpenGL.
+"""The software renderer of the 3D view: ray casting of analytic shapes, in compiled code without
+OpenGL.
 
-`scene` keeps the bodies in a few arrays and makes the image; `placing` brings them before the
-camera; `tiles` tells which of them each tile of pixels may show; `solids`, `grid` and `strokes`
-tell where a ray meets one; `layers` keeps what one ray meets in order; `blending` makes a colour of
-it, under the light of `shading`; `image` goes over the pixels; `view` is what all of them share.
+`scene` stores the bodies in arrays and renders the image; `placing` transforms them into the camera
+frame; `tiles` determines which of them each tile of pixels may show; `solids`, `grid` and `strokes`
+intersect a ray with one; `layers` stores the intersections of a ray in order; `blending` computes
+the colour, lit by `shading`; `image` iterates over the pixels; `view` contains the data that all of
+them share.
 
-The camera's frame C has x to the right, y down and z ahead. A ray is (x, y, 1), so that how far it
-goes is a depth in m.
+The camera's frame C has x to the right, y down and z forward. A ray is (x, y, 1), so that the ray
+parameter is the depth in m.
 """

@@ -1,4 +1,4 @@
-"""The colour that comes of what a ray meets."""
+"""The colour of a ray from the surfaces that it intersects."""
 
 from __future__ import annotations
 
@@ -35,18 +35,18 @@ from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 
 GRID_DARKNESS = 0.55
-"""Of the lines on a surface."""
+"""Darkness of the lines on a surface."""
 ALONE_FILL = 0.25
-"""Share of its cover that a surface keeps between the lines of a grid that stands for it."""
+"""Opacity factor of a surface between the lines of a grid drawn instead of it."""
 RIM = 0.5
-"""Share of what shines through that a see-through body holds back where it is seen edge-on."""
+"""Share of the transmitted light that a transparent body absorbs when it is viewed edge-on."""
 NUMBERS = 0x3FFFFFFF
 
 
 @kernel(error_model="numpy")
 def blend(view: View, rays: int, bundle: RayBundle) -> None:
-    """Colour of the bundle's first ``rays``: their layers before the background; and a number that
-    differs between rays which meet different surfaces, 0 for none."""
+    """Colour of the bundle's first ``rays``: their layers in front of the background; and a number
+    that identifies the combination of surfaces, 0 for none."""
     kinds, forms, places, looks = view.kinds, view.forms, view.places, view.looks
     xs, ys, colours, numbers = bundle.x, bundle.y, bundle.colour, bundle.number
     counts, depths, covers, bodies = bundle.many, bundle.depth, bundle.cover, bundle.body
@@ -69,7 +69,7 @@ def blend(view: View, rays: int, bundle: RayBundle) -> None:
                 style, group = looks[i, STYLE], 1 << int(looks[i, GROUP])
                 if group > 1 and cover < SOLID:
                     if groups & group:
-                        continue  # behind another one of its group
+                        continue  # hidden by another one of its group
                     groups |= group
                 if style != ALONE:
                     number = (number * 31 + i + 1) & NUMBERS
@@ -114,8 +114,8 @@ def _into(R_CS: Rotation, x: float, y: float) -> Vector3:
 
 @kernel(error_model="numpy", inline="always")
 def _normal(kind: int, form: Rounded, p: Vector3) -> Vector3:
-    """In S, at a point of the surface. First in a form stand a capsule's length and radius, or a
-    disc's half height and radius."""
+    """Outward normal in S at a point of the surface. A form starts with length and radius of a
+    capsule, or half height and radius of a disc."""
     if kind == CAPSULE:
         return capsule_normal(p, form[0], form[1])
     if kind == BLOCK:
@@ -126,7 +126,8 @@ def _normal(kind: int, form: Rounded, p: Vector3) -> Vector3:
 
 @kernel(error_model="numpy", inline="always")
 def _with_grid(style: float, cover: float, grid: float) -> tuple[float, float]:
-    """Cover of a surface where its grid's lines cover ``grid`` of it, and how dark they make it."""
+    """Opacity of a surface of which ``grid`` is covered by grid lines, and how much they darken
+    it."""
     if style == OVER:
         dark = GRID_DARKNESS * grid
         return max(cover, dark), dark
@@ -135,7 +136,7 @@ def _with_grid(style: float, cover: float, grid: float) -> tuple[float, float]:
 
 @kernel(error_model="numpy", inline="always")
 def _with_rim(cover: float, n: Vector3, d: Vector3) -> float:
-    """A see-through body covers more where the ray passes through more of its skin."""
+    """A transparent body is more opaque where the ray passes through more of its surface."""
     length = np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
     aside = 1.0 - abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / length
     return cover + (1.0 - cover) * RIM * aside * aside * aside
@@ -143,7 +144,7 @@ def _with_rim(cover: float, n: Vector3, d: Vector3) -> float:
 
 @kernel(error_model="numpy", inline="always")
 def _coloured(colour: Vector3, bright: float, shine: float, left: float) -> Vector3:
-    """Under light; ``left`` is what dark lines leave of it."""
+    """Lit colour; ``left`` is the share that dark lines leave visible."""
     return (
         min(colour[0] * bright + shine, 1.0) * left,
         min(colour[1] * bright + shine, 1.0) * left,

@@ -1,4 +1,4 @@
-"""The grid of lines on a solid, a pixel wide however far it is and however it is turned."""
+"""Grid lines on a solid, one pixel wide at any distance and orientation."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from tracker.kernels import kernel
 
 WIDTH_PX = 1.0
 CROWDED_PX = 4.0
-"""Lines nearer to each other than this fade, so that they do not run together."""
+"""Lines closer than this fade, so that they do not merge."""
 MERIDIANS = 10
-RING = 1.6  # radii from one ring of a capsule to the next
+RING = 1.6  # radii between the rings of a capsule
 CAP_RING = 0.7  # radii from a capsule's end to the ring on its cap
-CELLS = 8.0  # of a block along its longer side
+CELLS = 8.0  # along the longer side of a block
 
 
 @kernel(error_model="numpy")
@@ -55,16 +55,17 @@ def _on_capsule(
 
 @kernel(error_model="numpy")
 def _off(x: float, step: float) -> float:
-    """How far x is from the nearest multiple of ``step``."""
+    """Distance of x from the nearest multiple of ``step``."""
     return abs(x - step * np.round(x / step))
 
 
 @kernel(error_model="numpy")
 def _cover(off: float, spacing: float, e: Vector3, n: Vector3, d: Vector3, scale: float) -> float:
-    """Cover by lines ``spacing`` m apart, the nearest ``off`` m away, both measured along e.
+    """Coverage by lines ``spacing`` m apart, the nearest at a distance of ``off`` m, both measured
+    along e.
 
-    A step across the ray, δ, moves the point on the surface by δ - v (n·δ)/(n·v) with the ray's
-    direction v; what is measured along e changes by (e - n (e·v)/(n·v))·δ.
+    A step δ across the ray moves the point on the surface by δ - v (n·δ)/(n·v) with the ray's
+    direction v; the coordinate along e changes by (e - n (e·v)/(n·v))·δ.
     """
     length = np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
     facing = n[0] * d[0] + n[1] * d[1] + n[2] * d[2]
@@ -72,6 +73,6 @@ def _cover(off: float, spacing: float, e: Vector3, n: Vector3, d: Vector3, scale
     steep = (e[0] * d[0] + e[1] * d[1] + e[2] * d[2]) / facing
     along = e[0] * n[0] + e[1] * n[1] + e[2] * n[2]
     px = scale / np.sqrt(max(1.0 - 2 * along * steep + steep * steep, 1e-9))
-    crossed = min(1.0, 4.0 * (1.0 - along * along))  # a side that lies along a line shows no line
+    crossed = min(1.0, 4.0 * (1.0 - along * along))  # a side parallel to the lines shows none
     cover = min(max(0.5 * WIDTH_PX + 0.5 - off * px, 0.0), 1.0)
     return cover * crossed * min(1.0, spacing * px / CROWDED_PX)

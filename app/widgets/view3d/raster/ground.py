@@ -1,4 +1,4 @@
-"""What lies behind everything: a plain colour and thin lines that fade towards their ends."""
+"""The background: a plain colour and thin lines that fade towards their ends."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from tracker.kernels.arrays import Matrix, UInt32Matrix, Vector, Written
 
 
 class Ground(NamedTuple):
-    """Lines behind everything: ends (M, 6) m in G, one after the other; strength (M,) in their
-    middle; colours (3,) of what is between them and of the lines, shares of one."""
+    """Lines in the background: ends (M, 6) m in G, start and end of each; strength (M,) at their
+    centres; colours (3,) of the background and of the lines, 0..1."""
 
     ends: Matrix
     strength: Vector
@@ -22,8 +22,7 @@ class Ground(NamedTuple):
 
 @kernel(error_model="numpy")
 def rule(lines: Matrix, ground: Ground, image: Written[UInt32Matrix]) -> None:
-    """Fill ``image`` with the background and draw the lines (M, 6), as `placing.project_line` has
-    them."""
+    """Fill ``image`` with the background and draw the lines (M, 6), see `placing.project_line`."""
     strength, background, ink = ground.strength, ground.background, ground.ink
     plain = _mixed(background, ink, 0.0)
     image[:] = plain
@@ -36,7 +35,7 @@ def rule(lines: Matrix, ground: Ground, image: Written[UInt32Matrix]) -> None:
 def _line(
     line: Vector, strength: float, background: Vector, ink: Vector, image: Written[UInt32Matrix]
 ) -> None:
-    """One line, a pixel wide: column by column, or row by row where it is steep."""
+    """Draw one line, a pixel wide: column by column, or row by row if it is steep."""
     height, width = image.shape
     steep = abs(line[4] - line[1]) > abs(line[3] - line[0])
     a0, b0, a1, b1 = line[0], line[1], line[3], line[4]
@@ -62,7 +61,7 @@ def _line(
 
 @kernel(error_model="numpy", inline="always")
 def _mixed(background: Vector, ink: Vector, share: float) -> np.uint32:
-    """0xFFRRGGBB between two colours (3,), shares of one."""
+    """0xFFRRGGBB interpolated between two colours (3,), 0..1."""
     out = np.uint32(0xFF)
     for k in range(3):
         part = min(max(background[k] + share * (ink[k] - background[k]), 0.0), 1.0)

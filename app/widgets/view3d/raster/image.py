@@ -1,4 +1,5 @@
-"""The image: a ray through the middle of each pixel, three more where surfaces meet."""
+"""Rendering of the image: one ray through the centre of each pixel, three more at the edges of
+surfaces."""
 
 from __future__ import annotations
 
@@ -44,12 +45,12 @@ from tracker.kernels.arrays import (
 FIRST_PAIRS = 4096
 MOST_RAYS = TILE * TILE * len(MORE)
 FAINT = 16
-"""Steps of 255 by which colours may differ without anybody seeing stairs."""
+"""Difference of colours in steps of 255 that is not visible as aliasing."""
 
 
 class Canvas(NamedTuple):
-    """What is drawn on, of H by W pixels: image and backdrop 0xFFRRGGBB, numbers for what the
-    pixels show, samples of the surfaces."""
+    """The render target of H by W pixels: image and backdrop 0xFFRRGGBB, numbers that identify the
+    visible surfaces, samples of the surfaces."""
 
     image: Written[UInt32Matrix]
     backdrop: Written[UInt32Matrix]
@@ -59,7 +60,7 @@ class Canvas(NamedTuple):
 
 class Tiles(NamedTuple):
     """What each of T tiles may show: bodies and lines are ``items`` from its ``starts`` (T + 1,) to
-    the next, as `_sort` has them; surfaces where it is touched (T,)."""
+    the next, see `_sort`; surfaces where it is touched (T,)."""
 
     items: IntVector
     starts: IntVector
@@ -75,9 +76,9 @@ def draw(
     camera: Pinhole,
     canvas: Canvas,
 ) -> None:
-    """Fill the canvas with what the camera sees."""
+    """Render everything into the canvas."""
     image, numbers = canvas.image, canvas.numbers
-    # 1. everything before the camera, and which tiles of the image it may touch
+    # 1. transform everything into the camera frame and sort it into tiles
     places, sized = place_solids(bodies, camera)
     seen = project_surfaces(surfaces, camera)
     light(surfaces, camera, seen)
@@ -96,7 +97,7 @@ def draw(
     image[:] = canvas.backdrop
     numbers[:] = 0
     bundle = new_bundle(MOST_RAYS)
-    # 2. a ray through each pixel's middle; 3. more where neighbours show something else
+    # 2. a ray through the centre of each pixel; 3. more rays at edges
     _first_rays(view, tiles, bundle, canvas)
     wanted, edged = np.empty(image.shape, np.bool_), np.zeros(len(touched), np.bool_)
     _mark_edges(tiles, canvas, wanted, edged)
@@ -107,7 +108,7 @@ def draw(
 
 @kernel(error_model="numpy")
 def _first_rays(view: View, tiles: Tiles, bundle: RayBundle, canvas: Canvas) -> None:
-    """A ray through the middle of each pixel of the tiles that show anything."""
+    """A ray through the centre of each pixel of the tiles that are not empty."""
     image, numbers = canvas.image, canvas.numbers
     columns = (image.shape[1] + TILE - 1) // TILE
     for tile in range(len(tiles.touched)):
@@ -127,7 +128,7 @@ def _more_rays(
     view: View, tiles: Tiles, wanted: BoolMatrix, edged: BoolVector, bundle: RayBundle,
     canvas: Canvas,
 ) -> None:  # fmt: skip
-    """`MORE` rays through each pixel ``wanted`` (H, W), all in tiles ``edged`` (T,)."""
+    """`MORE` rays through each pixel of ``wanted`` (H, W), all in tiles ``edged`` (T,)."""
     image = canvas.image
     columns = (image.shape[1] + TILE - 1) // TILE
     for tile in range(len(edged)):
@@ -148,8 +149,8 @@ def _more_rays(
 def _paint_surfaces(
     view: View, top: int, left: int, image: Written[UInt32Matrix], numbers: Written[Int32Matrix]
 ) -> None:
-    """A tile that shows nothing but surfaces, as most of a hand's do: without bundles of rays,
-    which would be written and read for nothing."""
+    """Render a tile that contains only surfaces, as most tiles of a hand do, without bundles of
+    rays, which would be written and read unnecessarily."""
     inverse, face, part = view.samples.inverse, view.samples.face, view.surfaces.part
     height, width = image.shape
     for v in range(top, min(top + TILE, height)):
@@ -187,7 +188,7 @@ def _mix_surfaces(
 
 @kernel(error_model="numpy", inline="always")
 def _over(below: int, colour: Vector3, cover: float) -> Vector3:
-    """A share of a colour over 0xFFRRGGBB."""
+    """Blend a colour over 0xFFRRGGBB."""
     if cover >= 1.0:
         return colour
     red, green, blue = _parts(below)
@@ -200,13 +201,13 @@ def _over(below: int, colour: Vector3, cover: float) -> Vector3:
 
 @kernel(error_model="numpy", inline="always")
 def _parts(colour: int) -> Vector3:
-    """Red, green and blue of 0xFFRRGGBB, shares of one."""
+    """Red, green and blue of 0xFFRRGGBB, 0..1."""
     return (colour >> 16 & 255) / 255, (colour >> 8 & 255) / 255, (colour & 255) / 255
 
 
 @kernel(error_model="numpy")
 def _ground_lines(ground: Ground, camera: Pinhole) -> Matrix:
-    """(M, 6) as `project_line` has them."""
+    """(M, 6) projected lines, see `project_line`."""
     lines = np.empty((len(ground.ends), 6))
     for m in range(len(lines)):
         project_line(ground.ends[m, :3], ground.ends[m, 3:], camera, lines[m])
@@ -215,7 +216,7 @@ def _ground_lines(ground: Ground, camera: Pinhole) -> Matrix:
 
 @kernel(error_model="numpy")
 def _middle_rays(view: View, image: UInt32Matrix, top: int, left: int, bundle: RayBundle) -> int:
-    """A ray through the middle of each pixel of a tile, and which pixel; how many."""
+    """Rays through the centres of the pixels of a tile, with their pixels; returns their number."""
     rays, (height, width) = 0, image.shape
     xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
     for v in range(top, min(top + TILE, height)):
@@ -231,8 +232,8 @@ def _middle_rays(view: View, image: UInt32Matrix, top: int, left: int, bundle: R
 def _mark_edges(
     tiles: Tiles, canvas: Canvas, wanted: Written[BoolMatrix], edged: Written[BoolVector]
 ) -> None:
-    """Pixels of the tiles that show anything whose neighbour shows something else, and the tiles
-    that have any; ``wanted`` (H, W) of other tiles stays as it is."""
+    """Mark the pixels of non-empty tiles whose neighbours show other surfaces, and the tiles that
+    contain any; ``wanted`` (H, W) is not changed in other tiles."""
     image, numbers = canvas.image, canvas.numbers
     height, width = image.shape
     columns = (width + TILE - 1) // TILE
@@ -257,7 +258,7 @@ def _mark_edges(
 
 @kernel(error_model="numpy")
 def _edge_rays(view: View, wanted: BoolMatrix, top: int, left: int, bundle: RayBundle) -> int:
-    """`MORE` rays one after another through each pixel ``wanted`` of a tile; how many."""
+    """`MORE` rays through each pixel ``wanted`` of a tile; returns their number."""
     rays, (height, width) = 0, wanted.shape
     xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
     for v in range(top, min(top + TILE, height)):
@@ -282,7 +283,7 @@ def _paint(
     image: Written[UInt32Matrix],
     numbers: Written[Int32Matrix],
 ) -> None:
-    """Each ray's colour to its pixel."""
+    """Write the colour of each ray to its pixel."""
     for k in range(rays):
         image[at[k, 0], at[k, 1]] = packed((colour[k, 0], colour[k, 1], colour[k, 2]))
         numbers[at[k, 0], at[k, 1]] = number[k]
@@ -290,7 +291,7 @@ def _paint(
 
 @kernel(error_model="numpy")
 def _mix(rays: int, at: IntMatrix, colour: Matrix, image: Written[UInt32Matrix]) -> None:
-    """The mean of `MORE` rays and the first one to their pixel."""
+    """Write the mean of `MORE` rays and the first one to their pixel."""
     share = 1.0 / (len(MORE) + 1)
     for k in range(0, rays, len(MORE)):
         v, u = at[k, 0], at[k, 1]
@@ -302,7 +303,7 @@ def _mix(rays: int, at: IntMatrix, colour: Matrix, image: Written[UInt32Matrix])
 
 @kernel(error_model="numpy", inline="always")
 def _differ(a: int, b: int) -> bool:
-    """Whether two colours 0xFFRRGGBB differ by more than `FAINT` in one part."""
+    """Whether two colours 0xFFRRGGBB differ by more than `FAINT` in one component."""
     red = abs(np.int64(a >> 16 & 255) - np.int64(b >> 16 & 255))
     green = abs(np.int64(a >> 8 & 255) - np.int64(b >> 8 & 255))
     blue = abs(np.int64(a & 255) - np.int64(b & 255))
@@ -311,7 +312,7 @@ def _differ(a: int, b: int) -> bool:
 
 @kernel(error_model="numpy", inline="always")
 def packed(colour: tuple[float, float, float]) -> np.uint32:
-    """Red, green and blue, shares of one, as 0xFFRRGGBB."""
+    """Red, green and blue, 0..1, as 0xFFRRGGBB."""
     red = np.uint32(min(max(colour[0], 0.0), 1.0) * 255.0 + 0.5)
     green = np.uint32(min(max(colour[1], 0.0), 1.0) * 255.0 + 0.5)
     blue = np.uint32(min(max(colour[2], 0.0), 1.0) * 255.0 + 0.5)
@@ -320,7 +321,7 @@ def packed(colour: tuple[float, float, float]) -> np.uint32:
 
 @kernel(error_model="numpy")
 def _sort(view: View, size: tuple[int, int]) -> tuple[IntVector, IntVector]:
-    """Items of each tile, as `tiles.sort_pairs`: a body's row, or N and more for a line."""
+    """Items of each tile, see `tiles.sort_pairs`: a body's row, or N and more for a line."""
     bodies, pairs = len(view.kinds), np.empty((FIRST_PAIRS, 2), np.int64)
     tiles = ((size[0] + TILE - 1) // TILE) * ((size[1] + TILE - 1) // TILE)
     while True:

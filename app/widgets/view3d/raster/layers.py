@@ -1,4 +1,4 @@
-"""What the rays of a bundle meet, nearest first."""
+"""The surfaces that the rays of a bundle intersect, nearest first."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector
 
 SOLID = 0.999
-"""Cover from which nothing behind is seen."""
+"""Opacity above which nothing behind is visible."""
 MOST_OF_A_LINE = 0.99
-"""So that lines never end the stack: a line that covers a pixel half now may cover it all later."""
+"""Lines never end the stack: a line that covers half of a pixel may cover all of it from another
+ray."""
 
 
 @kernel(error_model="numpy")
@@ -35,10 +36,10 @@ def gather(
     rays: int,
     bundle: RayBundle,
 ) -> None:
-    """Fill the layers of the bundle's first ``rays`` with what they meet.
+    """Fill the layers of the bundle's first ``rays``.
 
-    ``items`` in ``span`` (the first, and behind the last): rows of bodies, or of lines behind them;
-    ``surfaces``: whether triangles are there too.
+    ``items`` in ``span`` (first, and one past the last): rows of bodies, or of lines after them;
+    ``surfaces``: whether there are triangles, too.
     """
     bundle.many[:rays] = 0
     for k in range(span[0], span[1]):
@@ -61,7 +62,7 @@ def gather(
 
 @kernel(error_model="numpy")
 def _meet(view: View, i: int, side: float, rays: int, bundle: RayBundle) -> None:
-    """The depths at which the rays meet solid i, as `solids` has them, into ``found``."""
+    """Write the depths at which the rays intersect solid i, see `solids`, into ``found``."""
     xs, ys, found, places, forms = bundle.x, bundle.y, bundle.found, view.places, view.forms
     r0, r1, r2 = places[i, 0], places[i, 1], places[i, 2]  # R_CS row by row
     r3, r4, r5 = places[i, 3], places[i, 4], places[i, 5]
@@ -83,9 +84,9 @@ def _meet(view: View, i: int, side: float, rays: int, bundle: RayBundle) -> None
 
 @kernel(error_model="numpy")
 def _lay(i: int, rays: int, bundle: RayBundle) -> None:
-    """A layer of body i on each ray that has found it, where it belongs by its depth.
+    """Insert a layer of body i by depth on each ray that intersects it.
 
-    One that nothing shines through hides all behind it.
+    An opaque layer hides all layers behind it.
     """
     found, counts, depths = bundle.found, bundle.many, bundle.depth
     shares, covers, bodies = bundle.share, bundle.cover, bundle.body
@@ -110,9 +111,10 @@ def _lay(i: int, rays: int, bundle: RayBundle) -> None:
 
 @kernel(error_model="numpy")
 def _meet_line(view: View, m: int, rays: int, bundle: RayBundle) -> None:
-    """The depth of line m where a ray comes near it, into ``found``, and its cover into ``share``.
+    """Write the depth of line m into ``found`` for rays close to it, and its coverage into
+    ``share``.
 
-    Where lines of one body meet the one that covers more counts, and is laid once.
+    Where lines of one body overlap, only the one with the larger coverage is used.
     """
     xs, ys, found, shares, lines = bundle.x, bundle.y, bundle.found, bundle.share, view.lines
     counts, covers, bodies = bundle.many, bundle.cover, bundle.body

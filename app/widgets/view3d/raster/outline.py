@@ -1,4 +1,4 @@
-"""The outline of surfaces: where one side of a pixel shows them and the other does not."""
+"""The outline of surfaces, drawn at pixels that are at their edge."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from app.widgets.view3d.raster.tiles import TILE
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, BoolVector, UInt32Matrix, Vector, Written
 
-STEP = 0.008  # m of depth between neighbours that make a line inside the outline
-"""A finger before the palm is farther from it than this."""
+STEP = 0.008  # m, difference in depth of neighbouring pixels that draws a line within the outline
+"""Less than the distance of a finger from the palm behind it."""
 
 
 @kernel(error_model="numpy")
@@ -28,7 +28,7 @@ def draw_outline(
     ink: Vector,
     image: Written[UInt32Matrix],
 ) -> None:
-    """Draw the outline of surfaces over the image, in ``ink`` (3,); ``samples`` is room for it."""
+    """Draw the outline of surfaces over the image in ``ink`` (3,); ``samples`` is a buffer."""
     height, width = image.shape
     columns = (width + TILE - 1) // TILE
     touched = np.zeros((height + TILE - 1) // TILE * columns, np.bool_)

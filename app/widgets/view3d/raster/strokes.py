@@ -1,4 +1,4 @@
-"""Lines in the image: how much of a pixel each covers, and at which depth."""
+"""Coverage and depth of lines in the image."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from tracker.kernels.arrays import Matrix
 
 @kernel(error_model="numpy")
 def nearest_share(lines: Matrix, m: int, u: float, v: float) -> float:
-    """Where (0..1) on row m of `placing.project_line`'s lines it is nearest to a point of
-    the image, px."""
+    """Position (0..1) on row m of `placing.project_line`'s lines nearest to a point of the image,
+    px."""
     du, dv = lines[m, 3] - lines[m, 0], lines[m, 4] - lines[m, 1]
     square = du * du + dv * dv
     if square == 0.0:
@@ -21,7 +21,7 @@ def nearest_share(lines: Matrix, m: int, u: float, v: float) -> float:
 
 @kernel(error_model="numpy")
 def distance_px(lines: Matrix, m: int, u: float, v: float) -> float:
-    """From a point of the image, px, to a line."""
+    """Distance of a point of the image from a line, px."""
     share = nearest_share(lines, m, u, v)
     du = lines[m, 0] + share * (lines[m, 3] - lines[m, 0]) - u
     dv = lines[m, 1] + share * (lines[m, 4] - lines[m, 1]) - v
@@ -30,7 +30,7 @@ def distance_px(lines: Matrix, m: int, u: float, v: float) -> float:
 
 @kernel(error_model="numpy")
 def stroke_cover(lines: Matrix, m: int, u: float, v: float, width_px: float) -> float:
-    """Share (0..1) of the pixel around (u, v) px that a line so wide covers."""
+    """Share (0..1) of the pixel around (u, v) px that a line of this width covers."""
     return min(max(0.5 * width_px + 0.5 - distance_px(lines, m, u, v), 0.0), min(1.0, width_px))
 
 

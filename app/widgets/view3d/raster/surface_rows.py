@@ -1,4 +1,4 @@
-"""Surfaces as rows of a few arrays, one after the other, as the kernels take them."""
+"""Surfaces as rows of a few contiguous arrays, as the kernels need them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class SurfaceRows:
         self._samples = Samples(np.empty((4, 0, 0), np.float32), np.empty((4, 0, 0), np.int32))
 
     def add(self, surface: Surface) -> RasterSurface:
-        """Behind the others; not shown before it is draped."""
+        """Append a surface; it is hidden until it is draped."""
         rows, first, faces = self.rows, len(self.rows.points), len(self.rows.faces)
         many = len(surface.along)
         nowhere = np.zeros((many, 3))
@@ -45,7 +45,7 @@ class SurfaceRows:
         return bool((self.rows.part >= 0).any())
 
     def samples(self, height: int, width: int) -> Samples:
-        """Room for an image so large; empty where there are no surfaces."""
+        """Buffers for an image of this size; empty without surfaces."""
         if not len(self.rows.faces):
             height = width = 0
         shape = (4, height, width)
@@ -55,7 +55,7 @@ class SurfaceRows:
 
 
 class RasterSurface:
-    """Some rows of the arrays."""
+    """The rows of one surface."""
 
     def __init__(self, owner: SurfaceRows, surface: Surface, points: slice, faces: slice) -> None:
         self._owner, self._surface, self._points, self._faces = owner, surface, points, faces
@@ -72,7 +72,7 @@ class RasterSurface:
             self._write_parts()
 
     def choose(self, faces: BoolVector) -> None:
-        """Draw only those of the faces (F,) from now on."""
+        """Draw only these faces (F,)."""
         if self._chosen is None or not np.array_equal(faces, self._chosen):
             self._chosen = np.array(faces)
             self._write_parts()

@@ -1,9 +1,9 @@
-"""Triangles in the image: for each of a pixel's rays the nearest one that it meets.
+"""Rasterization of triangles: the nearest triangle on each of a pixel's rays.
 
-The rays are those of `image`: one through a pixel's middle and, where neighbours show something
-else, `MORE`. Most pixels of a hand need the first alone, so the others are filled later and only
-where they are wanted. What is nearest stays. 1/z and the shares of a triangle's corners are linear
-in the image: each row of a triangle's pixels is a span between three lines.
+The rays are those of `image`: one through a pixel's centre and, at edges, `MORE`. Most pixels of a
+hand need only the first, so the others are computed later and only where necessary. 1/z and the
+barycentric coordinates of a triangle are linear in the image: each row of a triangle's pixels is a
+span between three lines.
 """
 
 from __future__ import annotations
@@ -28,19 +28,20 @@ from tracker.kernels.arrays import (
 )
 
 MORE = ((0.376, 0.137), (-0.306, 0.257), (-0.069, -0.394))
-"""px from a pixel's middle where more rays go: with the first, no two in one row or column."""
-FARTHEST = 0.4  # px from the middle to the ray farthest from it
+"""px from a pixel's centre to further rays: including the first, no two are in the same row or
+column."""
+FARTHEST = 0.4  # px from the centre to the farthest ray
 NOTHING = -1
 SEEN = 10
-"""Numbers of a point in the image: u, v px, 1/z, and what `skin.light` makes of its dress."""
-TOUCH = 1e-9  # of a share: neighbours leave no gap where their edge meets a ray
+"""Values of a projected point: u, v px, 1/z, and the result of `skin.light` for its dress."""
+TOUCH = 1e-9  # barycentric tolerance: neighbours leave no gap where a ray meets their edge
 LEVEL = 1e-12  # 1/px
 
 
 class Surfaces(NamedTuple):
-    """V points: points, normals (V, 3) in G; dress (V, 7): red, green, blue, cover, ambient, hatch,
-    dots, shares of one; along (V,) m, what the hatching follows. F triangles: faces (F, 3),
-    counter-clockwise seen from outside; part (F,), -1 for one that is not drawn."""
+    """V points: points, normals (V, 3) in G; dress (V, 7): red, green, blue, opacity, ambient,
+    hatch, dots, 0..1; along (V,) m, the coordinate of the hatching. F triangles: faces (F, 3),
+    counter-clockwise from outside; part (F,), -1 for a hidden one."""
 
     points: Matrix
     normals: Matrix
@@ -51,15 +52,15 @@ class Surfaces(NamedTuple):
 
 
 class Samples(NamedTuple):
-    """Of each ray (4, H, W): 1/z of the nearest triangle, 1/m, 0 for none, and its row."""
+    """For each ray (4, H, W): 1/z of the nearest triangle, 1/m, 0 for none, and its row."""
 
     inverse: Written[Float32Stack]
     face: Written[Int32Stack]
 
 
 class Plane(NamedTuple):
-    """A triangle in the image: at pixel (u, v), counted from their corners, the shares of its first
-    two corners are a0 u + b0 v + c0 and a1 u + b1 v + c1, and 1/z is a u + b v + c."""
+    """A projected triangle: at pixel (u, v) the barycentric coordinates of its first two corners
+    are a0 u + b0 v + c0 and a1 u + b1 v + c1, and 1/z is a u + b v + c."""
 
     a0: float
     b0: float
@@ -74,7 +75,8 @@ class Plane(NamedTuple):
 
 @kernel(error_model="numpy")
 def project_surfaces(surfaces: Surfaces, camera: Pinhole) -> Matrix:
-    """(V, `SEEN`): u, v px and 1/z, which is 0 for what is not ahead; the rest is for `skin`."""
+    """(V, `SEEN`): u, v px and 1/z, which is 0 for points behind the camera; the rest is for
+    `skin`."""
     R, p, focal = camera.R_GC, camera.p_GC, camera.focal
     points = surfaces.points
     out = np.zeros((len(points), SEEN))
@@ -93,10 +95,10 @@ def project_surfaces(surfaces: Surfaces, camera: Pinhole) -> Matrix:
 def fill_middle(
     surfaces: Surfaces, seen: Matrix, samples: Samples, touched: Written[BoolVector]
 ) -> IntMatrix:
-    """The nearest triangle at each pixel's middle in the tiles touched (T,), which are those that
-    any may show in; other samples keep what an earlier image left there.
+    """The nearest triangle at the pixel centres of the tiles touched (T,); samples of other tiles
+    are not changed.
 
-    Returns (F, 4) the pixels that each triangle may show in: left, right, top, bottom.
+    Returns (F, 4) the bounding box of each triangle in pixels: left, right, top, bottom.
     """
     boxes = _boxes(surfaces, seen, samples, touched)
     _clear(samples, touched)
@@ -145,7 +147,7 @@ def fill_more(
 
 @kernel(error_model="numpy", inline="always")
 def _keep_more(g: Plane, f: int, u: int, v: int, samples: Samples) -> None:
-    """Triangle f on each of a pixel's `MORE` rays that it meets."""
+    """Update a pixel's `MORE` rays that intersect triangle f."""
     for m in range(len(MORE)):
         x, y = u + 0.5 + MORE[m][0], v + 0.5 + MORE[m][1]
         s, t = g.a0 * x + g.b0 * y + g.c0, g.a1 * x + g.b1 * y + g.c1
@@ -157,7 +159,7 @@ def _keep_more(g: Plane, f: int, u: int, v: int, samples: Samples) -> None:
 
 @kernel(error_model="numpy", inline="always")
 def _plane(surfaces: Surfaces, f: int, seen: Matrix) -> Plane:
-    """Triangle f, which is seen from outside."""
+    """The coefficients of triangle f, which faces the camera."""
     i, j, k = surfaces.faces[f, 0], surfaces.faces[f, 1], surfaces.faces[f, 2]
     u0, v0, u1, v1 = seen[i, 0], seen[i, 1], seen[j, 0], seen[j, 1]
     u2, v2 = seen[k, 0], seen[k, 1]
@@ -180,8 +182,8 @@ def _span(
     least1: float,
     least2: float,
 ) -> tuple[int, int]:
-    """First pixel of row v, and the one behind the last, of ``across`` whose point ``at`` has each
-    corner's share at least so large."""
+    """First pixel of row v, and one past the last, within ``across`` in which ``at`` of the pixel
+    has at least these barycentric coordinates."""
     y = v + at[1]
     s, t = g.a0 * at[0] + g.b0 * y + g.c0, g.a1 * at[0] + g.b1 * y + g.c1
     low, high = float(across[0]), float(across[1] - 1)
@@ -195,7 +197,7 @@ def _span(
 
 @kernel(error_model="numpy", inline="always")
 def _cut(low: float, high: float, value: float, slope: float) -> tuple[float, float]:
-    """Of low to high what has value + slope u >= 0."""
+    """The part of low to high in which value + slope u >= 0."""
     if slope > LEVEL:
         return max(low, -value / slope), high
     if slope < -LEVEL:
@@ -207,8 +209,8 @@ def _cut(low: float, high: float, value: float, slope: float) -> tuple[float, fl
 def _boxes(
     surfaces: Surfaces, seen: Matrix, samples: Samples, touched: Written[BoolVector]
 ) -> IntMatrix:
-    """(F, 4) pixels that each triangle may show in, none where it is not drawn, not ahead, seen
-    from behind or beside the image; and the tiles that any may show in."""
+    """(F, 4) bounding boxes of the triangles in pixels, empty if hidden, behind the camera, facing
+    away or outside the image; and the tiles that any may show in."""
     height, width = samples.inverse.shape[1], samples.inverse.shape[2]
     columns = (width + TILE - 1) // TILE
     boxes = np.zeros((len(surfaces.faces), 4), np.int64)
@@ -218,7 +220,7 @@ def _boxes(
         i, j, k = surfaces.faces[f, 0], surfaces.faces[f, 1], surfaces.faces[f, 2]
         if seen[i, 2] <= 0.0 or seen[j, 2] <= 0.0 or seen[k, 2] <= 0.0:
             continue
-        # v points down: counter-clockwise from outside is clockwise in these numbers
+        # v points down: counter-clockwise from outside has a negative area
         double = (seen[k, 0] - seen[i, 0]) * (seen[j, 1] - seen[i, 1])
         double -= (seen[j, 0] - seen[i, 0]) * (seen[k, 1] - seen[i, 1])
         if not double > 1e-9:
@@ -239,7 +241,7 @@ def _boxes(
 
 @kernel(error_model="numpy", inline="always")
 def _any_tile(boxes: IntMatrix, f: int, tiles: BoolVector, columns: int) -> bool:
-    """Whether triangle f may show in one of these tiles."""
+    """Whether triangle f may be visible in one of these tiles."""
     for row in range(boxes[f, 2] // TILE, (boxes[f, 3] - 1) // TILE + 1):
         for column in range(boxes[f, 0] // TILE, (boxes[f, 1] - 1) // TILE + 1):
             if tiles[row * columns + column]:
@@ -249,8 +251,8 @@ def _any_tile(boxes: IntMatrix, f: int, tiles: BoolVector, columns: int) -> bool
 
 @kernel(error_model="numpy")
 def _clear(samples: Samples, touched: BoolVector) -> None:
-    """Forget what was nearest in these tiles and in the pixels around them: all samples of a large
-    image take longer to write than a hand to draw."""
+    """Clear the samples of these tiles and of the pixels around them: clearing all samples of a
+    large image takes longer than drawing a hand."""
     height, width = samples.inverse.shape[1], samples.inverse.shape[2]
     columns = (width + TILE - 1) // TILE
     for tile in range(len(touched)):
@@ -263,7 +265,7 @@ def _clear(samples: Samples, touched: BoolVector) -> None:
 
 @kernel(error_model="numpy")
 def _clear_more(wanted: BoolMatrix, tiles: BoolVector, samples: Samples) -> None:
-    """The same of `MORE` rays, in the pixels ``wanted``."""
+    """Clear the samples of `MORE` rays in the pixels ``wanted``."""
     height, width = wanted.shape
     columns = (width + TILE - 1) // TILE
     for tile in range(len(tiles)):

@@ -1,4 +1,4 @@
-"""Which bodies each tile of the image may show: never one too few, seldom one too many."""
+"""Assignment of bodies to image tiles; conservative, with few false positives."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HALF_DIAGONAL = 0.7072 * TILE
 
 @kernel(error_model="numpy")
 def bounding_ball(kind: int, form: Vector, place: Vector) -> tuple[float, float, float, float]:
-    """Centre in C (3), m, and radius of a ball that holds a solid."""
+    """Centre in C (3), m, and radius of a bounding sphere of a solid."""
     along, radius = 0.0, 0.0
     if kind == CAPSULE:
         along, radius = form[0] / 2, form[0] / 2 + form[1]
@@ -39,18 +39,19 @@ def bounding_ball(kind: int, form: Vector, place: Vector) -> tuple[float, float,
 def solid_span(
     ball: tuple[float, float, float, float], focal: float, cx: float, cy: float
 ) -> Vector:
-    """(4,) px: left, top, right and bottom of an image's part that holds a ball; NaN if behind."""
+    """(4,) px: left, top, right and bottom of the bounding box of a sphere; NaN if it is behind the
+    camera."""
     x, y, z, radius = ball
     out = np.full(4, np.nan)
     if z + radius <= NEAR:
         return out
     near = z - radius
-    if near <= NEAR:  # around the camera: anywhere in the image
+    if near <= NEAR:  # around the camera: may be anywhere in the image
         out[0] = out[1] = -np.inf
         out[2] = out[3] = np.inf
         return out
     u, v = x / z, y / z
-    # the middle's offset grows the span: 1 + |x/z| covers the ellipse of a ball off the axis
+    # the offset from the optical axis grows the box: 1 + |x/z| bounds the ellipse of a sphere
     reach_u, reach_v = radius / near * (1 + abs(u)), radius / near * (1 + abs(v))
     out[0], out[2] = cx + focal * (u - reach_u), cx + focal * (u + reach_u)
     out[1], out[3] = cy + focal * (v - reach_v), cy + focal * (v + reach_v)
@@ -59,8 +60,8 @@ def solid_span(
 
 @kernel(error_model="numpy")
 def may_show(kind: int, form: Vector, place: Vector, x: float, y: float, grown: float) -> bool:
-    """Whether the ray (x, y, 1) meets a solid that is grown by ``grown`` m: as far as a tile's
-    rays part from its middle ray by the solid's farthest depth."""
+    """Whether the ray (x, y, 1) meets a solid enlarged by ``grown`` m, the maximum distance of a
+    tile's rays from its centre ray at the solid's depth."""
     d = (
         place[0] * x + place[3] * y + place[6],
         place[1] * x + place[4] * y + place[7],
@@ -77,7 +78,8 @@ def may_show(kind: int, form: Vector, place: Vector, x: float, y: float, grown: 
 
 @kernel(error_model="numpy")
 def line_span(line: Vector, width_px: float) -> Vector:
-    """(4,) px: left, top, right and bottom of a line's pixels; NaN if it is not ahead."""
+    """(4,) px: left, top, right and bottom of a line's bounding box; NaN if it is behind the
+    camera."""
     reach = 0.5 * width_px + 1.0
     out = np.empty(4)
     out[0], out[2] = min(line[0], line[3]) - reach, max(line[0], line[3]) + reach
@@ -87,7 +89,7 @@ def line_span(line: Vector, width_px: float) -> Vector:
 
 @kernel(error_model="numpy")
 def tile_range(low: float, high: float, count: int) -> tuple[int, int]:
-    """First tile and the one behind the last, of ``count``, that px ``low`` to ``high`` touch."""
+    """First tile and one past the last, of ``count``, that px ``low`` to ``high`` touch."""
     if not (high >= 0.0 and low <= count * TILE):
         return 0, 0
     return int(max(low, 0.0)) // TILE, min(int(min(high, count * TILE - 1.0)) // TILE + 1, count)
@@ -98,9 +100,9 @@ def solid_pairs(
     item: int, kind: int, form: Vector, place: Vector, focal: float, size: tuple[int, int],
     pairs: Written[IntMatrix], found: int,
 ) -> int:  # fmt: skip
-    """Append (tile, ``item``) for each tile that may show a solid; how many there are now.
+    """Append (tile, ``item``) for each tile that may show a solid; returns the new number of pairs.
 
-    What does not fit into ``pairs`` is only counted. ``size``: height and width, px.
+    Pairs beyond the size of ``pairs`` are only counted. ``size``: height and width, px.
     """
     height, width = size
     rows, columns = (height + TILE - 1) // TILE, (width + TILE - 1) // TILE
@@ -130,7 +132,7 @@ def line_pairs(
     pairs: Written[IntMatrix],
     found: int,
 ) -> int:
-    """The same as `solid_pairs`, of a line."""
+    """As `solid_pairs`, for a line."""
     rows, columns = (size[0] + TILE - 1) // TILE, (size[1] + TILE - 1) // TILE
     span = line_span(lines[m], width_px)
     left, right = tile_range(span[0], span[2], columns)
@@ -147,7 +149,7 @@ def line_pairs(
 
 @kernel(error_model="numpy")
 def sort_pairs(pairs: IntMatrix, found: int, tiles: int) -> tuple[IntVector, IntVector]:
-    """Items of all tiles behind one another, and where (T + 1,) those of each begin."""
+    """Items of all tiles, contiguous, and the start of each tile (T + 1,)."""
     starts = np.zeros(tiles + 1, np.int64)
     for i in range(found):
         starts[pairs[i, 0] + 1] += 1

@@ -1,4 +1,4 @@
-"""What all rays of one image share, and what a bundle of them meets."""
+"""Data shared by all rays of an image, and the intersections of a bundle of rays."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ RED, GREEN, BLUE, OPACITY, AMBIENT, SPECULAR, WIDTH, STYLE, GROUP = range(9)  # 
 OVER, ALONE = 1.0, 2.0  # STYLE, as `app.widgets.view3d.scene.Grid`
 
 SURFACE = -1
-"""In place of a body's row: a triangle."""
+"""Replaces a body's row for a triangle."""
 
 DEEPEST = 16
-"""Layers that are kept of one ray."""
+"""Maximum number of layers per ray."""
 
 
 class View(NamedTuple):
-    """Bodies before a camera. Of N bodies: kinds (N,), forms (N, 5) m, places (N, 13) as
-    `placing.place` has them, looks (N, 9). Of M lines: lines (M, 6) as `placing.project_line` has
-    them, owner (M,) row of the body. Of V points of surfaces: seen (V, 6) as
-    `surfaces.project_surfaces` has them, and what the rays meet of them. focal, middle_u, middle_v
-    in px; backdrop (H, W) 0xFFRRGGBB is what is behind all."""
+    """Bodies in the camera frame. Of N bodies: kinds (N,), forms (N, 5) m, places (N, 13) see
+    `placing.place`, looks (N, 9). Of M lines: lines (M, 6) see `placing.project_line`, owner (M,)
+    row of the body. Of V points of surfaces: seen (V, 6) see `surfaces.project_surfaces`, and their
+    intersections with the rays. focal, middle_u, middle_v in px; backdrop (H, W) 0xFFRRGGBB is the
+    background."""
 
     kinds: IntVector
     forms: Matrix
@@ -50,14 +50,14 @@ class View(NamedTuple):
 
 
 class RayBundle(NamedTuple):
-    """Up to R rays (x, y, 1) of one tile, x and y (R,), and the layers that each meets.
+    """Up to R rays (x, y, 1) of one tile, x and y (R,), and their layers.
 
-    at (R, 3) is row and column of a ray's pixel, and which ray of it; skin (R, 3) the colour of the
-    surface that it meets, part (R,) which of its parts.
+    at (R, 3) is row and column of a ray's pixel, and the index of the ray in it; skin (R, 3) the
+    colour of the surface that it intersects, part (R,) the part of that surface.
 
-    Layers (R, `DEEPEST`), nearest first, of which many (R,) are there: depth in m, cover as a
-    share, row of the body. found and share (R,) are for depth and cover of one body; colour (R, 3)
-    and number (R,) are what `blending.blend` makes of all.
+    Layers (R, `DEEPEST`), nearest first, many (R,) of them: depth in m, cover 0..1, row of the
+    body. found and share (R,) are for depth and cover of one body; colour (R, 3) and number (R,)
+    are the results of `blending.blend`.
     """
 
     x: Written[Vector]
@@ -77,7 +77,7 @@ class RayBundle(NamedTuple):
 
 @kernel(error_model="numpy")
 def new_bundle(rays: int) -> RayBundle:
-    """Arrays for so many."""
+    """Arrays for this number of rays."""
     layers = (rays, DEEPEST)
     return RayBundle(
         np.empty(rays), np.empty(rays), np.empty((rays, 3), np.int64), np.empty((rays, 3)),
