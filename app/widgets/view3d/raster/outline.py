@@ -52,8 +52,8 @@ def _mark(
     near: Written[BoolMatrix],
     edged: Written[BoolVector],
 ) -> None:
-    """Pixels of a tile next to an end of the surface, or to a step in it, and the tiles around each
-    of them."""
+    """Mark the pixels of a tile next to an edge of the surface or a step in it, and the tiles
+    around each of them."""
     inverse, (top, left) = samples.inverse, corner
     height, width = near.shape
     for v in range(max(top, 1), min(top + TILE, height - 1)):
@@ -81,7 +81,7 @@ def _draw_tile(
     ink: Vector,
     image: Written[UInt32Matrix],
 ) -> None:
-    """The outline in one tile."""
+    """Draw the outline in one tile."""
     height, width = image.shape
     for v in range(max(top, 1), min(top + TILE, height - 1)):
         for u in range(max(left, 1), min(left + TILE, width - 1)):

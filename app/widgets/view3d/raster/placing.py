@@ -1,4 +1,4 @@
-"""Bodies brought before the camera: their frames S in C, their lines in the image."""
+"""Transformation of bodies into the camera frame: their frames S in C, their lines in the image."""
 
 from __future__ import annotations
 
@@ -11,13 +11,12 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector, Written
 
 NEAR = 0.01
-"""m before the camera within which nothing is drawn."""
+"""Distance in m from the camera within which nothing is drawn."""
 
 
 class Bodies(NamedTuple):
-    """Of N bodies: kinds, shown (N,); R_GB (N, 3, 3), a rotation times a size, and p_GB (N, 3) m;
-    R_BS, p_BS the same of the solid in the body; forms (N, 5) m; looks (N, 9) as
-    `view` has them."""
+    """Of N bodies: kinds, shown (N,); R_GB (N, 3, 3), a rotation multiplied by a size, and p_GB (N,
+    3) m; R_BS, p_BS of the solid in the body; forms (N, 5) m; looks (N, 9) see `view`."""
 
     kinds: IntVector
     shown: BoolVector
@@ -38,7 +37,7 @@ class Strokes(NamedTuple):
 
 
 class Pinhole(NamedTuple):
-    """The camera in G; focal length and middle of the image, px."""
+    """The camera in G; focal length and principal point, px."""
 
     R_GC: Matrix
     p_GC: Vector
@@ -49,9 +48,9 @@ class Pinhole(NamedTuple):
 
 @kernel(error_model="numpy")
 def place(bodies: Bodies, i: int, camera: Pinhole) -> Vector:
-    """(13,) of solid i: R_CS (9), the camera in S (3), its size; size 0 where it has no pose.
+    """(13,) of solid i: R_CS (9), the camera in S (3), its size; size 0 if it has no pose.
 
-    What lies in B and S is to be multiplied with the size.
+    Coordinates in B and S have to be multiplied by the size.
     """
     R_GB, p_GB, R_BS, p_BS = bodies.R_GB[i], bodies.p_GB[i], bodies.R_BS[i], bodies.p_BS[i]
     R_GC, p_GC = camera.R_GC, camera.p_GC
@@ -77,7 +76,8 @@ def place(bodies: Bodies, i: int, camera: Pinhole) -> Vector:
 
 @kernel(error_model="numpy")
 def project_line(a_G: Vector, b_G: Vector, camera: Pinhole, out: Written[Vector]) -> None:
-    """A line's ends into ``out`` (6,): u, v px and 1/z of each; NaN where none of it is ahead."""
+    """Write the projected ends of a line into ``out`` (6,): u, v px and 1/z of each; NaN if all of
+    it is behind the camera."""
     R_GC, p_GC, focal = camera.R_GC, camera.p_GC, camera.focal
     cx, cy = camera.middle_u, camera.middle_v
     out[:] = np.nan
@@ -98,7 +98,7 @@ def project_line(a_G: Vector, b_G: Vector, camera: Pinhole, out: Written[Vector]
 
 @kernel(error_model="numpy")
 def place_solids(bodies: Bodies, camera: Pinhole) -> tuple[Matrix, Matrix]:
-    """(N, 13) of `place`, size 0 for what is not drawn; (N, 5) forms in m."""
+    """(N, 13) of `place`, size 0 for hidden ones; (N, 5) forms in m."""
     places, sized = np.zeros((len(bodies.kinds), 13)), np.zeros(bodies.forms.shape)
     for i in range(len(bodies.kinds)):
         if bodies.shown[i] and bodies.kinds[i] != LINES:
@@ -109,7 +109,7 @@ def place_solids(bodies: Bodies, camera: Pinhole) -> tuple[Matrix, Matrix]:
 
 @kernel(error_model="numpy")
 def project_lines(bodies: Bodies, strokes: Strokes, camera: Pinhole) -> Matrix:
-    """(M, 6) of `project_line`; NaN for what is not drawn."""
+    """(M, 6) of `project_line`; NaN for hidden ones."""
     R_GB, p_GB, points, ends = bodies.R_GB, bodies.p_GB, strokes.points, strokes.ends
     lines = np.full((len(ends), 6), np.nan)
     a, b = np.empty(3), np.empty(3)

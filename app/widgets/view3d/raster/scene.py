@@ -1,4 +1,4 @@
-"""The scene of the painted view: bodies as rows of a few arrays, and the image made of them."""
+"""The scene of the software renderer: bodies as rows of arrays, and the rendered image."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class RasterBody:
 
 
 class RasterScene:
-    """Its arrays are what `image.draw` takes."""
+    """Its arrays are the arguments of `image.draw`."""
 
     def __init__(self) -> None:
         self._background = np.zeros(3)
@@ -59,7 +59,7 @@ class RasterScene:
         self.clear()
 
     def clear(self) -> None:
-        """Without bodies; those that were here are not to be used any more."""
+        """Remove all bodies, which must not be used any more."""
         self.kinds: IntArray = np.empty(0, np.int64)
         self.shown: npt.NDArray[np.bool_] = np.empty(0, np.bool_)
         self.R_GB: Array = np.empty((0, 3, 3))
@@ -105,12 +105,12 @@ class RasterScene:
         return RasterBody(self, row, slice(first, len(self.points)))
 
     def render(self, orbit: Orbit, width: int, height: int) -> UInt32Matrix:
-        """(height, width) of 0xFFRRGGBB from the orbit's eye; good until the next."""
+        """Render the scene: (height, width) of 0xFFRRGGBB, valid until the next call."""
         if self._image.shape != (height, width):
             self._image = np.empty((height, width), np.uint32)
             self._backdrop = np.empty((height, width), np.uint32)
             self._numbers = np.empty((height, width), np.int32)
-        if not self._any_shown():  # nor need the kernels be there before there is a hand
+        if not self._any_shown():  # the kernels are not needed before there is a hand
             red, green, blue = np.rint(255 * self._background).astype(np.uint32)
             self._image.fill(0xFF000000 | red << 16 | green << 8 | blue)
             return self._image
@@ -138,19 +138,19 @@ class RasterScene:
 
 
 def camera_pose(orbit: Orbit) -> tuple[Array, Array]:
-    """R_GC (3, 3), whose columns are the image's right, its down, and ahead; p_GC (3,) m."""
+    """R_GC (3, 3), whose columns are the image's right, its down, and forward; p_GC (3,) m."""
     right = np.cross(orbit.up, orbit.direction)
     R_GC = np.stack([right, -orbit.up, -orbit.direction], axis=1)
     return np.ascontiguousarray(R_GC), np.ascontiguousarray(orbit.eye, float)
 
 
 def focal_px(height: int) -> float:
-    """Focal length of an image that is so high, px."""
+    """Focal length of an image of this height, px."""
     return float(0.5 * height / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)))
 
 
 def _form_of(shape: Shape) -> tuple[int, Array, Array, Array]:
-    """Kind, form (5,) m, and the place R_BS (3, 3), p_BS (3,) of a shape in its body."""
+    """Kind, form (5,) m, and pose R_BS (3, 3), p_BS (3,) of a shape in its body."""
     form, R, p = np.zeros(5), np.eye(3), np.zeros(3)
     if isinstance(shape, CapsuleShape):
         form[:2] = shape.length, shape.radius
@@ -165,11 +165,11 @@ def _form_of(shape: Shape) -> tuple[int, Array, Array, Array]:
 
 
 def _look_row(look: BodyLook) -> list[float]:
-    """As `view` has it."""
+    """A row of looks, see `view`."""
     strength = (look.opacity, look.ambient, look.specular, look.line_width)
     return [*rgb(look.colour), *strength, float(look.grid), float(look.group)]
 
 
 def _with(rows: npt.NDArray[Any], row: object) -> npt.NDArray[Any]:
-    """One row more."""
+    """Append a row."""
     return np.concatenate([rows, np.asarray([row], rows.dtype)])

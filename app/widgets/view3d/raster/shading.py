@@ -1,4 +1,4 @@
-"""Light on a surface: lamps that go with the camera."""
+"""Lighting of surfaces by lamps that move with the camera."""
 
 from __future__ import annotations
 
@@ -9,13 +9,12 @@ from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 
 DIGITS = 9
-"""Behind the point, of directions worked out here: their last bits depend on the processor, and the
-compiled kernels are those of the computer that compiled them only where all constants agree."""
+"""Decimal places of directions computed here: their last bits depend on the processor, and the
+compiled kernels are only valid if all constants agree."""
 
 
 def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[float, ...]:
-    """Direction in C towards a lamp, from the camera's right-hand side and from above, and how
-    strong it is."""
+    """Direction in C towards a lamp, to the right of the camera and above it, and its strength."""
     a, e = np.deg2rad(azimuth_deg), np.deg2rad(elevation_deg)
     way = np.sin(a) * np.cos(e), -np.sin(e), -np.cos(a) * np.cos(e)
     x, y, z = (round(float(w), DIGITS) for w in way)
@@ -23,14 +22,14 @@ def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[fl
 
 
 KEY = _lamp(10, 50, 0.75)
-FILL = _lamp(0, -75, 0.25)  # what the key light leaves
+FILL = _lamp(0, -75, 0.25)  # lights what the key light leaves dark
 HEAD = 0.25  # strength of the lamp at the camera
-EDGE = _lamp(110, 0, 0.21)  # from behind, on either side, where it draws the edges
-"""As a photographer's light kit (and VTK's) has them."""
+EDGE = _lamp(110, 0, 0.21)  # from behind, on either side, to emphasize the edges
+"""As in a photographer's (and VTK's) light kit."""
 
 
 def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
-    """Between a lamp and the camera: the normal that shines most."""
+    """Direction halfway between a lamp and the camera: the normal with the maximum highlight."""
     way = np.array(lamp[:3]) - [0.0, 0.0, 1.0]
     unit = way / np.linalg.norm(way)
     x, y, z = (round(float(u), DIGITS) for u in unit)
@@ -39,7 +38,7 @@ def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
 
 GLOSS = _halfway(KEY)
 GLOSS_TURNS = 4
-"""The shine is the cosine, squared so many times."""
+"""The highlight is the cosine, squared this many times."""
 
 
 @kernel(error_model="numpy", inline="always")
@@ -55,7 +54,7 @@ def lit(R_CS: Rotation, n_S: Vector3, ambient: float, specular: float) -> tuple[
 
 @kernel(error_model="numpy", inline="always")
 def lit_in_camera(n: Vector3, ambient: float, specular: float) -> tuple[float, float]:
-    """The same of a normal in C."""
+    """As `lit`, for a normal in C."""
     bright = ambient
     bright += KEY[3] * max(KEY[0] * n[0] + KEY[1] * n[1] + KEY[2] * n[2], 0.0)
     bright += FILL[3] * max(FILL[1] * n[1] + FILL[2] * n[2], 0.0)

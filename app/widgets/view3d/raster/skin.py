@@ -1,7 +1,8 @@
-"""What a ray sees of a triangle: colour under light, hatching, dots.
+"""The appearance of a triangle at a ray: lit colour, hatching, dots.
 
-Light falls on the points; between them colours are mixed. The triangles of a skin are a few pixels
-large, so nobody sees a difference to light on each pixel, which takes four times as long.
+Vertices are lit and their colours are interpolated. The triangles of a hand mesh are a few pixels
+large, so that the difference to lighting each pixel, which takes four times as long, is not
+visible.
 """
 
 from __future__ import annotations
@@ -16,19 +17,19 @@ from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Written
 
-RING = 0.0042  # m from one line of the hatching to the next, along the surface
+RING = 0.0042  # m between the lines of the hatching, along the surface
 LINE_PX = 1.5  # of the hatching
-LEAST_PX = 4.0  # lines nearer to each other than this fade
+LEAST_PX = 4.0  # lines closer than this fade
 HATCH_DARKNESS = 0.62
-DOT_PX, DOT_RADIUS = 5.0, 1.55  # px from dot to dot and of each, where a surface is dotted
-BETWEEN_DOTS = 0.22  # cover of a dotted surface between its dots
+DOT_PX, DOT_RADIUS = 5.0, 1.55  # px, distance and radius of dots
+BETWEEN_DOTS = 0.22  # opacity between the dots
 GLOSS = 0.16
 
 
 @kernel(error_model="numpy")
 def light(surfaces: Surfaces, camera: Pinhole, seen: Written[Matrix]) -> None:
-    """Fill in of each point of ``seen`` (V, `SEEN`), behind its place: the colour under light (3),
-    the shine on it, cover, hatch and dots."""
+    """Fill in each point of ``seen`` (V, `SEEN`), after its position: the lit colour (3),
+    highlight, opacity, hatch and dots."""
     R, normals, dress = camera.R_GC, surfaces.normals, surfaces.dress
     for i in range(len(seen)):
         a, b, c = normals[i, 0], normals[i, 1], normals[i, 2]
@@ -47,7 +48,7 @@ def light(surfaces: Surfaces, camera: Pinhole, seen: Written[Matrix]) -> None:
 
 @kernel(error_model="numpy", inline="always")
 def surface_colour(view: View, f: int, x: float, y: float) -> tuple[Vector3, float]:
-    """Colour and cover of triangle f where the ray at (x, y) px meets it."""
+    """Colour and opacity of triangle f at the ray through (x, y) px."""
     seen, faces, along = view.seen, view.surfaces.faces, view.surfaces.along
     i, j, k = faces[f, 0], faces[f, 1], faces[f, 2]
     u, v = x - seen[k, 0], y - seen[k, 1]
@@ -76,8 +77,8 @@ def surface_colour(view: View, f: int, x: float, y: float) -> tuple[Vector3, flo
 
 @kernel(error_model="numpy")
 def meet_surface(view: View, rays: int, bundle: RayBundle) -> None:
-    """The depth of the surface that each ray meets into ``found``, its cover into ``share``, its
-    colour into ``skin``."""
+    """Write the depth of the surface that each ray meets into ``found``, its opacity into
+    ``share``, its colour into ``skin``."""
     face, inverse, part = view.samples.face, view.samples.inverse, view.surfaces.part
     xs, ys, at = bundle.x, bundle.y, bundle.at
     for ray in range(rays):
@@ -95,7 +96,7 @@ def meet_surface(view: View, rays: int, bundle: RayBundle) -> None:
 
 @kernel(error_model="numpy", inline="always")
 def _ring(along: float, per_px: float) -> float:
-    """How much of the pixel the nearest line covers; ``per_px`` m of ``along`` that it is wide."""
+    """Coverage of the pixel by the nearest line; ``per_px`` m of ``along`` per pixel."""
     off = abs(along - RING * np.round(along / RING)) / max(per_px, 1e-9)
     cover = min(max(0.5 * LINE_PX + 0.5 - off, 0.0), 1.0)
     return cover * min(1.0, max(0.0, RING / max(per_px, 1e-9) / LEAST_PX - 0.5))
@@ -103,7 +104,7 @@ def _ring(along: float, per_px: float) -> float:
 
 @kernel(error_model="numpy", inline="always")
 def _dot(u: float, v: float) -> float:
-    """How much of the pixel a dot of a lattice on its corner covers."""
+    """Coverage of the pixel by a dot of a lattice."""
     a, b = (u + v) * 0.7071, (u - v) * 0.7071
     a, b = a - DOT_PX * np.round(a / DOT_PX), b - DOT_PX * np.round(b / DOT_PX)
     return min(max(DOT_RADIUS + 0.5 - np.sqrt(a * a + b * b), 0.0), 1.0)

@@ -1,9 +1,9 @@
-"""Where a ray meets a solid, in the solid's own frame S.
+"""Intersection of rays with solids, in the solid's own frame S.
 
-What `tracker.geometry.solids` has not: discs, rounded blocks, normals. Each ``..._depth`` gets the
-camera o and the ray d in S, and ``side``: -1 for where the ray enters, 1 for where it leaves. It
-returns the depth in m, 0 where the ray misses. Each ``..._normal`` gets a point of the surface and
-returns the outward normal.
+Complements `tracker.geometry.solids` with discs, rounded blocks and normals. Each ``..._depth``
+gets the camera o and the ray d in S, and ``side``: -1 for the entry, 1 for the exit of the ray. It
+returns the depth in m, 0 if the ray misses. Each ``..._normal`` returns the outward normal at a
+point of the surface.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Rotation = tuple[float, float, float, float, float, float, float, float, float]
 
 
 class Rounded(NamedTuple):
-    """A block: half sides, radius of the corners in plan and of the edges, m."""
+    """A block: half sides, radii of the corners in plan and of the edges, m."""
 
     hx: float
     hy: float
@@ -37,13 +37,13 @@ STEPS = 24
 
 @kernel(error_model="numpy", inline="always")
 def capsule_normal(p: Vector3, length: float, radius: float) -> Vector3:
-    """Away from the axis."""
+    """Pointing away from the axis."""
     return (p[0] - min(max(p[0], 0.0), length)) / radius, p[1] / radius, p[2] / radius
 
 
 @kernel(error_model="numpy", inline="always")
 def disc_depth(o: Vector3, d: Vector3, half: float, radius: float, side: float) -> float:
-    """Around x from -``half`` to ``half``."""
+    """Extends along x from -``half`` to ``half``."""
     ox, oy, oz = o
     dx, dy, dz = d
     a, b = dy * dy + dz * dz, oy * dy + oz * dz
@@ -71,8 +71,8 @@ def disc_normal(p: Vector3, half: float, radius: float) -> Vector3:
 
 @kernel(error_model="numpy", inline="always")
 def block_surface(p: Vector3, block: Rounded) -> tuple[float, float, float, float]:
-    """How far (m) a point is from a block's surface, less than 0 inside; and in which direction
-    that grows most: the normal."""
+    """Signed distance (m) of a point from a block's surface, negative inside; and its gradient, the
+    normal."""
     x, y, z = p
     hx, hy, hz, corner, edge = block.hx, block.hy, block.hz, block.corner, block.edge
     qx, qy = abs(x) - hx + corner, abs(y) - hy + corner
@@ -93,10 +93,10 @@ def block_surface(p: Vector3, block: Rounded) -> tuple[float, float, float, floa
 
 @kernel(error_model="numpy", inline="always")
 def block_depth(o: Vector3, d: Vector3, block: Rounded, side: float) -> float:
-    """By Newton's steps from the box that holds the block.
+    """By Newton's method from the block's bounding box.
 
-    The distance to a convex body is convex along a ray, so that no step goes too far, and a ray
-    that no longer comes nearer misses.
+    The distance to a convex body is convex along a ray, so that no step overshoots, and a ray whose
+    distance no longer decreases misses.
     """
     enters, leaves = box_span(o, d, (block.hx, block.hy, block.hz))
     if enters > leaves:
