@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from app.platform.aside import aside
+from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.gaps import FilledSession, Gap, SessionGaps
 from tracker.base.errors import FileError
@@ -32,7 +32,7 @@ def crop_job(source: Path, part: tuple[float, float]) -> Job:
     cancelled."""
 
     def run(progress: JobProgress) -> Path:
-        out: Path = aside("crop", partial(_crop, source, part), progress)
+        out: Path = run_in_subprocess("crop", partial(_crop, source, part), progress)
         return out
 
     return run
@@ -70,7 +70,7 @@ def fill_job(source: Path, gaps: Sequence[Gap], method: str, max_gap: float, lim
 
     def run(progress: JobProgress) -> FilledSession:
         work = partial(_fill, source, tuple(gaps), method, max_gap, limit)
-        made: FilledSession = aside("fill", work, progress)
+        made: FilledSession = run_in_subprocess("fill", work, progress)
         return made
 
     return run

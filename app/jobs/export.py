@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from app.platform.aside import aside
+from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
 from app.words import mark
@@ -56,7 +56,7 @@ def export_job(request: ExportRequest) -> Job:
 
     def run(progress: JobProgress) -> Path:
         progress(0.0, request.form)
-        aside("export", partial(_export, request), progress)
+        run_in_subprocess("export", partial(_export, request), progress)
         return request.target
 
     return run

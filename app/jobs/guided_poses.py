@@ -30,13 +30,13 @@ class GuidedCommands(QObject):
     def _answer(self, engine: Engine) -> None:
         learner = learning_part(engine)
         wearer = learner.wearer
-        gains, aside = wearer.synergies
+        gains, abduction = wearer.synergies
         ends = {digit: P.copy() for digit, P in wearer.end_joints.items()}
         frozen, learning = wearer.calibration.is_frozen, wearer.is_learning
         known = wearer.remembered()
         self.known.emit(
             WearerNow(
-                gains.copy(), aside.copy(), ends, learner.calibration(), known, frozen, learning
+                gains.copy(), abduction.copy(), ends, learner.calibration(), known, frozen, learning
             )
         )
 

@@ -11,7 +11,7 @@ import numpy as np
 from app.engines.engine import EngineSetup
 from app.engines.replay.tell_markers import MarkerTeller
 from app.platform.tasks import Job, JobProgress
-from app.viewmodels.signal_curves import TakeCurves
+from app.viewmodels.signal_curves import RecordingCurves
 from app.viewmodels.signal_rows import (
     GestureRows,
     Rows,
@@ -21,13 +21,12 @@ from app.viewmodels.signal_rows import (
     status_rows,
 )
 from app.viewmodels.signals import SignalSource
-from app.viewmodels.two_takes import TwoTakes, read_take
+from app.viewmodels.two_recordings import TwoRecordings, read_angles
 from app.words import tr
 from tracker.base.errors import FileError
 from tracker.live.history import SearchedImage
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Status, Tracking
-from tracker.session.motion import Take
-from tracker.session.motion import read_take as read_motion_of
+from tracker.session.motion import Take, read_take
 from tracker.session.reader import SessionReader
 
 KINDS = (ImuSample, Estimate, BlobFrame, Status)
@@ -40,7 +39,7 @@ def read_motion(path: Path, side: str = "") -> Callable[[JobProgress], Take | No
     def job(progress: JobProgress) -> Take | None:
         with SessionReader(path, watch=progress, side=side) as reader:
             try:
-                return read_motion_of(reader)
+                return read_take(reader)
             except FileError:
                 return None
 
@@ -56,16 +55,16 @@ def csv_of(text: str, path: Path) -> None:
         raise FileError(words.format(path, error.strerror or error)) from error
 
 
-def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], TakeCurves]:
+def read_signals(path: Path, setup: EngineSetup) -> Callable[[JobProgress], RecordingCurves]:
     """A job that reads the recording of ``setup`` for the curves of all its hands."""
 
-    def job(progress: JobProgress) -> TakeCurves:
+    def job(progress: JobProgress) -> RecordingCurves:
         rows: dict[tuple[str, SignalSource], Rows] = {}
         for hand in setup.hands:
             with SessionReader(path, side=hand.side, watch=progress) as reader:
                 for source, found in _rows_of(reader, hand, progress).items():
                     rows[hand.side, source] = found
-        return TakeCurves(rows)
+        return RecordingCurves(rows)
 
     return job
 
@@ -142,18 +141,18 @@ def _joined(parts: Sequence[Rows]) -> Rows:
     return Rows(np.concatenate([part.t for part in parts]), columns)
 
 
-def two_takes_job(first: Path, second: Path) -> Job:
-    """A job whose result is a `TwoTakes`; fails with a message if one was never tracked."""
+def two_recordings_job(first: Path, second: Path) -> Job:
+    """A job whose result is a `TwoRecordings`; fails with a message if one was never tracked."""
 
-    def run(progress: JobProgress) -> TwoTakes:
-        takes = []
+    def run(progress: JobProgress) -> TwoRecordings:
+        recordings = []
         for i, path in enumerate((first, second)):
             progress(i / 2, path.name)
-            takes.append(read_take(path))
-            if not len(takes[-1].t):
+            recordings.append(read_angles(path))
+            if not len(recordings[-1].t):
                 raise FileError(
                     tr("{} has not been tracked. Choose Track again first.").format(path.name)
                 )
-        return TwoTakes(*takes)
+        return TwoRecordings(*recordings)
 
     return run

@@ -45,7 +45,7 @@ class CompilingWindow(QWidget):
         layout.addWidget(self.bar)
         layout.addWidget(self.later, alignment=Qt.AlignmentFlag.AlignRight)
         self.setFixedWidth(WIDTH_PX)
-        self._said = ""
+        self._output = ""
         self._process = QProcess(self)
         self._process.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
         self._process.readyReadStandardOutput.connect(self._read)
@@ -65,7 +65,7 @@ class CompilingWindow(QWidget):
             self._process.kill()
             self._process.waitForFinished()
         elif not well:
-            print(self._said, file=sys.stderr)
+            print(self._output, file=sys.stderr)
         self.hide()
         return well
 
@@ -74,10 +74,10 @@ class CompilingWindow(QWidget):
         self._waiting.quit()
 
     def _read(self) -> None:
-        said = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
-        self._said += said
-        print(said, end="", flush=True)
-        for line in self._said.splitlines():
+        output = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
+        self._output += output
+        print(output, end="", flush=True)
+        for line in self._output.splitlines():
             far = tools.progress(line)
             if far is not None:
                 self.bar.setRange(0, far[1])

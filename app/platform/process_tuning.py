@@ -34,7 +34,7 @@ def keep_few_arenas() -> None:
             mallopt(ARENA_MAX, ARENAS)
 
 
-def set_aside_what_stays() -> None:
+def freeze_permanent_objects() -> None:
     """Collect garbage now, and exclude the remaining objects from later collections.
 
     The window and its libraries are about 400 000 permanent objects; traversing them blocks all

@@ -46,8 +46,8 @@ def hand_over(session: Path | None, name: str | None = None) -> bool:
 
     Raises ForeignSocket if another user's program listens, GlovetrackError for an invalid answer.
     """
-    said = {"open": str(session.resolve()) if session is not None else ""}
-    answer = _converse(said, name, WAIT_MS)
+    request = {"open": str(session.resolve()) if session is not None else ""}
+    answer = _converse(request, name, WAIT_MS)
     if answer not in (b"", ANSWER):
         raise GlovetrackError(f"{NOT_A_WINDOW} Close it, then start Glovetrack again.")
     return answer == ANSWER
@@ -66,12 +66,12 @@ def ask(words: dict[str, Any], name: str | None = None) -> str | None:
     return answer.decode("utf-8").strip()
 
 
-def _converse(said: dict[str, Any], name: str | None, wait_ms: int) -> bytes:
+def _converse(request: dict[str, Any], name: str | None, wait_ms: int) -> bytes:
     """Send one line to the open window; its answer, empty without one."""
     socket = _connected_to(name or server_name())
     if socket is None:
         return b""
-    socket.write(json.dumps(said).encode() + b"\n")
+    socket.write(json.dumps(request).encode() + b"\n")
     answer, end = b"", time.monotonic() + wait_ms / 1000
     if socket.waitForBytesWritten(WAIT_MS):
         while not answer.endswith(b"\n") and len(answer) <= MOST_BYTES:
@@ -149,8 +149,8 @@ class Instance(QObject):
         if not socket.canReadLine():
             return
         try:
-            said = json.loads(bytes(socket.readLine().data()))
-            path, wish = said.get("open"), said.get("remote")
+            request = json.loads(bytes(socket.readLine().data()))
+            path, wish = request.get("open"), request.get("remote")
         except (ValueError, AttributeError):
             socket.abort()
             return

@@ -23,11 +23,11 @@ class BoundGlove:
 
 def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
     """The stored glove of that number; None if it is new or has not reported a number."""
-    said = settings.gloves.get(str(glove_id)) if glove_id is not None else None
-    if not isinstance(said, dict):
+    stored = settings.gloves.get(str(glove_id)) if glove_id is not None else None
+    if not isinstance(stored, dict):
         return None
-    words = [said.get(name) for name in ("side", "glove", "hand", "wearer")]
-    words.append(said.get("port", ""))  # older versions did not store it
+    words = [stored.get(name) for name in ("side", "glove", "hand", "wearer")]
+    words.append(stored.get("port", ""))  # older versions did not store it
     if not all(isinstance(word, str) for word in words):
         return None
     return BoundGlove(*map(str, words))
@@ -62,5 +62,5 @@ def as_bound(settings: AppSettings, glove_id: int | None) -> tuple[AppSettings, 
         return settings, ""
     words = tr("Glove {} ({} hand) was recognized. Its own files {} and {} are used.")
     side = tr("left") if known.side == "left" else tr("right")
-    said = words.format(glove_id, side, known.glove, known.hand)
-    return replace(settings, glove=known.glove, hand=known.hand), said
+    message = words.format(glove_id, side, known.glove, known.hand)
+    return replace(settings, glove=known.glove, hand=known.hand), message

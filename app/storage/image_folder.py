@@ -21,7 +21,7 @@ MOST = 24
 
 
 @dataclass(frozen=True, eq=False)
-class KeptImage:
+class StoredImage:
     """Both images (h, w, 3) BGR of an instant; ``right`` is None for a single image."""
 
     name: str
@@ -29,7 +29,7 @@ class KeptImage:
     right: Image | None = None
 
 
-def read_image(path: Path) -> KeptImage:
+def read_image(path: Path) -> StoredImage:
     """Read a PNG (or any image); if it is at least twice as wide as high, it is a side-by-side
     pair.
 
@@ -41,13 +41,13 @@ def read_image(path: Path) -> KeptImage:
     pixels = np.asarray(image, np.uint8)
     height, width = pixels.shape[:2]
     if width < 2 * height:
-        return KeptImage(path.stem, pixels)
+        return StoredImage(path.stem, pixels)
     half = width // 2
     left, right = pixels[:, :half], pixels[:, half : 2 * half]
-    return KeptImage(path.stem, np.ascontiguousarray(left), np.ascontiguousarray(right))
+    return StoredImage(path.stem, np.ascontiguousarray(left), np.ascontiguousarray(right))
 
 
-def write_image(path: Path, shot: KeptImage) -> None:
+def write_image(path: Path, shot: StoredImage) -> None:
     """Write the pair side by side, lossless. Raises FileError."""
     sides = [shot.left] if shot.right is None else [shot.left, shot.right]
     ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
@@ -76,10 +76,10 @@ class ImageFolder:
     def path(self, name: str) -> Path:
         return self.folder / f"{name}.png"
 
-    def load(self, name: str) -> KeptImage:
+    def load(self, name: str) -> StoredImage:
         return read_image(self.path(name))
 
-    def keep(self, shot: KeptImage) -> None:
+    def keep(self, shot: StoredImage) -> None:
         """Write an image; delete the oldest ones beyond `MOST`."""
         write_image(self.path(shot.name), shot)
         for old in self.names()[:-MOST]:

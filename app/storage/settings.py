@@ -137,7 +137,7 @@ class SettingsStore:
                 data = migrated(data, version)
             return _settings_from(data)
         except (OSError, ValueError) as error:
-            self._set_aside(error)
+            self._rename_unreadable(error)
             return AppSettings()
 
     def _back_up(self, version: int) -> None:
@@ -146,13 +146,13 @@ class SettingsStore:
         shutil.copy2(self.path, copy)
         _log.info("Settings of version %d are kept as %s.", version, copy)
 
-    def _set_aside(self, error: Exception) -> None:
-        aside = free_path(self.path.with_suffix(".unreadable.json"))
-        self.path.replace(aside)
+    def _rename_unreadable(self, error: Exception) -> None:
+        renamed_file = free_path(self.path.with_suffix(".unreadable.json"))
+        self.path.replace(renamed_file)
         self.notice = tr(
             "The settings could not be read: {}. The window uses its defaults; the old settings "
             "are saved in {}."
-        ).format(error, aside)
+        ).format(error, renamed_file)
         _log.warning("%s", self.notice)
 
 

@@ -155,5 +155,5 @@ def stretches(found: SessionGaps, shown: Sequence[Gap]) -> list[Stretch]:
 def filled_text(made: FilledSession, source: str) -> str:
     """A message about the new session."""
     text = tr("Filled {} gaps of {} by interpolation in {}; the original is unchanged.")
-    said = text.format(made.filled, source, made.path.name)
-    return f"{said} {tr('Not filled: {}.').format(made.left)}" if made.left else said
+    message = text.format(made.filled, source, made.path.name)
+    return f"{message} {tr('Not filled: {}.').format(made.left)}" if made.left else message

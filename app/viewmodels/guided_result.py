@@ -37,7 +37,7 @@ class WearerNow(NamedTuple):
     updated; ``learning``: the last pose is still being evaluated."""
 
     gains: Array
-    aside: Array
+    abduction: Array
     ends: Mapping[str, Array]
     calibration: Calibration
     remembered: Remembered
@@ -125,7 +125,7 @@ def _stand(hand: HandModel, before: WearerNow, after: WearerNow) -> list[Learned
     if row < 0 or "thumb" not in after.ends or "thumb" not in before.ends:
         return []
     old, new = (
-        Figure(*np.rad2deg([now.aside[row], np.sqrt(now.ends["thumb"][2, 2])]).tolist())
+        Figure(*np.rad2deg([now.abduction[row], np.sqrt(now.ends["thumb"][2, 2])]).tolist())
         for now in (before, after)
     )
     return [_row(tr("Tip of the thumb, to the side"), old, new, "°", CLEAR_DEG)]

@@ -22,7 +22,7 @@ FOLLOW_S = 1 / 30
 """Relative movement of the view's centre towards the hand in this time, independent of the frame
 rate."""
 JUMP = 0.25  # m; a hand this far from the view's centre is centred at once
-ASIDE = 0.09  # m from the centre, of each of two hands whose position is unknown
+SIDE_OFFSET = 0.09  # m from the centre, of each of two hands whose position is unknown
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
 
 
@@ -48,16 +48,16 @@ def ribbon_faces(points: int) -> IntArray:
 def ribbon(trail: Array, eye: Array, colour: tuple[float, ...]) -> tuple[Array, Array, Array]:
     """Points (2N, 3) m, normals (2N, 3) and looks (2N, 7) along a trail (N, 3), oldest first."""
     padded = np.concatenate([trail[[0, 0]], trail, trail[[-1, -1]]])
-    way = sum(w * padded[k : k + len(trail)] for k, w in enumerate(SMOOTH))
-    way[-1] = trail[-1]
-    forward = np.gradient(way, axis=0)
-    to_eye = eye - way
+    path = sum(w * padded[k : k + len(trail)] for k, w in enumerate(SMOOTH))
+    path[-1] = trail[-1]
+    forward = np.gradient(path, axis=0)
+    to_eye = eye - path
     side = np.cross(forward, to_eye)
     length = np.linalg.norm(side, axis=1, keepdims=True)
     side = np.where(length > 1e-9, side / np.maximum(length, 1e-9), 0.0)
     age = np.linspace(0.0, 1.0, len(trail))[:, None]
     half = 0.5 * WIDEST * (0.25 + 0.75 * age) * side
-    points = np.stack([way - half, way + half], axis=1).reshape(-1, 3)
+    points = np.stack([path - half, path + half], axis=1).reshape(-1, 3)
     normals = np.repeat(to_eye / np.linalg.norm(to_eye, axis=1, keepdims=True), 2, axis=0)
     looks = np.tile([*colour, 1.0, 0.6, 0.0, 0.0], (len(points), 1))
     looks[:, 3] = np.repeat(age[:, 0], 2)
@@ -85,8 +85,8 @@ class HandGround:
         """Place the grid below the points (N, 3) m of a hand; whether it has moved."""
         low, at = float(points[:, 2].min()), points.mean(axis=0)
         if self._middle is not None:
-            above, aside = low - self._middle[2], np.abs(at - self._middle)[:2].max()
-            if 0.0 < above < FAR and aside < 2 * CELL:
+            above, offset = low - self._middle[2], np.abs(at - self._middle)[:2].max()
+            if 0.0 < above < FAR and offset < 2 * CELL:
                 return False
         height = CELL * np.floor((low - UNDER) / CELL)
         self._middle = np.array([*(2 * CELL * np.round(at[:2] / (2 * CELL))), height])
@@ -151,8 +151,8 @@ class HandSceneModel:
         """``of_two``: another hand is drawn, too; a hand of unknown position is drawn on its own
         side."""
         self._setup = setup
-        aside = {"left": ASIDE, "right": -ASIDE}[setup.side] if of_two else 0.0
-        self._nowhere = np.array([0.0, aside, 0.0])
+        offset = {"left": SIDE_OFFSET, "right": -SIDE_OFFSET}[setup.side] if of_two else 0.0
+        self._nowhere = np.array([0.0, offset, 0.0])
         names = setup.glove.keypoint_names(setup.hand)
         self._tip_rows = [i for i, n in enumerate(names) if n.endswith("_tip")]
         self._marker_segment = setup.glove.marker_segment(setup.hand)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from app.storage.session_tags import read_tags
 from app.viewmodels.recording import duration_text, size_text
+from app.viewmodels.recording_report import packets_lost
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
 from app.viewmodels.takes import packets_lost
 from app.words import error_text, mark, tr

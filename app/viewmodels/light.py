@@ -89,8 +89,8 @@ class LightWatch:
         """The state of the light in a few words."""
         if self.reading is None or self._without_hand:
             return "–"
-        said = [tr(SHORT[a.kind]) for a in self.reading.advice if a.kind in SHORT]
-        return ", ".join(said) or tr("good")
+        problems = [tr(SHORT[a.kind]) for a in self.reading.advice if a.kind in SHORT]
+        return ", ".join(problems) or tr("good")
 
     def sentences(self) -> list[str]:
         """Recommendations with measured values."""

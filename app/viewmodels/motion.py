@@ -66,7 +66,7 @@ class MotionModel:
         """``deg`` or ``rad``."""
         self.units = Units(degrees=angle_unit == "deg")
 
-    def use_take(self, take: object) -> bool:
+    def use_recording(self, take: object) -> bool:
         """Measure a whole recording; False without one, or if it is of another hand."""
         if isinstance(take, Take) and take.angle_names == self.angle_names:
             self.take = take

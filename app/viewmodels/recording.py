@@ -79,7 +79,7 @@ class RecordingPlan:
         except OSError as error:
             reason = error.strerror or str(error)
             raise FileError(tr("Cannot record to {}: {}.").format(self.folder, reason)) from error
-        path = take_path(self.folder, participant, task, datetime.now(), self.template)
+        path = recording_path(self.folder, participant, task, datetime.now(), self.template)
         return RecordingRequest(path, participant, task)
 
 
@@ -171,7 +171,7 @@ def check_template(template: str) -> None:
         )
 
 
-def take_path(
+def recording_path(
     folder: Path, participant: str, task: str, now: datetime, template: str = USUAL
 ) -> Path:
     """A new path in ``folder``. Raises ConfigError for an invalid template."""

@@ -207,7 +207,7 @@ def _known_until(rows: Rows) -> float:
     return float(min(rows.t[-1] - LEAD / 2, rows.t[-2])) if len(rows.t) > 1 else -np.inf
 
 
-class TakeCurves:
+class RecordingCurves:
     """Curves of a whole recording; times are s from its start. ``rows`` are by side and source."""
 
     def __init__(self, rows: Mapping[tuple[str, SignalSource], Rows]) -> None:

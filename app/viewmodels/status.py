@@ -129,8 +129,8 @@ def _shed(values: Mapping[str, float]) -> Field:
     if level <= 0:
         return Field("shed", "", "", IDLE, "")
     names = ", ".join(tr(SHED[step]) for step in SHED if step <= level)
-    said = "\n".join(notice_text(BEGINS[step]) for step in SHED if step <= level)
-    return Field("shed", tr("System overloaded:"), names, WARN, said, tr("Overloaded"))
+    details = "\n".join(notice_text(BEGINS[step]) for step in SHED if step <= level)
+    return Field("shed", tr("System overloaded:"), names, WARN, details, tr("Overloaded"))
 
 
 def _glove(values: Mapping[str, float]) -> Field:

@@ -78,6 +78,6 @@ def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
     lately = [(peer, ago) for peer, ago in counts.peers if ago < LATELY]
     clients = len(lately) if counts.clients is None else counts.clients
     state = tr("connected") if clients else tr("no clients")
-    told = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
-    tip = "\n".join([counts.name, *told[:8]])
+    requests = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
+    tip = "\n".join([counts.name, *requests[:8]])
     return StreamRow(GOOD, state, str(clients), str(counts.asked), str(counts.refused), tip)

@@ -36,10 +36,10 @@ def choice(parent: QWidget, title: str, words: str, items: Sequence[str]) -> str
 def answer(parent: QWidget, title: str, words: str, text: str = "") -> str:
     """The text entered, without surrounding white space; empty if cancelled."""
     dialog = question(parent, title, words, text)
-    said: list[str] = []
-    dialog.textValueSelected.connect(said.append)
+    answers: list[str] = []
+    dialog.textValueSelected.connect(answers.append)
     dialog.exec()
-    return said[0].strip() if said else ""
+    return answers[0].strip() if answers else ""
 
 
 def title_width(title: str) -> int:

@@ -157,9 +157,9 @@ class TimelineBar(QWidget):
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             mark, span = self.mark_at(event.pos().x()), self.span_at(event.pos().x())
-            said = [f"{mark.sign} {mark.text}"] if mark else []
-            said += [span.text] if span else []
-            QToolTip.showText(event.globalPos(), "\n".join(said), self)
+            tips = [f"{mark.sign} {mark.text}"] if mark else []
+            tips += [span.text] if span else []
+            QToolTip.showText(event.globalPos(), "\n".join(tips), self)
             return True
         return super().event(event)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QTimer
 
 from app.engines.engine_host import EngineHost
-from app.platform.process_tuning import set_aside_what_stays
+from app.platform.process_tuning import freeze_permanent_objects
 
 SETTLED_MS = 1500
 """After a start: the hand is found, and what a first look at it imports is there."""
@@ -16,5 +16,5 @@ def keep_pauses_short(host: EngineHost) -> None:
     timer = QTimer(host)
     timer.setSingleShot(True)
     timer.setInterval(SETTLED_MS)
-    timer.timeout.connect(set_aside_what_stays)
+    timer.timeout.connect(freeze_permanent_objects)
     host.running_changed.connect(lambda running: timer.start() if running else timer.stop())

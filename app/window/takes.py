@@ -11,15 +11,15 @@ from PySide6.QtWidgets import QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
-from app.jobs.take_check import check_job
+from app.jobs.recording_check import check_job
 from app.panels.library.panel import LibraryPanel
 from app.platform.tasks import RunningJob, TaskOwner
 from app.storage.system_bin import Binned
-from app.viewmodels.takes import (
+from app.viewmodels.recording_report import (
     HandNow,
     Missing,
     MissingWatch,
-    TakeReport,
+    RecordingReport,
     missing_now,
     missing_text,
     report_text,
@@ -103,7 +103,7 @@ class Takes(QObject):
     def _ended(self) -> None:
         self._check = None
 
-    def _checked(self, report: TakeReport) -> None:
+    def _checked(self, report: RecordingReport) -> None:
         if self._host.recording.request is not None:
             return  # the next one is under way
         path, ended_by = report.path, self._host.recording.ended_by
@@ -146,14 +146,14 @@ class Takes(QObject):
 
     # --- another name
 
-    def _ask_name(self, report: TakeReport) -> None:
+    def _ask_name(self, report: RecordingReport) -> None:
         title = self.tr("Rename {}").format(report.path.name)
         words = self.tr("Name of the recording")
         dialog = question(self._window, title, words, report.path.stem)
         dialog.textValueSelected.connect(lambda name: self.rename(report, name))
         dialog.open()
 
-    def rename(self, report: TakeReport, name: str) -> None:
+    def rename(self, report: RecordingReport, name: str) -> None:
         """Give it another name and offer the rest again."""
         path = self._library.files.rename(report.path, name)
         if path is not None:

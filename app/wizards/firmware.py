@@ -110,19 +110,19 @@ class FirmwareSetup(FormDialog):
 
     def _show_versions(self) -> None:
         ours = version_text(shipped_image().version)
-        told = [self.tr("Firmware {} is included in this program.").format(ours)]
+        lines = [self.tr("Firmware {} is included in this program.").format(ours)]
         report = self._found.get(self.ports.currentText())
         if report is not None and report.hello is not None:
             theirs, number = version_text(report.hello.firmware), report.hello.glove_id
-            told.append(
+            lines.append(
                 self.tr("The glove at this port is number {} with firmware {}.").format(
                     number, theirs
                 )
             )
             self.number.setValue(min(max(number, 1), LARGEST_NUMBER))
             if not advice(report.hello.firmware):
-                told.append(self.tr("Its firmware is up to date."))
-        self.versions.setText(" ".join(told))
+                lines.append(self.tr("Its firmware is up to date."))
+        self.versions.setText(" ".join(lines))
         self._allow()
 
     # --- writing

@@ -2053,72 +2053,72 @@
       <translation>Abspielen</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>{} Correlation {:.2f}, elsewhere {:.2f} at most.</source>
       <translation>{} Korrelation {:.2f}, anderswo höchstens {:.2f}.</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>Joint angle</source>
       <translation>Gelenkwinkel</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source> s</source>
       <translation> s</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>The second begins at</source>
       <translation>Die zweite beginnt bei</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>By clock</source>
       <translation>Nach Uhrzeit</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>As the computers' clocks had it</source>
       <translation>Nach den Uhren der Computer</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>Both from their start</source>
       <translation>Beide ab Beginn</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>By movement</source>
       <translation>Nach der Bewegung</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>Where the angles of both fit best</source>
       <translation>Wo die Winkel beider am besten passen</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>Begin there the next time; for compare --align too</source>
       <translation>Beim nächsten Mal dort beginnen; auch für compare --align</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>The takes have no joint angle in common.</source>
       <translation>Die Aufnahmen haben keinen gemeinsamen Gelenkwinkel.</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>{} beside {}</source>
       <translation>{} neben {}</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>s from the start of {}</source>
       <translation>s ab Beginn von {}</translation>
     </message>
     <message>
-      <location filename="app/panels/library/two_takes_dialog.py" />
+      <location filename="app/panels/library/two_recordings_dialog.py" />
       <source>Kept in {}.</source>
       <translation>Aufgehoben in {}.</translation>
     </message>
@@ -2623,7 +2623,7 @@
       <translation>Motor {}</translation>
     </message>
     <message>
-      <location filename="app/platform/aside.py" />
+      <location filename="app/platform/subprocess_job.py" />
       <source>It ended in the middle: was there too little memory?</source>
       <translation>Es endete mittendrin: War zu wenig Arbeitsspeicher da?</translation>
     </message>
@@ -5195,122 +5195,122 @@ change {}: {}</source>
       <translation>Ein Name kann {} enthalten, nicht {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} was cut off after {}. What it contains can be recovered.</source>
       <translation>Die Aufnahme {} ist nach {} abgebrochen. Was sie enthält, lässt sich retten.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>left hand: {}</source>
       <translation>linke Hand: {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>right hand: {}</source>
       <translation>rechte Hand: {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>no packets lost</source>
       <translation>keine Pakete verloren</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>1 packet lost</source>
       <translation>1 Paket verloren</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{:.0f} of {:.0f} images per second from the camera</source>
       <translation>{:.0f} von {:.0f} Bildern pro Sekunde von der Kamera</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} is whole: {}.</source>
       <translation>{} ist vollständig: {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>This recording is incomplete: {}.</source>
       <translation>Diese Aufnahme ist unvollständig: {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>no images from the camera</source>
       <translation>keine Bilder von der Kamera</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>no data from the glove</source>
       <translation>keine Daten vom Handschuh</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} is not whole: {}</source>
       <translation>{} ist nicht vollständig: {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} packets lost</source>
       <translation>{} Pakete verloren</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>no data from the IMUs {}</source>
       <translation>keine Daten von den IMUs {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>no image for {:.1f} s</source>
       <translation>{:.1f} s lang kein Bild</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>nothing from the glove for {:.1f} s</source>
       <translation>{:.1f} s lang nichts vom Handschuh</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>no data from the IMU {}</source>
       <translation>keine Daten von der IMU {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} needs a name with a letter or a digit in it.</source>
       <translation>{} braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} is there already, so {} keeps its name.</source>
       <translation>{} gibt es schon, deshalb behält {} seinen Namen.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>tracked {:.0f} % of the time</source>
       <translation>{:.0f} % der Zeit verfolgt</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/takes.py" />
+      <location filename="app/viewmodels/recording_report.py" />
       <source>{} cannot be named {}: {}.</source>
       <translation>{} kann nicht in {} umbenannt werden: {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/two_takes.py" />
+      <location filename="app/viewmodels/two_recordings.py" />
       <source>The takes have no tracked instant in common here.</source>
       <translation>Die Aufnahmen haben hier keinen verfolgten Zeitpunkt gemeinsam.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/two_takes.py" />
+      <location filename="app/viewmodels/two_recordings.py" />
       <source>differ by {:.1f}° (rms), {:.1f}° at most, over {:.1f} s</source>
       <translation>Unterschied {:.1f}° (RMS), höchstens {:.1f}°, über {:.1f} s</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/worn_calibration.py" />
+      <location filename="app/viewmodels/wearer_profiles.py" />
       <source>There is nothing to compare with yet: save a profile, or reset.</source>
       <translation>Noch gibt es nichts zum Vergleichen: Profil speichern oder zurücksetzen.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/worn_calibration.py" />
+      <location filename="app/viewmodels/wearer_profiles.py" />
       <source>Frozen: nothing is learned until you unfreeze it.</source>
       <translation>Eingefroren: Bis zum Auftauen wird nichts gelernt.</translation>
     </message>

@@ -71,7 +71,7 @@ def panel(window, engine, qtbot):
     teach(engine.inner, 1.04)
     window.host.adopt(setup_of(engine))
     window.run_command("show_calibration")
-    qtbot.waitUntil(lambda: window.calibration.profiles.worn.latest is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.calibration.profiles.current.latest is not None, timeout=30_000)
     return window.calibration
 
 

@@ -13,7 +13,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QFileDialog
 
 from app.storage.colour_store import ColourStore
-from app.storage.image_folder import MOST, ImageFolder, KeptImage, read_image
+from app.storage.image_folder import MOST, ImageFolder, StoredImage, read_image
 from app.viewmodels import colour_search
 from app.viewmodels.colour_fits import fit_words
 from app.viewmodels.colour_images import (
@@ -420,7 +420,7 @@ def test_the_oldest_kept_image_goes_first(tmp_path):
     folder = ImageFolder(tmp_path)
     tiny = np.zeros((4, 4, 3), np.uint8)
     for i in range(MOST + 2):
-        folder.keep(KeptImage(f"{i:03d}", tiny))
+        folder.keep(StoredImage(f"{i:03d}", tiny))
     assert folder.names() == [f"{i:03d}" for i in range(2, MOST + 2)]
     assert read_image(folder.path("002")).right is None
 

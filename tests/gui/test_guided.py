@@ -306,7 +306,7 @@ def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock
     window.calibration.profiles.save("Anna")
     row = window.calibration.wearer
     qtbot.waitUntil(lambda: row.name == "Anna", timeout=10_000)
-    file = window.calibration.profiles.worn._store.path("Anna")
+    file = window.calibration.profiles.current._store.path("Anna")
     before = file.read_text("utf-8")
     finished(guided, clock, engine, qtbot)
     guided.outcome.keep_button.click()

@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QObject
 
 from app.engines.engine_host import EngineHost
-from app.platform.process_tuning import set_aside_what_stays
+from app.platform.process_tuning import freeze_permanent_objects
 from app.platform.tasks import TaskOwner
 from app.window import pauses
 
@@ -43,9 +43,9 @@ def test_objects_that_stay_are_set_aside_soon_after_a_start(
 def test_what_became_garbage_after_it_was_set_aside_is_freed_at_the_next_start() -> None:
     loop = Loop()
     watched = weakref.ref(loop)
-    set_aside_what_stays()
+    freeze_permanent_objects()
     del loop
     gc.collect()
     assert watched() is not None  # or else nothing is set aside at all
-    set_aside_what_stays()
+    freeze_permanent_objects()
     assert watched() is None

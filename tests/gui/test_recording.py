@@ -20,8 +20,8 @@ from app.viewmodels.recording import (
     disk,
     duration_text,
     losses_text,
+    recording_path,
     size_text,
-    take_path,
 )
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.base.clock import monotonic
@@ -212,12 +212,12 @@ def test_start_after_stop_builds_a_new_engine(window, qtbot):
 
 def test_names_never_meet_an_existing_file(tmp_path):
     now = datetime(2026, 3, 1, 12, 0, 0)
-    first = take_path(tmp_path, "P1", "", now)
+    first = recording_path(tmp_path, "P1", "", now)
     assert first.name == "P1_2026-03-01_12-00-00.mcap"
     first.write_text("")
-    second = take_path(tmp_path, "P1", "", now)
+    second = recording_path(tmp_path, "P1", "", now)
     second.write_text("")
-    third = take_path(tmp_path, "P1", "", now)
+    third = recording_path(tmp_path, "P1", "", now)
     assert len({first, second, third}) == 3
 
 
@@ -329,14 +329,14 @@ NOW = datetime(2026, 3, 1, 12, 0, 5)
     ],
 )
 def test_recordings_are_named_by_a_template(tmp_path, template, participant, task, name):
-    assert take_path(tmp_path, participant, task, NOW, template).name == f"{name}.mcap"
+    assert recording_path(tmp_path, participant, task, NOW, template).name == f"{name}.mcap"
 
 
 def test_the_counter_goes_on_from_the_highest_number_there_is(tmp_path):
     for taken in ("P1_001", "P1_009", "P2_044", "P1_009_2", "other"):
         (tmp_path / f"{taken}.mcap").write_text("")
-    assert take_path(tmp_path, "P1", "", NOW, "{participant}_{n:03}").name == "P1_010.mcap"
-    assert take_path(tmp_path, "P2", "", NOW, "{participant}_{n}").name == "P2_45.mcap"
+    assert recording_path(tmp_path, "P1", "", NOW, "{participant}_{n:03}").name == "P1_010.mcap"
+    assert recording_path(tmp_path, "P2", "", NOW, "{participant}_{n}").name == "P2_45.mcap"
 
 
 def test_a_wrong_template_is_refused_in_words_and_the_last_one_kept(window, store):

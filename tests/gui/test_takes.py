@@ -15,20 +15,20 @@ from PySide6.QtWidgets import QApplication, QInputDialog
 from app.engines.protocols import RecordingRequest
 from app.engines.recording import recorder_maker
 from app.engines.replay.engine import open_replay
-from app.jobs.take_check import check_job
+from app.jobs.recording_check import check_job
 from app.viewmodels.library import quality_text
 from app.viewmodels.recording import duration_text
-from app.viewmodels.states import BAD, GOOD
-from app.viewmodels.takes import (
+from app.viewmodels.recording_report import (
     HandNow,
-    HandTake,
+    HandReport,
     MissingWatch,
-    TakeReport,
+    RecordingReport,
     missing_now,
     missing_text,
     rename,
     report_text,
 )
+from app.viewmodels.states import BAD, GOOD
 from resources import folder
 from tests.gui.gui_fakes import (
     ScriptedEngine,
@@ -197,8 +197,8 @@ def test_the_share_that_was_tracked_is_that_of_the_time(take, tmp_path):
 
 
 def test_the_silence_of_a_glove_is_said_beside_its_packets():
-    hand = HandTake("right", tracked=0.8, glove_silent=5.04)
-    report = TakeReport(Path("a.mcap"), "", 20.0, 0, camera_silent=2.0, hands=(hand,))
+    hand = HandReport("right", tracked=0.8, glove_silent=5.04)
+    report = RecordingReport(Path("a.mcap"), "", 20.0, 0, camera_silent=2.0, hands=(hand,))
     assert report_text(report) == (
         "a is complete: 0:20, no packets lost, no image for 2.0 s, "
         "nothing from the glove for 5.0 s, tracked 80 % of the time."
@@ -206,8 +206,8 @@ def test_the_silence_of_a_glove_is_said_beside_its_packets():
 
 
 def test_of_both_hands_each_is_told():
-    hands = (HandTake("left", 0.61, 8.0), HandTake("right", 0.97))
-    report = TakeReport(Path("a.mcap"), "", 20.0, 3, hands=hands)
+    hands = (HandReport("left", 0.61, 8.0), HandReport("right", 0.97))
+    report = RecordingReport(Path("a.mcap"), "", 20.0, 3, hands=hands)
     assert report_text(report) == (
         "a is complete: 0:20, 3 packets lost; "
         "left hand: nothing from the glove for 8.0 s, tracked 61 % of the time; "
@@ -568,8 +568,8 @@ def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
 
 
 def test_a_take_of_a_glove_alone_is_not_called_untracked(tmp_path):
-    hands = (HandTake("right", 0.0),)
-    both = TakeReport(tmp_path / "a.mcap", "", 6.0, 0, by_imus=True, hands=hands)
+    hands = (HandReport("right", 0.0),)
+    both = RecordingReport(tmp_path / "a.mcap", "", 6.0, 0, by_imus=True, hands=hands)
     assert report_text(both) == "a is complete: 0:06, no packets lost, IMUs only."
     assert quality_text(Quality(0.0, 0, by_imus=True)) == (
         "IMUs only, no packets lost",

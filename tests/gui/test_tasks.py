@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from app.platform.aside import aside
+from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import JobProgress, TaskOwner
 from app.words import notice_text
 from tests.damaged_sessions import cut_message, spoilt
@@ -73,7 +73,7 @@ def _vanish(progress) -> None:
 
 def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
     told = []
-    pid, nice = aside(
+    pid, nice = run_in_subprocess(
         "work", _share_of_process, JobProgress(lambda share, _text: told.append(share))
     )
     assert pid != os.getpid() and nice > os.nice(0)
@@ -82,7 +82,7 @@ def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
 
 def test_a_crash_aside_is_told_by_its_name():
     with pytest.raises(RuntimeError, match="KeyError: 'a fault of ours'"):
-        aside("work", _crash, JobProgress(lambda *_: None))
+        run_in_subprocess("work", _crash, JobProgress(lambda *_: None))
 
 
 @pytest.mark.parametrize(
@@ -90,7 +90,7 @@ def test_a_crash_aside_is_told_by_its_name():
 )
 def test_work_aside_that_ends_early_says_so(work, words):
     with pytest.raises(GlovetrackError, match=words):
-        aside("work", work, JobProgress(lambda *_: None))
+        run_in_subprocess("work", work, JobProgress(lambda *_: None))
 
 
 def _count_samples(progress, path: Path) -> int:
@@ -104,7 +104,7 @@ def test_a_job_says_which_damaged_messages_it_left_out(tmp_path, qtbot, in_subpr
     topic = "/glove/right/packets"
     path = spoilt(tmp_path / "s.mcap", tmp_path / "a.mcap", [topic], cut_message)
     work = partial(_count_samples, path=path)
-    job = partial(aside, "count", work) if in_subprocess else work
+    job = partial(run_in_subprocess, "count", work) if in_subprocess else work
     owner, counts, noted = TaskOwner(), [], []
     owner.noted.connect(noted.append)
     owner.run("count", job, done=counts.append)

@@ -207,7 +207,7 @@ class CalibrationPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None:
-            self.profiles.worn.latest = None
+            self.profiles.current.latest = None
             self._draw()
         if view is None or view.calibration is None:
             return
@@ -215,9 +215,9 @@ class CalibrationPanel(Panel):
             return  # from a single camera no sizes are estimated
         self.camera_time.setText(camera_time(view.status))
         frozen = self.wearer.frozen.isChecked()
-        if view.calibration is self.profiles.worn.latest and frozen == self._drawn_frozen:
+        if view.calibration is self.profiles.current.latest and frozen == self._drawn_frozen:
             return  # it changes once a second, and writing all its values takes 10 ms
-        self.profiles.worn.latest = view.calibration
+        self.profiles.current.latest = view.calibration
         self._alone = by_one_camera(view)
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
@@ -233,7 +233,7 @@ class CalibrationPanel(Panel):
     def _draw(self) -> None:
         comparing, frozen = self.wearer.comparing.isChecked(), self.wearer.frozen.isChecked()
         self._drawn_frozen = frozen
-        shown = self.profiles.worn.shown(comparing, frozen, self._alone)
+        shown = self.profiles.current.shown(comparing, frozen, self._alone)
         if shown is None:
             self._show_nothing()
             return

@@ -48,9 +48,9 @@ class WearerProfiles(QObject):
         host.engine_changed.connect(self._engine_changed)
 
     @property
-    def worn(self) -> WornCalibration:
+    def current(self) -> WearerProfileModel:
         """The calibration of the hand that is shown."""
-        return self._hands.worn
+        return self._hands.current
 
     def begin_with(self, profile: Path) -> None:
         """Store a profile and select it for the next hand that is tracked."""
@@ -74,7 +74,7 @@ class WearerProfiles(QObject):
         self._show_names(self._hands.show(setup))
 
     def _show_names(self, chosen: str) -> None:
-        self._row.set_names(self.worn.names(), chosen)
+        self._row.set_names(self.current.names(), chosen)
 
     def _try(self, work: Callable[[], R]) -> R | None:
         """The result of ``work``; None after reporting an error."""
@@ -90,28 +90,28 @@ class WearerProfiles(QObject):
     def _put_on(self, name: str, setup: EngineSetup) -> None:
         layout = self.link.layout_of(setup)
         try:
-            self.worn.put_on(name, layout)
+            self.current.put_on(name, layout)
         except GlovetrackError as error:
             self._host.error.emit(error_text(error))
             self._show_names("")
             return
-        self._give_profile(self._store.value.engine, self.worn, setup.side)
+        self._give_profile(self._store.value.engine, self.current, setup.side)
 
-    def _give_profile(self, engine: str, worn: WornCalibration, side: str) -> None:
+    def _give_profile(self, engine: str, model: WearerProfileModel, side: str) -> None:
         """Send the profile of the wearer to an engine that accepts profiles."""
-        if learns_wearer(engine) and worn.profile is not None:
-            self.link.put_on(worn.profile, side)
+        if learns_wearer(engine) and model.profile is not None:
+            self.link.put_on(model.profile, side)
 
     def _engine_changed(self, name: str) -> None:
         """Apply the selected profile to a new engine."""
         self._row.frozen.setChecked(False)
-        for side, worn in self._hands.by_side.items():
-            self._give_profile(name, worn, side)
+        for side, model in self._hands.by_side.items():
+            self._give_profile(name, model, side)
 
     def wear(self, name: str) -> None:
         """Select a stored profile; an empty name selects a new wearer."""
         self._remember(name)
-        self.worn.take_off()
+        self.current.take_off()
         if name and self._host.setup is not None:
             self._put_on(name, self._host.setup)
         else:
@@ -120,7 +120,7 @@ class WearerProfiles(QObject):
 
     def save(self, name: str) -> None:
         """Save the calibration under a name, after requesting it from the engine."""
-        self.worn.ask_to_save(name)
+        self.current.ask_to_save(name)
         self.link.ask()
 
     def keep_learned(self) -> bool:
@@ -132,19 +132,19 @@ class WearerProfiles(QObject):
 
     def export(self, path: Path) -> None:
         """Write the calibration to a file, after requesting it from the engine."""
-        self.worn.ask_to_export(path)
+        self.current.ask_to_export(path)
         self.link.ask()
 
     def take_in(self, path: Path) -> None:
         """Import a profile and select it."""
         layout = self.link.layout()
-        name = self._try(lambda: self.worn.take_in(path, layout)) if layout is not None else None
+        name = self._try(lambda: self.current.take_in(path, layout)) if layout is not None else None
         if name is not None:
             self._show_names(name)
             self.wear(name)
 
     def _learned(self, wearer: WearerFile) -> None:
-        kept = self._try(lambda: self.worn.learned(wearer))
+        kept = self._try(lambda: self.current.learned(wearer))
         if kept:
             self._remember(kept)
             self._show_names(kept)
@@ -152,7 +152,7 @@ class WearerProfiles(QObject):
 
     def remove(self, name: str) -> None:
         """Remove a profile; the engine's calibration does not change."""
-        file = self._try(lambda: self.worn.remove(name))
+        file = self._try(lambda: self.current.remove(name))
         if file is None:
             return
         self._remember("")
@@ -174,4 +174,4 @@ class WearerProfiles(QObject):
     def reset(self, segments: list[str] | None) -> None:
         """Reset the calibration; the previous one remains available for comparison."""
         if self.link.reset(segments):
-            self.worn.forgotten()
+            self.current.forgotten()

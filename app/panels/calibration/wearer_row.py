@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.viewmodels.names import spoken
-from app.viewmodels.worn_calibration import HAND_MM
+from app.viewmodels.wearer_profiles import HAND_MM
 from app.widgets.one_line import OneLine
 from app.widgets.question import answer
 

@@ -119,8 +119,8 @@ class ColoursLight(QWidget):
         self._job.failed.connect(self.failed)
         self.chip = Chip()
         # fixed width: the text changes every second and must not move its neighbours
-        said = self.fontMetrics().horizontalAdvance("● " + tr(SHORT["missed"]))
-        self.chip.setFixedWidth(said + 2 * NEAR + TIGHT)
+        text_width = self.fontMetrics().horizontalAdvance("● " + tr(SHORT["missed"]))
+        self.chip.setFixedWidth(text_width + 2 * NEAR + TIGHT)
         self.advice = QLabel()
         self.advice.setWordWrap(True)
         self.advice.setFixedWidth(WIDTH)

@@ -22,7 +22,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.image_folder import (
     Image,
     ImageFolder,
-    KeptImage,
+    StoredImage,
     read_image,
     write_image,
 )
@@ -50,7 +50,7 @@ class StoredImages(QObject):
         super().__init__(parent)
         self._tasks = tasks
         self.folder: ImageFolder | None = None
-        self._opened: dict[str, KeptImage] = {}
+        self._opened: dict[str, StoredImage] = {}
 
     @property
     def names(self) -> list[str]:
@@ -61,7 +61,7 @@ class StoredImages(QObject):
         self.folder = folder
         self.listed.emit("")
 
-    def load(self, name: str, show: Callable[[KeptImage], None]) -> None:
+    def load(self, name: str, show: Callable[[StoredImage], None]) -> None:
         """Call ``show`` with an image once it has been read."""
         if name in self._opened:
             show(self._opened[name])
@@ -75,7 +75,7 @@ class StoredImages(QObject):
             self.failed.emit(self.tr("There is no image yet that could be stored."))
             return
         folder = self.folder
-        shot = KeptImage(folder.free_name(datetime.now()), left, right)
+        shot = StoredImage(folder.free_name(datetime.now()), left, right)
         self._tasks.run(
             self.tr("Storing an image"),
             lambda _progress: folder.keep(shot),
@@ -86,7 +86,7 @@ class StoredImages(QObject):
         """Show an image of any camera, single or side by side."""
         self._tasks.run(self.tr("Opening an image"), lambda _p: read_image(path), self._add)
 
-    def _add(self, image: KeptImage) -> None:
+    def _add(self, image: StoredImage) -> None:
         self._opened[image.name] = image
         self.listed.emit(image.name)
 
@@ -95,7 +95,7 @@ class StoredImages(QObject):
         if left is None:
             self.failed.emit(self.tr("There is no image yet that could be saved."))
             return
-        shot = KeptImage(path.stem, left, right)
+        shot = StoredImage(path.stem, left, right)
         self._tasks.run(self.tr("Saving an image"), lambda _p: write_image(path, shot))
 
     def remove(self, name: str) -> None:
@@ -138,7 +138,7 @@ class ColoursSource(QWidget):
         self.stored.failed.connect(self.failed)
         self.stored.removed.connect(self.removed)
         self._view: Snapshot | None = None
-        self._kept: KeptImage | None = None
+        self._kept: StoredImage | None = None
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Image used for tuning"))
         self.choice.setMinimumContentsLength(12)
@@ -238,7 +238,7 @@ class ColoursSource(QWidget):
         else:
             self.stored.load(self.choice.itemText(index), self._show)
 
-    def _show(self, kept: KeptImage | None) -> None:
+    def _show(self, kept: StoredImage | None) -> None:
         self._kept = kept
         self.changed.emit()
 

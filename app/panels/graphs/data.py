@@ -12,7 +12,7 @@ from app.engines.snapshot import Snapshot
 from app.jobs.recording_curves import read_signals
 from app.platform.tasks import LatestJob
 from app.viewmodels.graphs import SPANS
-from app.viewmodels.signal_curves import Curve, LiveCurves, TakeCurves
+from app.viewmodels.signal_curves import Curve, LiveCurves, RecordingCurves
 from app.viewmodels.signals import Signal as Figure
 from app.viewmodels.signals import signals
 
@@ -31,7 +31,7 @@ class SignalData(QObject):
         super().__init__(parent)
         self._host = host
         self.signals: dict[str, Figure] = {}
-        self.recording: TakeCurves | None = None
+        self.recording: RecordingCurves | None = None
         self._setup: EngineSetup | None = None  # whose signals are listed
         self._status_names: frozenset[str] = frozenset()
         self._live = LiveCurves(SPANS[-1])
@@ -77,7 +77,7 @@ class SignalData(QObject):
             self.message.emit(self.tr("Reading the whole recording…"))
             self._reading.run(read_signals(setup.player.path, setup), self._use_recording)
 
-    def _use_recording(self, curves: TakeCurves) -> None:
+    def _use_recording(self, curves: RecordingCurves) -> None:
         self.recording = curves
         self.message.emit("")
         view = self._host.snapshot()

@@ -125,7 +125,7 @@ class GraphsPanel(Panel):
             if player is None:
                 plot.draw_live(curves, _now(view))
             else:
-                plot.draw_take(curves, player.position, player.duration)
+                plot.draw_recording(curves, player.position, player.duration)
 
     def shut_down(self) -> None:
         self.data.shut_down()

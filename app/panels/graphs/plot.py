@@ -220,7 +220,7 @@ class GraphPlot(QFrame):
         """Copy the displayed curves, since their buffers continue to change."""
         self.curves = [(t.copy(), values.copy()) for t, values in self.curves]
 
-    def draw_take(self, curves: Sequence[Curve], position: float, duration: float) -> None:
+    def draw_recording(self, curves: Sequence[Curve], position: float, duration: float) -> None:
         """Draw the curves of a recording of ``duration`` s with the replay at ``position`` (s)."""
         if not self.paused:
             self.plot.show_position(position)

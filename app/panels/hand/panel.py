@@ -251,10 +251,10 @@ class HandPanel(Panel):
         elapsed = self._since.restart() / 1000
         orbit.target = followed(orbit.target, scenes, self._found, elapsed)
         self._found = True
-        said = [s.caption for s in scenes if s.caption]
+        captions = [s.caption for s in scenes if s.caption]
         if any(hand.skin is None for hand in self._hands):
-            said.append(self.tr("Generating the hand mesh…"))
-        self.view.caption = " · ".join(dict.fromkeys(said))
+            captions.append(self.tr("Generating the hand mesh…"))
+        self.view.caption = " · ".join(dict.fromkeys(captions))
         labels = [label for hand in self._hands for label in hand.draw(show, orbit)]
         self.view.set_labels(labels)
         self.view.render_scene()

@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.engines.protocols import Player
 from app.jobs.offline_tracking import compare_job, free_name, track_job
-from app.jobs.recording_curves import two_takes_job
-from app.panels.library.two_takes_dialog import TwoTakesDialog
+from app.jobs.recording_curves import two_recordings_job
+from app.panels.library.two_recordings_dialog import TwoRecordingsDialog
 from app.platform.tasks import Job, TaskOwner
 from app.viewmodels.compare import Comparison, rows, summary
 from app.viewmodels.two_takes import TwoTakes
@@ -106,7 +106,7 @@ class Comparing(QObject):
         self._pair: tuple[Path, Path] | None = None  # a session, and the one to compare it with
         self._second = ""  # name of the second one
         self._shift = 0.0  # s by which the clock of the second is ahead
-        self._takes: TwoTakesDialog | None = None
+        self._takes: TwoRecordingsDialog | None = None
 
     def set_player(self, player: Player | None) -> None:
         """Set the open replay."""
@@ -129,10 +129,10 @@ class Comparing(QObject):
     def side_by_side(self, first: Path, second: Path) -> None:
         """Align two recordings in time and show the second hand in the replay of the first."""
         title = self.tr("Reading two recordings")
-        self._tasks.run(title, two_takes_job(first, second), self._show_takes, self.ended.emit)
+        self._tasks.run(title, two_recordings_job(first, second), self._show_takes, self.ended.emit)
 
-    def _show_takes(self, takes: TwoTakes) -> None:
-        dialog = TwoTakesDialog(takes, self._window)
+    def _show_takes(self, takes: TwoRecordings) -> None:
+        dialog = TwoRecordingsDialog(takes, self._window)
         self._takes = dialog
         dialog.destroyed.connect(self._takes_closed)
         self._pair = (takes.first.path, takes.second.path)

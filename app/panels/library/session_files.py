@@ -17,7 +17,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, write_tags
 from app.storage.system_bin import Binned, restore, to_bin
 from app.viewmodels.recording import duration_text
-from app.viewmodels.takes import rename
+from app.viewmodels.recording_report import rename
 from app.widgets.question import question
 from app.words import error_text, tr
 from tracker.base.errors import FileError, GlovetrackError
@@ -74,8 +74,8 @@ class SessionFiles(QObject):
         self._put_tags(dict.fromkeys(paths, wanted))
         gone = sorted({tag for tags in before.values() for tag in tags} - set(wanted))
         if gone:
-            said = self.tr("Tags removed: {}.").format(", ".join(gone))
-            self.removed.emit(said, partial(self._put_tags, before))
+            message = self.tr("Tags removed: {}.").format(", ".join(gone))
+            self.removed.emit(message, partial(self._put_tags, before))
 
     def _put_tags(self, tags: Mapping[Path, Sequence[str]]) -> None:
         """Restore the tags of each session that still exists under its name."""

@@ -112,8 +112,8 @@ class TransportBar(QWidget):
         self.setVisible(player is not None)
         if player is None:
             return
-        told = [(at, event, words_of(event)) for at, event in player.events]
-        marks = [_mark(at, event, words) for at, event, words in told if words]
+        noted = [(at, event, words_of(event)) for at, event in player.events]
+        marks = [_mark(at, event, words) for at, event, words in noted if words]
         self.timeline.show_session(player.duration, marks)
         self.loop_button.setChecked(False)
         self.speed.setCurrentIndex(SPEEDS.index(1.0))

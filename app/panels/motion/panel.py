@@ -96,10 +96,10 @@ class MotionPanel(Panel):
         if setup.player is not None:
             self.message.show_message(self.tr("Reading the whole recording…"))
             side = setup.side if setup.others else ""
-            self._reading.run(read_motion(setup.player.path, side), self._use_take)
+            self._reading.run(read_motion(setup.player.path, side), self._use_recording)
 
-    def _use_take(self, take: object) -> None:
-        if self.model is not None and self.model.use_take(take):
+    def _use_recording(self, take: object) -> None:
+        if self.model is not None and self.model.use_recording(take):
             self.message.show_message("")
             self._show_figures()
             self._show_curves()

@@ -154,8 +154,8 @@ class View3D(QWidget):
     def _write_labels(self) -> None:
         if self._view is not None:
             ground = self._background
-            told = (replace(w, colour=legible(w.colour, ground)) for w in self._labels)
-            self._view.set_labels(tuple(told))
+            legible_labels = (replace(w, colour=legible(w.colour, ground)) for w in self._labels)
+            self._view.set_labels(tuple(legible_labels))
 
     def render_scene(self) -> None:
         """Render the scene; if the graphics card fails, switch to software rendering."""

@@ -193,11 +193,11 @@ class LeadingPage(QWidget):
         label.setWordWrap(True)
         return label
 
-    def lay_out(self, said: Sequence[QWidget], buttons: Sequence[QWidget]) -> None:
-        """Place ``said`` next to the hand and ``buttons`` below, in order."""
+    def lay_out(self, widgets: Sequence[QWidget], buttons: Sequence[QWidget]) -> None:
+        """Place ``widgets`` next to the hand and ``buttons`` below, in order."""
         text = QVBoxLayout()
         text.addStretch(1)
-        for widget in said:
+        for widget in widgets:
             text.addWidget(widget)
         text.addStretch(1)
         text.setSpacing(FAR)
@@ -212,5 +212,5 @@ class LeadingPage(QWidget):
 
     def show_chips(self, chips: Iterable[tuple[str, str]]) -> None:
         """Show sign and name of all steps, with the current one highlighted."""
-        told = (f"<b>{s} {n}</b>" if s == NOW else f"{s} {n}" for s, n in chips)
-        self.chips.setText(" &nbsp; ".join(told))
+        texts = (f"<b>{s} {n}</b>" if s == NOW else f"{s} {n}" for s, n in chips)
+        self.chips.setText(" &nbsp; ".join(texts))

@@ -72,7 +72,7 @@ class BoardWatcher:
             if self._collector is not None and index < len(self._collector.views):
                 self._collector.remove(index)
 
-    def begin_anew(self) -> None:
+    def restart(self) -> None:
         """Discard all views and start collecting again."""
         with self._lock:
             self._collector = None

@@ -243,7 +243,7 @@ class StereoWizard(QDialog):
             self.check.images.wait(self.tr("Checked on every third image of the folder."))
             self.check.show_views(self._fresh)
         elif self.watching.watcher is not None:
-            self.watching.watcher.begin_anew()
+            self.watching.watcher.restart()
         self._go(CHECK)
 
     def _finish(self) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from app.platform.aside import aside
+from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 
 
@@ -15,7 +15,7 @@ def report_job(sessions: Sequence[Path]) -> Job:
     takes = sorted(sessions)
 
     def run(progress: JobProgress) -> Path:
-        out: Path = aside("report", partial(_write, takes), progress)
+        out: Path = run_in_subprocess("report", partial(_write, takes), progress)
         return out
 
     return run

@@ -16,8 +16,8 @@ compiled kernels are only valid if all constants agree."""
 def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[float, ...]:
     """Direction in C towards a lamp, to the right of the camera and above it, and its strength."""
     a, e = np.deg2rad(azimuth_deg), np.deg2rad(elevation_deg)
-    way = np.sin(a) * np.cos(e), -np.sin(e), -np.cos(a) * np.cos(e)
-    x, y, z = (round(float(w), DIGITS) for w in way)
+    direction = np.sin(a) * np.cos(e), -np.sin(e), -np.cos(a) * np.cos(e)
+    x, y, z = (round(float(w), DIGITS) for w in direction)
     return x, y, z, strength
 
 
@@ -30,8 +30,8 @@ EDGE = _lamp(110, 0, 0.21)  # from behind, on either side, to emphasize the edge
 
 def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
     """Direction halfway between a lamp and the camera: the normal with the maximum highlight."""
-    way = np.array(lamp[:3]) - [0.0, 0.0, 1.0]
-    unit = way / np.linalg.norm(way)
+    direction = np.array(lamp[:3]) - [0.0, 0.0, 1.0]
+    unit = direction / np.linalg.norm(direction)
     x, y, z = (round(float(u), DIGITS) for u in unit)
     return x, y, z
 

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from app.platform.tasks import JobProgress, LatestJob
 from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, SKY, WARN
-from app.viewmodels.two_takes import Image, TakeImages, TwoTakes, figures_text
+from app.viewmodels.two_recordings import Image, RecordingImages, TwoRecordings, figures_text
 from app.widgets.image_view import ImageView
 from app.words import error_text, local
 from tracker.base.errors import GlovetrackError
@@ -35,14 +35,14 @@ FRAME_S = 0.01  # step of the field, s
 HIGH = 200  # px
 
 
-class TakePair(QSplitter):
+class ImagePairView(QSplitter):
     """The images of both, which zoom and move together; only the newest position is read, in the
     background."""
 
-    def __init__(self, takes: TwoTakes, parent: QWidget | None = None) -> None:
+    def __init__(self, takes: TwoRecordings, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
         paths = takes.first.path, takes.second.path
-        self._sources = tuple(TakeImages(path) for path in paths)
+        self._sources = tuple(RecordingImages(path) for path in paths)
         nothing = self.tr("No image here")
         self.views = tuple(ImageView(path.stem, nothing) for path in paths)
         self.setChildrenCollapsible(False)
@@ -76,13 +76,13 @@ class TakePair(QSplitter):
             source.close()
 
 
-class TwoTakesDialog(QDialog):
+class TwoRecordingsDialog(QDialog):
     """Not modal. ``moved``: the new offset; ``sought``: a position in the first recording, s."""
 
     moved = Signal(float)
     sought = Signal(float)
 
-    def __init__(self, takes: TwoTakes, parent: QWidget | None = None) -> None:
+    def __init__(self, takes: TwoRecordings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.takes = takes
         names = takes.first.path.stem, takes.second.path.stem
@@ -93,7 +93,7 @@ class TwoTakesDialog(QDialog):
         self._make_plot(*names)
         column = QVBoxLayout(self)
         column.addLayout(self._top())
-        self.images = TakePair(takes)
+        self.images = ImagePairView(takes)
         self._position = 0.0
         column.addWidget(self.images, 1)
         column.addWidget(self.plot, 1)
@@ -173,8 +173,10 @@ class TwoTakesDialog(QDialog):
             self.figures.setText(error_text(error))
             return
         self.set_offset(found.offset)
-        told = self.tr("{} Correlation {:.2f}; at most {:.2f} elsewhere.")
-        text = told.format(self.figures.text(), local(found.correlation), local(found.elsewhere))
+        template = self.tr("{} Correlation {:.2f}; at most {:.2f} elsewhere.")
+        text = template.format(
+            self.figures.text(), local(found.correlation), local(found.elsewhere)
+        )
         self.figures.setText(text)
 
     def _keep(self) -> None:

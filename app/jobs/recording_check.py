@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from app.platform.aside import aside
+from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import HandTake, TakeReport
 from app.words import error_text
@@ -18,12 +18,12 @@ from tracker.session.verify import verify
 
 
 def check_job(path: Path) -> Job:
-    """A job that reads the whole file and returns its `TakeReport`; in a subprocess, since the hand
-    is tracked at the same time."""
+    """A job that reads the whole file and returns its `RecordingReport`; in a subprocess, since the
+    hand is tracked at the same time."""
 
-    def run(progress: JobProgress) -> TakeReport:
+    def run(progress: JobProgress) -> RecordingReport:
         try:
-            report: TakeReport = aside("check", partial(_report, path), progress)
+            report: RecordingReport = run_in_subprocess("check", partial(_report, path), progress)
         except GlovetrackError as error:
             return TakeReport(path, error_text(error))
         return report
@@ -31,7 +31,7 @@ def check_job(path: Path) -> Job:
     return run
 
 
-def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
+def _report(path: Path, progress: Callable[..., None]) -> RecordingReport:
     """Raises FileError if it cannot be read."""
 
     findings = verify(path, progress)
@@ -43,7 +43,10 @@ def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
     silent = {f.where: f.silence for f in findings}
     camera = silent.get("/camera", 0.0)
     hands = tuple(
-        HandTake(hand.side, hand.tracked, silent.get(f"/glove/{hand.side}", 0.0)) for hand in shares
+        HandReport(hand.side, hand.tracked, silent.get(f"/glove/{hand.side}", 0.0))
+        for hand in shares
     )
     cut_off = needs_recovery(path)
-    return TakeReport(path, problem, duration, q.packets_lost, q.by_imus, camera, hands, cut_off)
+    return RecordingReport(
+        path, problem, duration, q.packets_lost, q.by_imus, camera, hands, cut_off
+    )

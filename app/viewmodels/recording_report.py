@@ -21,7 +21,7 @@ SILENT = 1.0  # s without data after which a device or an IMU counts as not resp
 SLOW = 0.6  # relative to the nominal frame rate
 
 
-class HandTake(NamedTuple):
+class HandReport(NamedTuple):
     """``tracked``: 0..1 of the time; None if unknown. ``glove_silent``: s without data from its
     glove."""
 
@@ -31,7 +31,7 @@ class HandTake(NamedTuple):
 
 
 @dataclass(frozen=True)
-class TakeReport:
+class RecordingReport:
     """``problem``: the most serious problem of the file, empty if it is complete. ``duration`` s;
     ``by_imus``: without a position, so that the tracked time is meaningless. ``camera_silent``: s
     without images; ``cut_off``: interrupted, can be recovered."""
@@ -42,11 +42,11 @@ class TakeReport:
     packets_lost: int | None = None
     by_imus: bool = False
     camera_silent: float = 0.0
-    hands: tuple[HandTake, ...] = ()  # the left one first
+    hands: tuple[HandReport, ...] = ()  # the left one first
     cut_off: bool = False
 
 
-def report_text(report: TakeReport) -> str:
+def report_text(report: RecordingReport) -> str:
     """One line: completeness, duration, losses, and tracked time of each hand."""
     name = report.path.stem
     if report.cut_off:
@@ -59,15 +59,15 @@ def report_text(report: TakeReport) -> str:
         parts.append(packets_lost(report.packets_lost))
     if report.camera_silent:
         parts.append(tr("no image for {:.1f} s").format(local(report.camera_silent)))
-    said = {hand.side: ", ".join(_hand_parts(hand, report.by_imus)) for hand in report.hands}
-    if len(said) < 2:
-        text = ", ".join([*parts, *said.values()])
+    by_hand = {hand.side: ", ".join(_hand_parts(hand, report.by_imus)) for hand in report.hands}
+    if len(by_hand) < 2:
+        text = ", ".join([*parts, *by_hand.values()])
     else:
-        text = "; ".join([", ".join(parts), *(of_hand(*each) for each in said.items())])
+        text = "; ".join([", ".join(parts), *(of_hand(*each) for each in by_hand.items())])
     return tr("{} is complete: {}.").format(name, text)
 
 
-def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
+def _hand_parts(hand: HandReport, by_imus: bool) -> list[str]:
     """Time without data from the hand's glove, if any, and tracked time."""
     parts = []
     if hand.glove_silent:
@@ -143,8 +143,8 @@ def _missing_imus(hand: HandNow) -> Missing:
     lately = [s for s in hand.samples if s.t_arrival > hand.status.t - SILENT]
     if not lately:
         return {"glove": tr("no data from the glove")}
-    heard = np.any([s.valid for s in lately], axis=0)
-    silent = [spoken(name) for name, ok in zip(hand.imus, heard, strict=True) if not ok]
+    responding = np.any([s.valid for s in lately], axis=0)
+    silent = [spoken(name) for name, ok in zip(hand.imus, responding, strict=True) if not ok]
     if not silent:
         return {}
     if len(silent) == 1:

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from app.panels.library.two_takes_dialog import TwoTakesDialog
-from app.viewmodels.two_takes import (
-    TakeAngles,
-    TakeImages,
-    TwoTakes,
+from app.panels.library.two_recordings_dialog import TwoRecordingsDialog
+from app.viewmodels.two_recordings import (
+    RecordingAngles,
+    RecordingImages,
+    TwoRecordings,
     between,
     figures_text,
-    read_take,
+    read_angles,
 )
 from tracker.messages import StereoFrame
 from tracker.offline.crop import crop
@@ -45,7 +45,7 @@ def parts(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def takes(parts):
-    return TwoTakes(*map(read_take, parts))
+    return TwoRecordings(*map(read_angles, parts))
 
 
 def test_by_the_clock_two_parts_of_one_movement_are_the_same(takes):
@@ -77,7 +77,7 @@ def test_gaps_are_not_filled_in():
 def test_curves_and_their_difference_are_interrupted_in_a_hole(takes):
     first = takes.first
     rows = (first.t < 0.5) | (first.t > 0.9)
-    holed = TwoTakes(replace(first, t=first.t[rows], angles=first.angles[rows]), takes.second)
+    holed = TwoRecordings(replace(first, t=first.t[rows], angles=first.angles[rows]), takes.second)
     t, angle, _, _ = holed.curves(JOINT, takes.by_clock)
     inside = (t > 0.51) & (t < 0.89)
     assert inside.sum() == 1 and np.isnan(angle[inside]).all()
@@ -98,9 +98,9 @@ def beside(window, store, parts, tmp_path, qtbot):
     qtbot.waitUntil(lambda: table.rowCount() == 2, timeout=20_000)
     table.selectAll()
     window.run_command("beside")
-    qtbot.waitUntil(lambda: window.findChild(TwoTakesDialog) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.findChild(TwoRecordingsDialog) is not None, timeout=20_000)
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
-    return window.findChild(TwoTakesDialog)
+    return window.findChild(TwoRecordingsDialog)
 
 
 def test_the_second_hand_goes_along_with_the_first(beside, window, qtbot):
@@ -147,7 +147,7 @@ def test_images_of_a_take_are_those_of_the_instant(parts, tmp_path):
         for k in range(5):
             t, image = begin + 0.1 * k, np.full((48, 64, 3), 40 * k, np.uint8)
             recorder.write(StereoFrame(t, t, image, image, index=k))
-    images = TakeImages(path)
+    images = RecordingImages(path)
     grey = [images.at(p).mean() / 40 for p in (0.0, 0.19, 0.2, 0.25, 0.45)]
     np.testing.assert_allclose(grey, [0, 1, 2, 2, 4], atol=0.1)  # JPEG keeps a plain image well
     assert images.at(2.0) is None  # long after the last one
@@ -173,11 +173,11 @@ def test_by_movement_the_offset_is_found_and_kept_for_the_next_time(tmp_path):
     t = np.arange(1500) / 100
     names = tuple(f"joint_{k}" for k in range(12))
 
-    def take(name: str, since: float) -> TakeAngles:
+    def take(name: str, since: float) -> RecordingAngles:
         angles = np.sin(2 * np.pi * waves[0] * (t + since) + waves[1]).T
-        return TakeAngles(tmp_path / name, 0.0, 10**18, 15.0, names, t, angles)
+        return RecordingAngles(tmp_path / name, 0.0, 10**18, 15.0, names, t, angles)
 
-    pair = TwoTakes(take("a.mcap", 0.0), take("b.mcap", 2.34))
+    pair = TwoRecordings(take("a.mcap", 0.0), take("b.mcap", 2.34))
     found = pair.by_movement()
     assert found.offset == pytest.approx(2.34, abs=0.003) and found.correlation > 0.95
     assert pair.kept is None

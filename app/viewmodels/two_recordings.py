@@ -35,7 +35,7 @@ Image = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
-class TakeAngles:
+class RecordingAngles:
     """``t`` (N,) s from the first measurement; ``angles`` (N, J) rad, NaN where lost.
 
     ``start``: the first measurement, s of its monotonic clock, and ``wall_ns`` since 1970.
@@ -65,9 +65,9 @@ class AngleDifference:
 
 
 @dataclass(frozen=True, eq=False)
-class TwoTakes:
-    first: TakeAngles
-    second: TakeAngles
+class TwoRecordings:
+    first: RecordingAngles
+    second: RecordingAngles
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -111,7 +111,7 @@ class TwoTakes:
         return path
 
     @property
-    def _both(self) -> tuple[TakeAngles, TakeAngles]:
+    def _both(self) -> tuple[RecordingAngles, RecordingAngles]:
         return self.first, self.second
 
     def shift(self, offset: float) -> float:
@@ -155,11 +155,11 @@ def between(t: Array, known_t: Array, values: Array) -> Array:
     return out
 
 
-def read_take(path: Path) -> TakeAngles:
+def read_angles(path: Path) -> RecordingAngles:
     """A session's joint angles. Raises FileError if the file is not a session."""
     with SessionReader(path) as reader:
         series = read_series(reader, segments=False)
-        return TakeAngles(
+        return RecordingAngles(
             path,
             reader.anchor.monotonic(reader.span_ns[0]),
             reader.span_ns[0],
@@ -180,7 +180,7 @@ def figures_text(figures: AngleDifference | None) -> str:
     )
 
 
-class TakeImages:
+class RecordingImages:
     """Images of one file, opened on first use. Not thread-safe."""
 
     def __init__(self, path: Path) -> None:

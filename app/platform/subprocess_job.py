@@ -18,10 +18,10 @@ from tracker.base.errors import GlovetrackError
 
 Work = Callable[[Callable[..., None]], Any]
 STEP = 0.01  # minimum progress between two reports, after which cancellation is checked
-KINDNESS = 10  # that the window and the trackers come first
+LOW_PRIORITY = 10  # that the window and the trackers come first
 
 
-def aside(name: str, work: Work, progress: JobProgress) -> Any:
+def run_in_subprocess(name: str, work: Work, progress: JobProgress) -> Any:
     """The result of ``work(progress)``; both are pickled.
 
     Raises Cancelled, GlovetrackError with the message of a failure in the work, RuntimeError after
@@ -60,7 +60,7 @@ def _serve(pipe: Connection, work: Work) -> None:
     """In the subprocess: run the work and send its result."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # meant for the window, which then cancels
     if hasattr(os, "nice"):
-        os.nice(KINDNESS)
+        os.nice(LOW_PRIORITY)
     try:
         with gather() as left_out:
             answer = ("done", work(_ProgressReporter(pipe)))
@@ -79,12 +79,12 @@ class _ProgressReporter:
     """Reports progress and checks for cancellation at each step."""
 
     def __init__(self, pipe: Connection) -> None:
-        self._pipe, self._told = pipe, -STEP
+        self._pipe, self._reported = pipe, -STEP
 
     def __call__(self, share: float, _text: str = "") -> None:
-        if share - self._told < STEP:
+        if share - self._reported < STEP:
             return
-        self._told = share
+        self._reported = share
         try:
             self._pipe.send(("share", share))
             self._pipe.recv()

@@ -25,7 +25,7 @@ HAND_MM = (1000 * SHORTEST, 1000 * LONGEST)
 FOLDER, DEMO = "wearers", "demo"
 
 
-class WornCalibration:
+class WearerProfileModel:
     """``latest`` is the current calibration; the last fit is that at the last save, selection or
     reset.
 
@@ -34,7 +34,7 @@ class WornCalibration:
 
     def __init__(self, store: WearerStore, layout: ChainLayout | None = None) -> None:
         self._store, self._layout = store, layout
-        self._worn: WearerFile | None = None
+        self._selected: WearerFile | None = None
         self._last_fit: Calibration | None = None
         self._saving = ""  # name under which the engine's next answer is to be saved
         self._exporting: Path | None = (
@@ -44,7 +44,7 @@ class WornCalibration:
 
     def open(self) -> None:
         """Forget the wearer after the engine has changed."""
-        self._worn = self._last_fit = self.latest = None
+        self._selected = self._last_fit = self.latest = None
 
     def names(self) -> list[str]:
         """The stored profiles for this hand and glove."""
@@ -53,15 +53,15 @@ class WornCalibration:
     @property
     def profile(self) -> WearerProfile | None:
         """The selected profile."""
-        return self._worn.profile if self._worn is not None else None
+        return self._selected.profile if self._selected is not None else None
 
     def put_on(self, name: str, layout: ChainLayout) -> None:
         """Select a profile. Raises FileError if it does not exist or is for another glove."""
-        self._worn = self._store.load(name, layout)
-        self._last_fit = self._worn.calibration
+        self._selected = self._store.load(name, layout)
+        self._last_fit = self._selected.calibration
 
     def take_off(self) -> None:
-        self._worn = None
+        self._selected = None
 
     def ask_to_save(self, name: str) -> None:
         """Save the next `learned` under this name."""
@@ -84,7 +84,7 @@ class WornCalibration:
         if not name:
             return ""
         kept = self._store.save(name, wearer)
-        self._worn, self._last_fit = wearer, wearer.calibration
+        self._selected, self._last_fit = wearer, wearer.calibration
         return kept
 
     def remove(self, name: str) -> RemovedFile:
@@ -113,19 +113,21 @@ class WornCalibration:
 
 
 class WearersOfHands:
-    """``worn`` is the calibration of the displayed hand, one of ``by_side``."""
+    """``current`` is the calibration of the displayed hand, one of ``by_side``."""
 
     def __init__(self, store: SettingsStore) -> None:
         self._store = store
         folder = store.path.parent / FOLDER
         self._files, self._demo_files = WearerStore(folder), WearerStore(folder / DEMO)
-        self.worn = WornCalibration(self._files)
-        self.by_side: dict[str, WornCalibration] = {}
+        self.current = WearerProfileModel(self._files)
+        self.by_side: dict[str, WearerProfileModel] = {}
 
     def open(self, setups: list[EngineSetup]) -> None:
         """Start with other gloves, without wearers."""
         self.by_side = {
-            setup.side: WornCalibration(self._files_of(setup), ChainLayout(setup.hand, setup.glove))
+            setup.side: WearerProfileModel(
+                self._files_of(setup), ChainLayout(setup.hand, setup.glove)
+            )
             for setup in setups
         }
 
@@ -134,7 +136,7 @@ class WearersOfHands:
 
     def show(self, setup: EngineSetup) -> str:
         """Select a hand; returns the name of its last wearer."""
-        self.worn = self.by_side[setup.side]
+        self.current = self.by_side[setup.side]
         settings = self._store.value
         own = bound(settings, setup.connection.number)  # for a glove that is recognized
         if own is not None:
@@ -142,7 +144,7 @@ class WearersOfHands:
         name = wearer_of(settings, setup.side, setup.simulated)
         # Earlier versions stored the name of a left glove's wearer as "right".
         earlier = wearer_of(settings, "right") if not setup.simulated else ""
-        return name or (earlier if earlier in self.worn.names() else "")
+        return name or (earlier if earlier in self.current.names() else "")
 
     def remember(self, name: str, setup: EngineSetup | None) -> None:
         """Store the wearer of this hand for the next start."""
@@ -157,6 +159,6 @@ class WearersOfHands:
             self._store.update(demo_wearers={**settings.demo_wearers, setup.side: name})
             return
         names = dict(settings.wearers)
-        if names.get("right") in self.worn.names():
+        if names.get("right") in self.current.names():
             names["right"] = ""  # stored by earlier versions for either hand
         self._store.update(wearers={**names, setup.side: name})
