@@ -1,4 +1,4 @@
-"""Estimated parameters with their uncertainty and how far each has settled."""
+"""Estimated calibration parameters with their uncertainty and convergence."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from app.words import local, mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Calibration, Status
 
-# Prior standard deviations and those at which a parameter counts as settled: the bar runs between
-# them on a logarithmic scale, as a filter's uncertainty falls by factors.
+# Prior standard deviations and those at which a parameter counts as settled: the bar shows the
+# range between them on a logarithmic scale, since a filter's uncertainty decreases by factors.
 RANGES = {
     "scale": (0.07, 0.01),
     "mounting": (np.deg2rad(8.0), np.deg2rad(2.0)),
@@ -41,12 +41,13 @@ MEASURE = mark(
     "enter it under Hand length…"
 )
 SETTLED = 0.9
-MEASURED = 0.02  # of the hand's length: as sure as a ruler makes it
+MEASURED = 0.02  # relative to the hand's length: the accuracy of a ruler
 
 
 @dataclass(frozen=True)
 class CalibrationCell:
-    """One parameter of one segment: its text, tooltip and convergence 0..1 (NaN: has none)."""
+    """One parameter of one segment: its text, tool tip and convergence 0..1 (NaN: no such
+    parameter)."""
 
     text: str
     tip: str
@@ -55,7 +56,7 @@ class CalibrationCell:
 
 @dataclass(frozen=True)
 class CalibrationRow:
-    """``bone``: the segment in a sentence."""
+    """``bone``: the name of the segment for use in a sentence."""
 
     segment: str
     bone: str
@@ -71,7 +72,7 @@ class CalibrationView:
 
 
 def convergence(sd: Array, kind: str) -> float:
-    """0 at the prior's uncertainty, 1 where settled; the worst of the known components."""
+    """0 at the prior's uncertainty, 1 when settled; the worst of the known components."""
     known = sd[np.isfinite(sd) & (sd > 0)]
     if len(known) == 0:
         return float("nan")
@@ -82,7 +83,7 @@ def convergence(sd: Array, kind: str) -> float:
 
 @dataclass(frozen=True)
 class _Kind:
-    """How a parameter is written: ``factor`` brings SI into the unit of people."""
+    """Format of a parameter: ``factor`` converts from SI to the displayed unit."""
 
     factor: float
     pattern: str
@@ -98,7 +99,7 @@ _KINDS = {
 
 
 def _figures(values: Array, sd: Array, kind: _Kind) -> str:
-    """All known components with their 2σ."""
+    """All known components with 2σ."""
     parts = [
         f"{kind.pattern.format(local(v * kind.factor))} ± {local(2 * s * kind.factor):.2g}"
         for v, s in zip(values, sd, strict=True)
@@ -108,13 +109,14 @@ def _figures(values: Array, sd: Array, kind: _Kind) -> str:
 
 
 def _one(values: Array, name: str) -> float:
-    """One figure for the components (3,): along the bone of a scale, else the norm."""
+    """One value for the components (3,): the scale along the bone, otherwise the norm."""
     known = values[np.isfinite(values)]
     return float(known[0]) if name == "scale" else float(np.linalg.norm(known))
 
 
 def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> CalibrationCell:
-    """One figure in the cell, all components in the tip; with ``reference`` the change since."""
+    """A cell with one value, and all components in the tool tip; with ``reference`` the change
+    since then."""
     values, sd = getattr(c, name)[i], getattr(c, f"{name}_sd")[i]
     if not np.isfinite(values).any():
         return CalibrationCell("", "", float("nan"))
@@ -144,7 +146,7 @@ def _row_of(c: Calibration, segment: str, name: str) -> tuple[Array, Array] | No
 def _change(
     difference: Array, sd: Array, name: str, figures: str, settled: float
 ) -> CalibrationCell:
-    """What has changed; a sign where that is more than both uncertainties together explain."""
+    """The change; marked if it exceeds the uncertainties of both."""
     kind = _KINDS[name]
     clear = bool(np.any(np.abs(difference) > 2 * sd))
     one = _one(difference, name) * kind.factor
@@ -159,8 +161,8 @@ def _change(
 def calibration_view(
     c: Calibration, reference: Calibration | None = None, one_camera: bool = False
 ) -> CalibrationView:
-    """``reference``: an earlier fit that this one is compared with. ``one_camera``: what tells the
-    hand's size is a ruler or an earlier session, no motion."""
+    """``reference``: an earlier fit for comparison. ``one_camera``: the hand's size comes from a
+    ruler or an earlier session, not from motion."""
     kinds = tuple(RANGES)
     rows = tuple(
         CalibrationRow(
@@ -175,14 +177,14 @@ def calibration_view(
         advice = tr(MEASURE)
     else:
         if one_camera:
-            del means["scale"]  # is as settled as it can be
+            del means["scale"]  # cannot improve any further
         advice = _advice(rows, means, shares)
     return CalibrationView(rows, _length(c, reference), overall, advice)
 
 
 def by_one_camera(view: Snapshot) -> bool:
-    """Whether one camera alone shows the hand: there is no other, or it shows no marker, as an
-    infrared one."""
+    """Whether only one camera provides positions: there is no other, or its images show no markers,
+    as those of an infrared camera."""
     if view.setup.camera.rig.one_camera:
         return True
     in_both = view.status.values.get("stereo_points") if view.status is not None else None
@@ -190,14 +192,14 @@ def by_one_camera(view: Snapshot) -> bool:
 
 
 def is_measured(c: Calibration) -> bool:
-    """Whether the hand's length is known as a ruler tells it, or better."""
+    """Whether the hand's length is known at least as accurately as from a ruler."""
     return bool(c.hand_length_sd <= MEASURED * c.hand_length)
 
 
 def _advice(
     rows: tuple[CalibrationRow, ...], means: dict[str, float], shares: dict[str, list[float]]
 ) -> str:
-    """Which motion helps what is farthest from settled, and whose it is."""
+    """The motion that helps the least certain parameter, and its segment."""
     known = {k: m for k, m in means.items() if np.isfinite(m)}
     worst = min(known, key=lambda k: known[k], default=None)
     if worst is None or known[worst] >= SETTLED:
@@ -221,7 +223,8 @@ def _mean(values: list[float]) -> float:
 
 
 def camera_time(status: Status | None) -> str:
-    """How late images are stamped against the glove, with 2σ, and whether that is taken off."""
+    """Delay of the image time stamps relative to the glove, with 2σ, and whether it is
+    corrected."""
     v = status.values if status is not None else {}
     late_ms, sd_ms = v.get("camera_offset_ms"), v.get("camera_offset_sd_ms")
     if late_ms is None or sd_ms is None:
@@ -236,8 +239,8 @@ def camera_time(status: Status | None) -> str:
 
 
 def right_camera_time(status: Status | None) -> str:
-    """How much later the right one of two free cameras exposes; empty where they are in step, or
-    that is not known."""
+    """Delay of the right one of two separate cameras; empty if they are synchronized or it is
+    unknown."""
     v = status.values if status is not None else {}
     late_ms, applied_ms = v.get("right_camera_late_ms"), v.get("right_camera_late_applied_ms")
     if late_ms is None or not applied_ms:

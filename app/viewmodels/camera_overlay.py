@@ -1,4 +1,4 @@
-"""What is drawn over a camera image, from one stereo exposure and what the tracker made of it."""
+"""The overlay of a camera image, from one stereo exposure and its tracking results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking,
 from tracker.vision.rig import StereoRig
 
 VISIBLE = 0.5
-"""A marker is drawn full where the prior says that it is likelier seen than not, else dimmed."""
+"""A marker is drawn opaque if the prior probability that it is visible is at least this."""
 DIM = 0.35
 EDGE_PX = 4.0
 REASONS = {
@@ -31,7 +31,7 @@ REASON_ZOOM, ID_ZOOM = 0.8, 0.4  # screen pixels per image pixel
 
 @dataclass(frozen=True)
 class Layers:
-    """Which parts of the overlay the user wants."""
+    """The parts of the overlay that the user has selected."""
 
     blobs: bool = True
     pairs: bool = True
@@ -45,7 +45,7 @@ NO_LAYERS = Layers(False, False, False, False, False, False)
 
 
 def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool) -> list[Shape]:
-    """All shapes for one side, of all hands; ``colours`` maps hue names to what they look like."""
+    """All shapes for one side, of all hands; ``colours`` maps hue names to display colours."""
     shapes: list[Shape] = []
     if layers.skeleton:
         for hand in view.hands:
@@ -78,8 +78,8 @@ def _blobs(
     right: bool,
     pairs: bool,
 ) -> list[Shape]:
-    """A ring per blob in its hue: full where it became a marker, dashed where nobody claims it,
-    filled (``pairs``) where the same marker is seen in the other image too."""
+    """A ring per blob in its hue: solid if a marker is assigned, dashed if not, filled (``pairs``)
+    if the same marker is matched in the other image, too."""
     names = view.blobs.hue_names if view.blobs is not None else ()
     results = [hand.result for hand in view.hands if hand.result is not None]
     claimed = _claimed(results, len(blobs), right)
@@ -99,7 +99,7 @@ def _paired(result: FrameResult, right: bool) -> set[int]:
 
 
 def _claimed(results: Sequence[FrameResult], count: int, right: bool) -> list[bool]:
-    """Whether a marker of any hand took each blob; all where nothing was made of them yet."""
+    """Whether each blob is assigned to a marker of any hand; all True without results."""
     if not results:
         return [True] * count
     matches = [result.match_right if right else result.match_left for result in results]
@@ -120,7 +120,7 @@ def _rejected(rejected: RejectedBlobs) -> list[Shape]:
 def _predicted(
     view: Snapshot, result: FrameResult, colours: dict[str, str], right: bool
 ) -> list[Shape]:
-    """Where each marker is expected, with its id and (left) the 2σ ellipse."""
+    """The predicted position of each marker, with its id and (left) the 2σ ellipse."""
     uv = result.predicted_right if right else result.predicted_left
     pixels = _marker_pixels(view, right)
     out: list[Shape] = []
@@ -140,7 +140,7 @@ def _predicted(
 
 
 def _marker_pixels(view: Snapshot, right: bool) -> Array:
-    """(M, 2) px of every marker of the estimate, in the image or beside it."""
+    """(M, 2) px of every marker of the estimate, inside or outside the image."""
     glove, estimate = view.setup.glove, view.estimate_at_frame
     if estimate is None or estimate.tracking != Tracking.TRACKING:
         return np.full((len(glove.markers), 2), np.nan)
@@ -150,13 +150,13 @@ def _marker_pixels(view: Snapshot, right: bool) -> Array:
 
 
 def _outside(uv: Array, colour: str, view: Snapshot, right: bool) -> list[Shape]:
-    """A dim cross at the edge of the image, on the side where the marker is."""
+    """A dim cross at the edge of the image, in the direction of the marker."""
     camera = view.setup.camera.rig.right if right else view.setup.camera.rig.left
     if not np.isfinite(uv).all():
         return []
     edge = np.clip(uv, EDGE_PX, [camera.width - EDGE_PX, camera.height - EDGE_PX])
     if np.array_equal(edge, uv):
-        return []  # in the image, but the tracker expected nothing there
+        return []  # inside the image, but without a prediction
     return [Cross(float(edge[0]), float(edge[1]), colour, diagonal=True, opacity=DIM)]
 
 
@@ -171,7 +171,7 @@ def _ellipse(u: float, v: float, cov: Array) -> list[Shape]:
 
 
 def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
-    """A line from each prediction to the blob that it was matched with."""
+    """A line from each prediction to the matched blob."""
     match = result.match_right if right else result.match_left
     uv = result.predicted_right if right else result.predicted_left
     out: list[Shape] = []
@@ -202,7 +202,7 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
 
 
 def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] | None:
-    """Centre u, v and size w, h (px) of the hands in an image; None where no hand is known."""
+    """Centre u, v and size w, h (px) of the hands in an image; None without a hand."""
     known = [hand for hand in view.hands if hand.estimate_at_frame is not None]
     points = [hand.estimate_at_frame.keypoints for hand in known if hand.estimate_at_frame]
     pixels = project(view, np.concatenate([*points, np.zeros((0, 3))]), right)

@@ -1,4 +1,4 @@
-"""The set-up, step by step: done or not, why not, and the one command that helps."""
+"""The set-up checklist: state of each step, the reason, and the command that helps."""
 
 from __future__ import annotations
 
@@ -29,15 +29,16 @@ from app.words import local, mark, notice_text, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
-"""°/s: gyros known better than this need no rest."""
+"""°/s: if the gyroscope biases are known better than this, no measurement at rest is needed."""
 BIAS_LEFT_DPS = 2 * BIAS_DPS
-"""°/s: gyros that were measured are so until their uncertainty is above this."""
+"""°/s: uncertainty above which measured biases are out of date."""
 CALIBRATION_LEFT = 0.5
-"""Convergence below which a calibration that had settled is no longer so: after a reset."""
+"""Convergence below which a settled calibration is open again, after a reset."""
 FEW_MISSED = 1 / 3
-"""Share of the markers in an image that may be missed: those at its edge and at grazing angles."""
+"""Share of the markers in an image that may be missed, for example at its edge and at grazing
+angles."""
 MOST_MISSED = 1 / 2
-"""Share above which the colours are not tuned."""
+"""Share of missed markers above which the colours are not tuned."""
 
 CONTROLS = {
     "exposure": mark("exposure"),
@@ -53,14 +54,14 @@ def steps(
     light: LightWatch | None = None,
     settled: SettledSteps | None = None,
 ) -> list[SetUpStep]:
-    """All steps in order; the first that does not pass is the one to work on.
+    """All steps in order; the first one that does not pass is the next to work on.
 
-    ``calibration`` is the path of the chosen stereo calibration, for the time before devices are
-    open; ``hues_lately`` are names of hues found in the last seconds (default: in the newest
-    images). ``light`` has read the images' light. ``settled`` remembers what was done before.
+    ``calibration`` is the path of the selected stereo calibration, used before devices are open;
+    ``hues_lately`` are names of hues detected in the last seconds (default: in the newest images).
+    ``light``: measurements of the images' light. ``settled``: stores which steps were done before.
     """
     if view is not None and not (view.running or view.setup.player is not None):
-        view = None  # stopped: nothing arrives
+        view = None  # stopped: no data arrive
     settled = settled if settled is not None else SettledSteps()
     settled.follow(view)
     found = {
@@ -80,7 +81,7 @@ def steps(
     return [settled.take(key, step) for key, step in found.items()]
 
 
-# Sentences are written whole, not made of pieces: in other languages they bend with what is named.
+# Sentences are complete texts, not composed of parts, since other languages inflect the parts.
 
 
 def _glove(view: Snapshot | None) -> SetUpStep:
@@ -122,8 +123,8 @@ def _samples(view: Snapshot | None) -> SetUpStep:
 
 
 def _still(view: Snapshot | None, most_dps: float) -> SetUpStep:
-    """Either the hand lay still for a moment, or the filter has found the gyros' biases by now:
-    their standard deviations are at most ``most_dps`` (°/s)."""
+    """Done if the hand was at rest for a moment, or if the filter has estimated the gyroscope
+    biases with standard deviations of at most ``most_dps`` (°/s)."""
     name = tr("Measured at rest")
     if view is None or view.calibration is None or not packets_arrive(view):
         return SetUpStep(name, False, tr("Waiting for the glove."), waits=True)
@@ -181,8 +182,8 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
 
 
 def _exposure(view: Snapshot | None) -> SetUpStep:
-    """A camera with automatic exposure changes the markers' colours. A lock counts as done only
-    where the camera confirms it."""
+    """Automatic exposure changes the markers' colours. A lock is done only if the camera confirms
+    it."""
     name = tr("Exposure locked")
     if view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waiting for images."), waits=True)
@@ -211,7 +212,7 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
 
 
 def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
-    """Lamp and exposure must be good; colours of the room and missed markers are to be checked."""
+    """Lamp and exposure must be good; background colours and missed markers are to be checked."""
     name = tr("Light")
     if view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waiting for images."), waits=True)
@@ -230,7 +231,7 @@ def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
 
 
 def _missed(light: LightWatch | None) -> float:
-    """Share of the markers in the image that the colours do not find; 0 where none are seen."""
+    """Share of the markers in the image that are missed; 0 without visible markers."""
     reading = light.reading if light is not None else None
     if reading is None or len(reading.uv) == 0:
         return 0.0
@@ -238,7 +239,7 @@ def _missed(light: LightWatch | None) -> float:
 
 
 def hues_seen(view: Snapshot) -> set[str]:
-    """Names of the hues that are found in the newest images."""
+    """Names of the hues detected in the newest images."""
     if view.blobs is None:
         return set()
     sides = [b for b in (view.blobs.left, view.blobs.right) if b is not None]
@@ -248,7 +249,7 @@ def hues_seen(view: Snapshot) -> set[str]:
 def _colours(
     view: Snapshot | None, lately: Collection[str] | None, light: LightWatch | None
 ) -> SetUpStep:
-    """Done when every hue of the glove is found, and most markers are."""
+    """Done if every hue of the glove and most markers are detected."""
     name = tr("Colours tuned")
     if view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waiting for images."), waits=True)
@@ -262,7 +263,7 @@ def _colours(
         return SetUpStep(name, False, reason, *tune)
     found = hues_seen(view) if lately is None else set(lately)
     unseen = [spoken(n) for n in view.setup.glove.hues if n not in found]
-    away = _tracking(view) != Tracking.TRACKING  # nothing can be seen of a hand out of view
+    away = _tracking(view) != Tracking.TRACKING  # a hand out of view shows no markers
     if not found:
         return SetUpStep(name, False, tr("No markers found."), *tune, waits=away)
     if unseen:
@@ -282,7 +283,7 @@ def _tracking(view: Snapshot | None) -> Tracking | None:
 
 
 def _hand(view: Snapshot | None, before: bool) -> SetUpStep:
-    """``before``: it was tracked since its devices are there."""
+    """``before``: it was tracked since its devices were connected."""
     name = tr("Hand in view")
     if not (packets_arrive(view) or images_arrive(view)):
         return SetUpStep(name, False, tr("Waiting for glove and camera."), waits=True)
@@ -298,7 +299,7 @@ def _hand(view: Snapshot | None, before: bool) -> SetUpStep:
 
 
 def _calibration(view: Snapshot | None, least: float) -> SetUpStep:
-    """``least``: convergence from which on it has settled."""
+    """``least``: convergence from which on it is settled."""
     name = tr("Calibration settled")
     if view is None or view.calibration is None:
         return SetUpStep(name, False, tr("Waiting for tracking."))

@@ -26,9 +26,9 @@ LEARNED_APART = 0.25  # s between two of them
 
 
 def image_fit(image: Image | None, profile: ColourProfile, setup: EngineSetup) -> FitWork:
-    """Fit to one image of the glove, whatever is known of the hand.
+    """Fit to one image of the glove, without knowledge of the hand.
 
-    Raises ConfigError where there is none.
+    Raises ConfigError without an image.
     """
     if image is None:
         raise ConfigError(tr("There is no image yet to fit the colours to."))
@@ -37,7 +37,7 @@ def image_fit(image: Image | None, profile: ColourProfile, setup: EngineSetup) -
 
 
 class MarkerWatch:
-    """Gathers what tracked markers look like, while the panel is in sight."""
+    """Collects colours of tracked markers while the panel is visible."""
 
     def __init__(self, setup: EngineSetup) -> None:
         self._glove = setup.glove
@@ -47,7 +47,7 @@ class MarkerWatch:
         self._last = float("-inf")
 
     def watch(self, view: Snapshot) -> None:
-        """Take the markers that are tracked in this exposure, for a fit later on."""
+        """Store the markers that are tracked in this exposure, for a later fit."""
         result, blobs, frame = view.result, view.blobs, view.frame
         if result is None or result.tracking != Tracking.TRACKING or blobs is None or frame is None:
             return
@@ -61,7 +61,7 @@ class MarkerWatch:
         self._samples.take(sides, result.visible)
 
     def fit(self, profile: ColourProfile) -> FitWork:
-        """Fit to what was gathered. Raises ConfigError where that is nothing."""
+        """Fit to the collected markers. Raises ConfigError if there are none."""
         if len(self._samples) == 0:
             raise ConfigError(tr("No markers were tracked yet. Fit from the image alone first."))
         taken, images = self._samples.copy(), list(self._images)
@@ -71,7 +71,8 @@ class MarkerWatch:
 def _learned(
     taken: MarkerSamples, images: list[list[tuple[Image, KnownMarkers]]], profile: ColourProfile
 ) -> Fit:
-    """Ranges round what the markers look like, and what is theirs, the glove's and the room's."""
+    """Ranges around the markers' colours, and learned colours of the markers, the glove and the
+    background."""
     fitted, found = taken.fit(profile)
     samples = ColourSamples.of(profile.hue_names)
     for image, known in (side for sides in images for side in sides):
@@ -80,7 +81,7 @@ def _learned(
 
 
 def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
-    """What a fit has done, hue by hue."""
+    """The result of a fit for each hue."""
     if not found:
         return tr("Nothing was fitted: no patches of these colours were found.")
     one, more = tr("{} (1 patch)"), tr("{} ({} patches)")

@@ -1,4 +1,4 @@
-"""Images and pixels for tuning colours: masks, histograms, the room behind the hand."""
+"""Image processing for tuning colours: masks, histograms, the background."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from tracker.vision.colours import HUES, LEARNED_BITS, UNKNOWN, ColourProfile, H
 
 Image = NDArray[np.uint8]
 DIMMED = 0.35
-DIMMED_COLOUR = 0.55  # the same while something is to be pointed at
+DIMMED_COLOUR = 0.55  # the same while a pixel is to be selected
 ROOM_STEP = 4
 ROOM_EVERY = 8  # refreshes
 HAND_MARGIN_PX = 60
 ROOM_SHARE = 2e-4
-"""Of an image: a patch of 12 mm at 0.6 m is 0.02 %."""
+"""Of an image: a patch of 12 mm at 0.6 m covers 0.02 %."""
 
 
 def to_hsv(image: Image) -> Image:
@@ -47,7 +47,7 @@ def hue_histogram(image: Image, step: int = 4) -> Array:
 
 def mask_image(image: Image, hue: HueRange, step: int = 2, coloured: bool = False) -> Image:
     """The image with everything outside the range dimmed to grey, ``step`` times smaller; with
-    ``coloured`` dimmed only, so that what the range lacks can be told and pointed at."""
+    ``coloured`` it is only dimmed, so that further colours can be recognized and clicked."""
     small = np.ascontiguousarray(image[::step, ::step])
     if coloured:
         out = cv2.convertScaleAbs(small, alpha=DIMMED_COLOUR)
@@ -92,8 +92,8 @@ def pixel_hsv(image: Image, u: float, v: float) -> tuple[int, int, int]:
 
 
 def room_shares(image: Image, profile: ColourProfile) -> dict[str, float]:
-    """Hue name to its share of a BGR image of the room without the glove, where it matters; without
-    what was learned to be the room's, the glove's or another hue's."""
+    """Hue name to its share of a BGR image of the background, if it is significant; without colours
+    that were learned to be those of the background, the glove or another hue."""
     small = image[::ROOM_STEP, ::ROOM_STEP]
     hsv, known = to_hsv(small), _learned_classes(small, profile)
     shares = {}
@@ -104,7 +104,7 @@ def room_shares(image: Image, profile: ColourProfile) -> dict[str, float]:
 
 
 def _learned_classes(image: Image, profile: ColourProfile) -> Image:
-    """(h, w) of each pixel, as `LearnedColours` has them."""
+    """(h, w) class of each pixel according to `LearnedColours`."""
     if profile.learned is None:
         return np.full(image.shape[:2], UNKNOWN, np.uint8)
     b, g, r = np.moveaxis(image.astype(np.int64) >> (8 - LEARNED_BITS), 2, 0)
@@ -113,7 +113,8 @@ def _learned_classes(image: Image, profile: ColourProfile) -> Image:
 
 
 def room_image(view: Snapshot) -> Image | None:
-    """The left image with the tracked hand blackened; None where the hand's place is unknown."""
+    """The left image with the tracked hand blackened; None if the position of the hand is
+    unknown."""
     frame, estimate = view.frame, view.estimate_at_frame
     if frame is None or frame.left is None or estimate is None:
         return None
@@ -139,7 +140,7 @@ class RoomColours:
         self._age = 0  # refreshes since the last measurement
 
     def measure(self, image: Image, profile: ColourProfile) -> None:
-        """Measure an image of the room without the glove; `watch` then pauses for a while."""
+        """Measure an image of the background without the glove; `watch` then pauses for a while."""
         self.shares, self._age = room_shares(image, profile), -10 * ROOM_EVERY
 
     def watch(self, view: Snapshot | None, profile: ColourProfile) -> None:

@@ -1,4 +1,4 @@
-"""The last seconds of images with the packets around them, for a fit of the colours to both."""
+"""Images and packets of the last seconds, for a fit of the colours to both."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from tracker.offline.colours_fit import SessionFit, WatchedGlove
 
 MOST_IMAGES = 20  # pairs, 110 MB at 720p
-ENOUGH = 10  # of them, for a fit
-APART = 0.1  # s between two of them, at least
-GAP = 0.5  # s without packets or images, after which what came before is no use
+ENOUGH = 10  # of them, minimum for a fit
+APART = 0.1  # s, minimum interval between two of them
+GAP = 0.5  # s without packets or images after which earlier ones are discarded
 MOST_PACKETS = 4000
 
 
 class LiveImages:
-    """Gathers while the panel is in sight. A fit that is ``wanted`` waits until there is enough."""
+    """Collects while the panel is visible. A ``wanted`` fit starts when there are enough images."""
 
     def __init__(self, setup: EngineSetup) -> None:
         self._setup = setup
@@ -34,18 +34,18 @@ class LiveImages:
         self.wanted = False
 
     def __len__(self) -> int:
-        """Pairs of images that are kept."""
+        """Number of stored pairs of images."""
         return len(self._frames)
 
     @property
     def is_enough(self) -> bool:
-        """Whether a fit can begin."""
+        """Whether there are enough images for a fit."""
         return len(self._frames) >= ENOUGH
 
     def ask(self) -> None:
-        """Have a fit made as soon as there is enough.
+        """Request a fit as soon as there are enough images.
 
-        Raises ConfigError where glove or calibrated cameras are missing.
+        Raises ConfigError without a glove and calibrated cameras.
         """
         if not self._setup.whole:
             raise ConfigError(
@@ -58,13 +58,13 @@ class LiveImages:
         self.wanted = True
 
     def watch(self, view: Snapshot) -> None:
-        """Take the latest images and all packets that came meanwhile."""
+        """Store the latest images and all packets received in the meantime."""
         self._take_packets(view)
         frame = view.frame
         if frame is None or (frame.left is None and frame.right is None):
-            return  # one of two may be covered
+            return  # one camera may be covered
         if self._frames and not 0 <= frame.t - self._frames[-1].t <= MOST_IMAGES * GAP:
-            self._frames.clear()  # a replay was moved, or the panel was out of sight
+            self._frames.clear()  # the replay position changed, or the panel was hidden
         if not self._frames or frame.t - self._frames[-1].t >= APART:
             self._frames.append(frame)
 
@@ -83,8 +83,8 @@ class LiveImages:
         self._frames.clear()
 
     def fit(self, profile: ColourProfile, refuse: bool = True) -> FitWork:
-        """The fit to what was gathered, for another thread; raises GlovetrackError there where it
-        is refused, or finds nothing in silence unless told to ``refuse``."""
+        """The fit to the collected data, for another thread, which raises GlovetrackError if it is
+        rejected; without ``refuse`` it then returns the unchanged profile."""
         self.wanted = False
         messages, setup = self._messages(), self._setup
 
@@ -99,10 +99,11 @@ class LiveImages:
         return work
 
     def after(self, picked: FitWork, before: ColourProfile) -> FitWork:
-        """``picked``, learned from what was pointed at in one image, and then what the images
-        gathered make of it, or of the colours ``before``: whichever finds more of the hand there.
+        """A fit that starts with ``picked``, learned from clicked pixels of one image, and improves
+        it with the collected images, also starting from the colours ``before``; the result with the
+        most reliable markers is used.
 
-        Raises GlovetrackError in that thread where ``picked`` does.
+        Raises GlovetrackError in that thread if ``picked`` does.
         """
         if not (self._setup.whole and self.is_enough):
             return picked
@@ -117,7 +118,7 @@ class LiveImages:
                 try:
                     fit = _fitted(messages, setup, start)
                 except GlovetrackError:
-                    continue  # refused: ``start`` serves as well
+                    continue  # rejected: ``start`` itself may be good enough
                 if fit.after.sure > sure:
                     best, sure = _of_session(fit), fit.after.sure
             return best
@@ -125,7 +126,7 @@ class LiveImages:
         return work
 
     def _messages(self) -> list[ImuSample | StereoFrame]:
-        """In the order of feeding."""
+        """In the order in which they are fed to the engine."""
         first = self._frames[0].t - GAP if self._frames else 0.0
         messages: list[ImuSample | StereoFrame] = [p for p in self._packets if p.t >= first]
         messages += self._frames
@@ -148,6 +149,6 @@ def _worn(setup: EngineSetup) -> WatchedGlove:
 
 
 def _of_session(fit: SessionFit) -> Fit:
-    """As other fits are told."""
+    """The result in the form of the other fits."""
     hues = [h for h in fit.profile.hues if fit.patches.get(h.name)]
     return fit.profile, tuple(FoundHue(h, fit.patches[h.name], 0) for h in hues)

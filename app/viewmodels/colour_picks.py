@@ -20,13 +20,13 @@ from tracker.glove import library
 from tracker.messages import Array
 from tracker.vision.colours import ColourProfile, HueRange, parse_profile
 
-LEAST_SATURATION, LEAST_VALUE = 50, 30  # of 255: below, noise decides which hue a pixel has
-SAME_PX = 8.0  # of the mask, between two clicks on one marker
+LEAST_SATURATION, LEAST_VALUE = 50, 30  # of 255: below, noise determines the hue of a pixel
+SAME_PX = 8.0  # px of the mask, between two clicks on one marker
 LEAST_CHROMA = 15.0  # levels between the largest and the smallest channel
 
 
 class Eyedropper(Enum):
-    """What a click does with the pixel under it."""
+    """What a click does with a pixel."""
 
     SET = "set"
     ADD = "add"
@@ -34,14 +34,14 @@ class Eyedropper(Enum):
 
 
 def has_hue(hsv: Array) -> bool:
-    """Whether an HSV pixel (3,) is coloured enough to be a marker's."""
+    """Whether an HSV pixel (3,) is coloured enough for a marker."""
     saturation, value = float(hsv[1]), float(hsv[2])
     chroma = saturation * value / 255
     return saturation >= LEAST_SATURATION and value >= LEAST_VALUE and chroma >= LEAST_CHROMA
 
 
 def range_at(image: Image, u: float, v: float, name: str) -> HueRange:
-    """The range of the cloth at a pixel of a BGR image (h, w, 3), as a fit makes it."""
+    """The range of the cloth at a pixel of a BGR image (h, w, 3), as a fit would set it."""
     pixels = core_pixels(calmed(image), np.array([u, v]), PICKED_PX)
     return fit_samples(name, cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV)[0])
 
@@ -49,10 +49,10 @@ def range_at(image: Image, u: float, v: float, name: str) -> HueRange:
 def mistaken_for(
     hsv: Array, chosen: HueRange, profile: ColourProfile, factory: ColourProfile
 ) -> str:
-    """The hue that an HSV pixel (3,) is more likely of than of the ``chosen`` one, else "".
+    """The hue that an HSV pixel (3,) more likely belongs to than the ``chosen`` one, else "".
 
-    Ranges that were moved say little about their cloth, so the ``factory`` ones count too, where
-    they are of the same hues.
+    Modified ranges may not represent their cloth, so the ``factory`` ranges are used as well if
+    they have the same hues.
     """
     if chosen.contains(hsv):
         return ""
@@ -69,7 +69,7 @@ def mistaken_for(
 
 @lru_cache
 def factory_colours() -> ColourProfile:
-    """The colours that are shipped with the program."""
+    """The colours shipped with the program."""
     return parse_profile(library.text("colours", library.DEFAULT_COLOURS))
 
 

@@ -1,4 +1,4 @@
-"""The blobs of the image that colours are tuned on, where no engine searches it."""
+"""Detection of blobs in the image that colours are tuned on, if no engine searches it."""
 
 from __future__ import annotations
 
