@@ -64,7 +64,7 @@ def tracking_look(
     if nothing_arrives(status):
         return StateLook(BAD.colour, BAD.sign, tr("No data"))
     if images_alone(status):
-        return StateLook(IDLE.colour, IDLE.sign, tr("No data from a glove"))
+        return StateLook(IDLE.colour, IDLE.sign, tr("No data from the glove"))
     look = TRACKING[status.tracking]
     if status.tracking != Tracking.LOST:
         return replace(look, word=tr(look.word))

@@ -360,11 +360,12 @@ def test_tracking_is_not_said_while_nothing_arrives():
 def test_a_camera_alone_searches_for_no_hand():
     alone = {"frame_rate_hz": 30.0}
     assert (
-        tracking_look(Status(5.0, Tracking.SEARCHING, alone), True).word == "No data from a glove"
+        tracking_look(Status(5.0, Tracking.SEARCHING, alone), True).word == "No data from the glove"
     )
     silent = {**alone, "imu_rate_hz": 0.0}
     assert (
-        tracking_look(Status(5.0, Tracking.SEARCHING, silent), True).word == "No data from a glove"
+        tracking_look(Status(5.0, Tracking.SEARCHING, silent), True).word
+        == "No data from the glove"
     )
     both = {**alone, "imu_rate_hz": 100.0}
     assert tracking_look(Status(5.0, Tracking.SEARCHING, both), True).word.startswith("Searching")
