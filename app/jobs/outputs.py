@@ -206,7 +206,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         if setup is None or now is None or now.engine is not setup.engine:
             return False
         output.attach(self._report)
-        self._say(self.tr("The stream {} runs.").format(output.title))
+        self._say(self.tr("The stream {} is running.").format(output.title))
         return True
 
     def _report(self, what: Notice) -> None:

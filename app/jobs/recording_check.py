@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.platform.subprocess_job import run_in_subprocess
 from app.platform.tasks import Job, JobProgress
-from app.viewmodels.takes import HandTake, TakeReport
+from app.viewmodels.recording_report import HandReport, RecordingReport
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.session.glance import HandShare, quality
@@ -25,7 +25,7 @@ def check_job(path: Path) -> Job:
         try:
             report: RecordingReport = run_in_subprocess("check", partial(_report, path), progress)
         except GlovetrackError as error:
-            return TakeReport(path, error_text(error))
+            return RecordingReport(path, error_text(error))
         return report
 
     return run

@@ -14,7 +14,6 @@ from app.storage.session_tags import read_tags
 from app.viewmodels.recording import duration_text, size_text
 from app.viewmodels.recording_report import packets_lost
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
-from app.viewmodels.takes import packets_lost
 from app.words import error_text, mark, tr
 from tracker.base.errors import GlovetrackError
 from tracker.session.glance import Quality, quality, thumbnail

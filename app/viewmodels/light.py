@@ -96,9 +96,9 @@ class LightWatch:
         """Recommendations with measured values."""
         r = self.reading
         if r is None:
-            return [tr("No image has been looked at yet.")]
+            return [tr("No image has been measured yet.")]
         words = [notice_text(a.notice) for a in r.advice] or [
-            tr("Nothing to change: the markers are clear.")
+            tr("Nothing to change: the markers are clearly visible.")
         ]
         figures = [tr("noise {:.1f} levels").format(local(r.noise))]
         if len(r.uv):

@@ -70,10 +70,10 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
 
 
 def say(answer: Answer, trouble: Notice | None, cover: Coverage) -> str:
-    """The sentence under the images."""
+    """The message below the images."""
     more = advice(cover)
     if more is None:
-        return tr("That is enough: press Calibrate.")
+        return tr("There are enough views. Press Calibrate.")
     if answer is Answer.ABSENT:
         return notice_text(trouble) if trouble is not None else ""
     if answer is Answer.TAKEN:
@@ -133,7 +133,7 @@ def view_rows(solution: Solution) -> list[ViewRow]:
 
 
 def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list[Notice]:
-    """Why a solution is refused; none where it may go on to the check.
+    """Why a solution is rejected; empty if it can be checked.
 
     ``baseline``: known distance of the lenses, m; 0 if unknown.
     """

@@ -32,7 +32,7 @@ def settings() -> AppSettings:
 def test_a_left_glove_is_not_tracked_with_a_right_ones_files() -> None:
     used, said = as_bound(settings(), 22)
     assert (used.glove, used.hand) == (LEFT.glove, LEFT.hand)
-    assert "glove 22 of the left hand" in said and LEFT.glove in said
+    assert "Glove 22 (left hand)" in said and LEFT.glove in said
 
 
 @pytest.mark.parametrize("number", [11, None])

@@ -94,11 +94,11 @@ def test_a_settled_calibration_stays_so_while_it_varies_and_not_after_a_reset(li
     rig.sd, rig.bias_dps = 1.6, 0.9
     refreshed(listed)
     assert shown(listed, "Calibration settled").look is GOOD
-    assert shown(listed, "Measured at rest").reason == "gyros known to 0.9 °/s"
+    assert shown(listed, "Measured at rest").reason == "gyroscope biases known to 0.9 °/s"
     assert listed.checklist.summary.text() == "Ready"
     rig.sd, rig.bias_dps = 5.0, 3.0
     refreshed(listed)
-    assert shown(listed, "Calibration settled").button == "Show"
+    assert shown(listed, "Calibration settled").button == "Hold poses"
     assert shown(listed, "Measured at rest").button == "Measure"
     assert listed.checklist.summary.text() == "8 of 10 done"
     rig.sd, rig.bias_dps = 1.6, 0.9  # on its way, never settled again

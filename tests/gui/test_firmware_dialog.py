@@ -79,7 +79,7 @@ def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
     board.may_end.set()
     qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
     assert board.jobs == [FlashJob(shipped_image(115_200).for_glove(12), PORT, 57_600)]
-    assert "glove 12" in dialog.words.text()
+    assert "Glove 12" in dialog.words.text()
     assert "Its firmware is up to date" in dialog.versions.text()
 
 
@@ -113,7 +113,7 @@ def test_a_real_avrdude_writes_from_the_window_what_comes_with_the_program(windo
         chip.close()
     image = shipped_image().for_glove(12)
     assert bytes(chip.flash[: len(image.data)]) == image.data
-    assert "Written and read back; glove 12 answers" in dialog.words.text()
+    assert "written and verified. Glove 12 responds" in dialog.words.text()
 
 
 def _newer(_port: str) -> Hello:

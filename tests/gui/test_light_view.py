@@ -63,7 +63,7 @@ def test_the_checklist_requires_light_and_marks_what_the_room_costs(window, advi
     step = next(s for s in steps(view, light=watch) if s.name == "Light")
     assert step.look(reachable=False) is look
     assert step.passes == (look is not IDLE)
-    assert step.reason == (str(advice[0].notice) if advice else "the markers are clear")
+    assert step.reason == (str(advice[0].notice) if advice else "the markers are clearly visible")
     assert step.command == ("show_colours" if advice else "")
     unread = next(s for s in steps(view) if s.name == "Light")
     assert not unread.done

@@ -90,7 +90,7 @@ def test_a_silent_imu_is_named(sensors, engine, monkeypatch):
     monkeypatch.setattr(engine, "recent_imu", lambda: silent)
     sensors.refresh(sensors.host.snapshot())
     name = models()[1].imu_names[2].replace("_", " ")
-    assert sensors.chips[2].text() == f"{name}: silent"
+    assert sensors.chips[2].text() == f"{name}: not responding"
     assert sensors.chips[1].text() == models()[1].imu_names[1].replace("_", " ")
 
 
@@ -121,7 +121,7 @@ def test_the_links_counters_are_shown_as_soon_as_there_is_something_to_show():
         "1 restart",
         "2 reconnections",
         "clock -61 ppm",
-        "⚠ adapter waits 16 ms",
+        "⚠ adapter latency 16 ms",
     ]
     tip = link_tip(status).splitlines()
     assert "Frames with a wrong checksum (CRC): 2" in tip

@@ -419,7 +419,7 @@ def test_a_recording_that_its_disk_cut_off_is_recovered_from_its_message(
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(take.read_bytes()[: take.stat().st_size * 2 // 3])
     recorded.host.recording.finished.emit(cut)
-    qtbot.waitUntil(lambda: "cut was cut off" in recorded.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "cut was interrupted" in recorded.banner.text(), timeout=30_000)
     button(recorded, "Recover").click()
     whole = tmp_path / "cut_recovered.mcap"
     qtbot.waitUntil(lambda: whole.name in recorded.banner.text(), timeout=30_000)

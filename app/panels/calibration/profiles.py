@@ -16,7 +16,7 @@ from app.panels.calibration.wearer_row import WearerRow
 from app.storage.removed_file import RemovedFile
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile
-from app.viewmodels.worn_calibration import WearersOfHands, WornCalibration
+from app.viewmodels.wearer_profiles import WearerProfileModel, WearersOfHands
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.engine.kinds import learns_wearer

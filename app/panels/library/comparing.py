@@ -25,7 +25,7 @@ from app.jobs.recording_curves import two_recordings_job
 from app.panels.library.two_recordings_dialog import TwoRecordingsDialog
 from app.platform.tasks import Job, TaskOwner
 from app.viewmodels.compare import Comparison, rows, summary
-from app.viewmodels.two_takes import TwoTakes
+from app.viewmodels.two_recordings import TwoRecordings
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
 from tracker.offline.options import TrackOptions
