@@ -70,7 +70,7 @@ def panel(window, glove, qtbot):
 
 def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
     assert not any(box.isChecked() for box in panel.boxes.values())
-    assert list(panel.boxes) == [*("udp", "websocket", "vmc", "openxr", "lsl", "foxglove", "isaac")]
+    assert list(panel.boxes) == list(stream_kinds())
     assert panel.address.text() == "127.0.0.1"
     assert all(window.outputs.counts(name) is None for name in (*panel.boxes, HAPTICS))
 
@@ -148,7 +148,7 @@ def test_what_was_on_runs_again_after_the_next_start(panel, window, store, liste
         listener.recv(65536)
     again.host.adopt(scripted_setup(ScriptedEngine()))
     qtbot.waitUntil(lambda: again.outputs.counts("udp") is not None, timeout=10_000)
-    assert received(qtbot, listener)["schema"] == 1
+    assert received(qtbot, listener)["schema"] == 2
     again.close()
 
 

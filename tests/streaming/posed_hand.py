@@ -9,13 +9,19 @@ from tracker.glove import library
 from tracker.messages import Estimate, Tracking, Validity
 from tracker.streaming.publisher import Names
 
-__all__ = ["posed_estimate"]
+__all__ = ["posed_estimate", "side_names"]
+GLOVES = {"right": "vist-small", "left": "vist-small-left"}
+
+
+def side_names(side: str) -> Names:
+    """Of a bundled hand and glove of this side."""
+    return Names.of(*library.load(GLOVES[side]))
 
 
 def posed_estimate(names: Names, seed: int, t: float = 1.25) -> Estimate:
     """A hand for ``names``, of a bundled glove, that stands anywhere."""
     hand, rng = names.model, np.random.default_rng(seed)
-    _, glove = library.load("vist-small" if names.side == "right" else "vist-small-left")
+    _, glove = library.load(GLOVES[names.side])
     angles = rng.uniform(*hand.angle_limits.T)
     R, p = hand.forward(angles, so3.exp(rng.normal(0, 0.6, 3)), rng.uniform(-0.5, 0.5, 3))
     k, j = len(names.keypoints), len(names.angles)

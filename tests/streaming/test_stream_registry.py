@@ -26,8 +26,12 @@ from tracker.streaming.registry import (
     with_streams,
 )
 
-ALL = ["udp", "websocket", "vmc", "openxr", "lsl", "foxglove", "isaac"]
-PORTS = {"udp": 9750, "websocket": 9751, "vmc": 39540, "foxglove": 8765}
+ALL = [*("udp", "websocket", "vmc", "openxr", "vmt", "hts", "mediapipe", "lsl", "foxglove", "isaac")]
+PORTS = {"udp": 9750, "websocket": 9751, "vmc": 39540, "foxglove": 8765} | {
+    "vmt": 39570,
+    "hts": 9000,
+    "mediapipe": 9002,
+}
 
 
 def free_port() -> int:

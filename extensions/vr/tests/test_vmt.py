@@ -12,15 +12,14 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
+from extensions.applications.tests.hands import GLOVE, HAND, estimates
 from extensions.vr.buttons import ButtonGestures
 from extensions.vr.skeleton import HELD
 from extensions.vr.tests.openvr_reader import messages, received, skeleton
 from extensions.vr.vmt import VmtDevice, VmtPublisher
-from tests.fixtures import RESOURCES
-from tracker.glove.files import load_glove
-from tracker.hand.files import load_hand
+from tests.streaming.posed_hand import posed_estimate, side_names
 from tracker.hand.names import FINGERS
-from tracker.messages import Estimate, Tracking
+from tracker.messages import Tracking
 from tracker.simulation.scripted import Key
 from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError
@@ -55,26 +54,13 @@ def opened(client: socket.socket, names: Names, **options: object) -> Any:
     return open_streams(StreamSettings(table), [names])["vmt"][0]
 
 
-def side_names(side: str) -> Names:
-    hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
-    glove = "vist-small" if side == "right" else "vist-small-left"
-    return Names.of(hand, load_glove(RESOURCES / "gloves" / f"{glove}.toml", hand))
-
-
-def posed(names: Names, seed: int) -> Estimate:
-    """A hand of this side with random angles."""
-    from tests.streaming.posed_hand import posed_estimate
-
-    return posed_estimate(names, seed)
-
-
 @pytest.mark.parametrize("side", ["right", "left"])
 @pytest.mark.parametrize("controller", [False, True])
 def test_every_bone_is_where_the_keypoint_is(
     client: socket.socket, side: str, controller: bool
 ) -> None:
     names = side_names(side)
-    out, e = opened(client, names, controller=controller), posed(names, 3)
+    out, e = opened(client, names, controller=controller), posed_estimate(names, 3)
     with contextlib.closing(out):
         out.send(e)
         found = received(client)
@@ -131,8 +117,6 @@ def test_what_is_lost_is_not_sent(client: socket.socket, names: Names, make_esti
 
 def shown(client: socket.socket, names: Names, gesture: str, **options: object) -> dict[Any, Any]:
     """{(kind, index): value} of the controls while a gesture is made."""
-    from extensions.applications.tests.hands import estimates
-
     out = opened(client, names, **options)
     still = [Key(t, gesture, (0.1, 0.0, 0.2)) for t in (0.0, 1.0)]
     with contextlib.closing(out):
@@ -143,8 +127,6 @@ def shown(client: socket.socket, names: Names, gesture: str, **options: object) 
 
 
 def test_gestures_press_buttons(client: socket.socket) -> None:
-    from extensions.applications.tests.hands import GLOVE, HAND
-
     names = Names.of(HAND, GLOVE)
     pinch = shown(client, names, "pinch_index")
     assert pinch["Trigger", 0] > 0.6 and pinch["Trigger/Click", 0] == 1

@@ -1,0 +1,73 @@
+"""Lines of the Hand Tracking Streamer (github.com/wengmister/hand-tracking-streamer).
+
+    Right wrist | f=12 | t=1732538096123456789:, x, y, z, qx, qy, qz, qw
+    Right landmarks | f=12 | t=1732538096123456789:, 63 numbers
+
+in m and Unity's axes (x right, y up, z forward); landmarks in the wrist's axes, with the wrist at
+0 0 0. A hand that lies flat, palm down, and points ahead has no rotation. What is lost is not sent:
+without the wrist neither line, without a landmark only the wrist's.
+"""
+
+from __future__ import annotations
+
+from extensions.landmarks.lines import Lines
+from extensions.landmarks.points import UNITY_OF_G, WRIST, Landmarks, landmarks_of
+from tracker.geometry import so3
+from tracker.messages import Array, Estimate
+from tracker.streaming.publisher import Names
+
+DECIMALS = 6  # µm
+
+
+class HtsPublisher:
+    """The lines of one hand; ``owner`` closes what they are sent by."""
+
+    def __init__(self, names: Names, lines: Lines, numbered: bool, owner: bool) -> None:
+        self._names, self._lines, self._numbered, self._owner = names, lines, numbered, owner
+        self.name = lines.name
+
+    @property
+    def clients(self) -> int | None:
+        """Connections by TCP; None by UDP."""
+        return getattr(self._lines, "clients", None)
+
+    def send(self, estimate: Estimate) -> None:
+        lines = hts_lines(estimate, self._names, self._numbered)
+        if lines:
+            self._lines.send(lines)
+
+    def close(self) -> None:
+        if self._owner:
+            self._lines.close()
+
+
+def hts_lines(e: Estimate, names: Names, numbered: bool) -> list[str]:
+    """What is known of the hand, as lines without their ends."""
+    hand = landmarks_of(e, names)
+    if not hand.has_wrist:
+        return []
+    meta = ""
+    if numbered:
+        unix_ns = names.wall_ns(e.t)
+        meta = f" | f={e.seq} | t={round(e.t * 1e9) if unix_ns is None else unix_ns}"
+    side = names.side.title()
+    out = [f"{side} wrist{meta}:{_numbers(_wrist(hand))}"]
+    if hand.whole:
+        out.append(f"{side} landmarks{meta}:{_numbers(_local(hand).ravel().tolist())}")
+    return out
+
+
+def _wrist(hand: Landmarks) -> list[float]:
+    """Position and quaternion in Unity's axes."""
+    R = UNITY_OF_G @ hand.R_GB @ UNITY_OF_G.T
+    return [*(UNITY_OF_G @ hand.points[WRIST]).tolist(), *so3.quat_from_matrix(R).tolist()]
+
+
+def _local(hand: Landmarks) -> Array:
+    """(21, 3) m in the wrist's axes, which Unity's name."""
+    from_wrist: Array = (hand.points - hand.points[WRIST]) @ hand.R_GB @ UNITY_OF_G.T
+    return from_wrist
+
+
+def _numbers(values: list[float]) -> str:
+    return "".join(f", {round(x, DECIMALS) + 0.0:.{DECIMALS}f}" for x in values)  # no -0

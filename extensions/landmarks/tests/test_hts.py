@@ -1,0 +1,166 @@
+"""Lines of the Hand Tracking Streamer, read by hand-tracking-sdk."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+pytest.importorskip("hand_tracking_sdk", reason="hand-tracking-sdk is not installed")
+from hand_tracking_sdk.client import HTSClient, HTSClientConfig, StreamOutput, TransportMode
+from hand_tracking_sdk.convert import unity_left_to_flu_position, unity_left_to_flu_rotation_matrix
+from hand_tracking_sdk.parser import parse_line
+from hand_tracking_sdk.transport import (
+    TCPClientConfig,
+    TCPClientLineReceiver,
+    TCPServerConfig,
+    TCPServerLineReceiver,
+    UDPLineReceiver,
+    UDPReceiverConfig,
+)
+
+from extensions.landmarks.hts import hts_lines
+from tests.streaming.posed_hand import posed_estimate, side_names
+from tests.streaming.recorded_hand import recorded_hand
+from tracker.base.clock import ClockAnchor
+from tracker.hand.conventions import MEDIAPIPE
+from tracker.messages import Estimate, Tracking
+from tracker.streaming.connection import LOOPBACK
+from tracker.streaming.publisher import Names, StreamError
+from tracker.streaming.registry import StreamSettings, open_streams, with_streams
+
+
+def opened(names: Names, port: int, **options: object):
+    """The stream as a user switches it on."""
+    table = {"hts": True, "hts_port": port} | {f"hts_{k}": v for k, v in options.items()}
+    return open_streams(StreamSettings(table), [names])["hts"][0]
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind((LOOPBACK, 0))
+        return int(probe.getsockname()[1])
+
+
+def in_flu(wrist, landmarks) -> tuple[np.ndarray, Rotation]:
+    """(21, 3) m of the landmarks and the wrist's rotation, with x forward, y left and z up, by the
+    library's own conversions: G for a hand whose camera looks along G's x."""
+    q = Rotation.from_quat([wrist.qx, wrist.qy, wrist.qz, wrist.qw])
+    p = q.apply(np.array(landmarks.points)) + [wrist.x, wrist.y, wrist.z]
+    R = unity_left_to_flu_rotation_matrix(wrist.qx, wrist.qy, wrist.qz, wrist.qw)
+    return np.array([unity_left_to_flu_position(*row) for row in p]), Rotation.from_matrix(R)
+
+
+def check(frame, e: Estimate, names: Names) -> None:
+    """Within 0.1 mm and 0.1°."""
+    rows = [names.keypoints.index(n) for n in MEDIAPIPE]
+    points, turn = in_flu(frame.wrist, frame.landmarks)
+    assert_allclose(points, e.keypoints[rows], atol=1e-4)
+    assert (turn * Rotation.from_quat(e.keypoint_q[0]).inv()).magnitude() < np.deg2rad(0.1)
+
+
+def test_the_library_reads_a_recording(tmp_path: Path) -> None:
+    """Every tracked estimate of a session, by UDP."""
+    names, estimates = recorded_hand(tmp_path)
+    assert len(estimates) > 30
+    receiver = UDPLineReceiver(UDPReceiverConfig(host=LOOPBACK, port=0))
+    with receiver:
+        out = opened(names, receiver.local_address[1], numbered=True)
+        for i, e in enumerate(estimates):
+            out.send(replace(e, seq=i))
+            wrist, landmarks = (parse_line(receiver.recv_line()) for _ in range(2))
+            assert (wrist.side.value, wrist.debug.source_frame_seq) == ("Right", i)
+            assert wrist.debug.source_ts_ns == names.wall_ns(e.t)
+            frame = type("Frame", (), {"wrist": wrist.data, "landmarks": landmarks.data})
+            check(frame, e, names)
+        out.close()
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+def test_the_librarys_client_gets_frames_of_either_hand(side: str) -> None:
+    names = side_names(side)
+    e, port = posed_estimate(names, 5), free_port()
+    config = HTSClientConfig(
+        transport_mode=TransportMode.UDP,
+        host=LOOPBACK,
+        port=port,
+        timeout_s=2.0,
+        output=StreamOutput.FRAMES,
+    )
+    client = HTSClient(config)
+    events = client.iter_events()
+    out = opened(names, port)
+    stop = threading.Event()
+
+    def send() -> None:
+        while not stop.wait(0.02):
+            out.send(e)
+
+    sender = threading.Thread(target=send)
+    sender.start()
+    try:
+        frame = next(events)
+    finally:
+        stop.set()
+        sender.join()
+        out.close()
+        events.close()
+    assert frame.side.value == side.title()
+    check(frame, e, names)
+
+
+def test_it_connects_to_a_server(names: Names, make_estimate) -> None:
+    config = TCPServerConfig(host=LOOPBACK, port=0, accept_timeout_s=2, read_timeout_s=2)
+    with TCPServerLineReceiver(config) as server:
+        out = opened(names, server.local_address[1], transport="tcp")
+        with contextlib.closing(out):
+            out.send(make_estimate())
+            assert parse_line(server.recv_line()).kind.value == "wrist"
+            assert parse_line(server.recv_line()).kind.value == "landmarks"
+            assert out.clients == 1
+
+
+def test_without_a_server_it_fails_and_tries_again(names: Names, make_estimate) -> None:
+    out = opened(names, free_port(), transport="tcp")
+    with contextlib.closing(out):
+        for _ in range(2):
+            with pytest.raises(StreamError, match="no connection"):
+                out.send(make_estimate())
+        assert out.clients == 0
+
+
+def test_programs_connect_to_its_server(names: Names, make_estimate) -> None:
+    port = free_port()
+    out = opened(names, port, transport="server")
+    config = TCPClientConfig(host=LOOPBACK, port=port, read_timeout_s=2)
+    with contextlib.closing(out), TCPClientLineReceiver(config) as client:
+        out.send(make_estimate())
+        assert parse_line(client.recv_line()).kind.value == "wrist"
+        assert out.clients == 1
+
+
+def test_what_is_lost_is_not_sent(names: Names, make_estimate) -> None:
+    (wrist,) = hts_lines(make_estimate(lost=("index_tip",)), names, False)
+    assert wrist.startswith("Right wrist:, ")
+    lost = make_estimate(lost=names.keypoints, tracking=Tracking.LOST)
+    assert hts_lines(lost, names, False) == []
+
+
+def test_the_lines_have_the_documented_form(names: Names, make_estimate) -> None:
+    dated = replace(names, anchor=ClockAnchor(1_000, 0))
+    wrist, landmarks = hts_lines(replace(make_estimate(), seq=12), dated, True)
+    assert wrist.startswith("Right wrist | f=12 | t=1250001000:, ")
+    assert len(wrist.split(",")) == 8 and len(landmarks.split(",")) == 64
+    assert landmarks.startswith("Right landmarks | f=12 | t=1250001000:, 0.000000, 0.000000, ")
+
+
+def test_an_unknown_transport_is_refused(names: Names) -> None:
+    with pytest.raises(StreamError, match="no transport 'serial'"):
+        open_streams(with_streams(StreamSettings(), "hts?transport=serial"), [names])
