@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -21,7 +21,7 @@ from app.jobs.openings import Openings
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from tracker.base.files import free_path
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, warning
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.connection import HOST, key_of
@@ -34,7 +34,7 @@ from tracker.streaming.registry import (
     open_stream,
     stream_kinds,
 )
-from tracker.streaming.streams import StreamCounts, of_all_hands
+from tracker.streaming.streams import StreamCounts, delivery, of_all_hands
 
 HAPTICS = "haptics"
 TOUCHING = "index_tip"
@@ -67,6 +67,10 @@ class HandsOutput:
     def counts(self) -> StreamCounts:
         return of_all_hands([part.counts()[0] for part in self._attached])
 
+    def test(self) -> Notice:
+        """Whether a program receives it; may take a second."""
+        return delivery(self._publishers[0], self.counts().sent)
+
     def close(self) -> None:
         """Waits until pending data have been sent."""
         for part in self._attached or self._publishers:
@@ -75,6 +79,8 @@ class HandsOutput:
 
 class Outputs(Connections[StreamKind[Any], StreamSettings]):
     """Follows the session: streams that are switched on are open while an engine runs."""
+
+    tested = Signal(str, object)  # the name of an output, and a Notice of whether it is received
 
     def __init__(
         self,
@@ -85,7 +91,7 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
     ) -> None:
         settings = StreamSettings(store.value.streams)
         super().__init__(stream_kinds(), settings, store, "streams", parent)
-        self._host = host
+        self._host, self._tasks = host, tasks
         self.rule = remembered(HapticRule, store.value.haptics)
         self._openings: Openings[HandsOutput] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
@@ -161,6 +167,16 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         """Statistics of an open stream; None if it is not open."""
         output = self._openings.get(name)
         return output.counts() if output is not None else None
+
+    def test(self, name: str) -> None:
+        """Find out whether a program receives an output; `tested` reports it."""
+        output = self._openings.get(name)
+        title = self.kinds[name].title
+        if output is None:
+            self.tested.emit(name, warning("stream.test_off", stream=title))
+            return
+        words = self.tr("Testing {}").format(title)
+        self._tasks.run(words, lambda _: output.test(), done=lambda n: self.tested.emit(name, n))
 
     # --- opening and closing
 

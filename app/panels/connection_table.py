@@ -55,6 +55,11 @@ class ConnectionTable(QGridLayout):
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.addWidget(label, i, j)
 
+    def put_at_end(self, name: str, widget: QWidget) -> None:
+        """After the counts."""
+        row = 1 + list(self.boxes).index(name)  # below the headings
+        self.addWidget(widget, row, 2 + len(COLUMNS))
+
     def put_at_port(self, name: str, widget: QWidget) -> None:
         """Show a widget instead of the port, for a connection without one."""
         row = 1 + list(self.boxes).index(name)  # below the headings

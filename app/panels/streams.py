@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from html import escape
 from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
+    QDialog,
     QFileDialog,
     QGridLayout,
     QGroupBox,
@@ -31,9 +33,12 @@ from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
 from app.panels.panel import Panel
 from app.panels.remote import RemoteBox
+from app.viewmodels.states import BAD, GOOD, WARN
 from app.viewmodels.streams import MOTORS, OPENXR, OWN, StreamRow, stream_row
 from app.widgets.measures import NEAR
-from app.words import tr
+from app.widgets.options_dialog import OptionsDialog, options_of
+from app.words import notice_text, tr
+from tracker.base.notices import Notice, Severity
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
@@ -41,6 +46,9 @@ MOST, USUAL = 255, 200  # amplitude
 
 WIDTH = 90
 """px, width of a file name."""
+
+TEST_LOOKS = {Severity.INFO: GOOD, Severity.WARNING: WARN, Severity.ERROR: BAD}
+"""Received; unknown; not received."""
 
 
 class RecordFile(QPushButton):
@@ -94,7 +102,10 @@ class StreamsPanel(Panel):
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
         column.addLayout(self._address())
+        self.tests: dict[str, QPushButton] = {}
+        self.options: dict[str, QPushButton] = {}
         column.addLayout(self._table())
+        column.addWidget(self._result())
         column.addWidget(self._reach())
         column.addWidget(self._haptics())
         column.addWidget(self.remote)
@@ -174,9 +185,54 @@ class StreamsPanel(Panel):
             if kind.default_file:
                 self.files[name] = RecordFile(outputs, name)
                 table.put_at_port(name, self.files[name])
+            table.put_at_end(name, self._row_buttons(name))
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table
+
+    def _row_buttons(self, name: str) -> QWidget:
+        """*Test*, and *Options* where there are any beyond address, port and file."""
+        title = tr(self._outputs.kinds[name].title)
+        test = self.tests[name] = QPushButton(self.tr("Test"))
+        test.setToolTip(self.tr("Whether a program receives {}").format(title))
+        test.setAccessibleName(self.tr("Test {}").format(title))
+        test.clicked.connect(partial(self._outputs.test, name))
+        whole = QWidget()
+        row = QHBoxLayout(whole)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(NEAR)
+        row.addWidget(test)
+        if options_of(self._outputs.kinds[name]):
+            options = self.options[name] = QPushButton("…")
+            options.setFixedWidth(options.sizeHint().height())
+            options.setToolTip(self.tr("Options of {}…").format(title))
+            options.setAccessibleName(self.tr("Options of {}…").format(title))
+            options.clicked.connect(partial(self._edit_options, name))
+            row.addWidget(options)
+        row.addStretch(1)
+        return whole
+
+    def _edit_options(self, name: str) -> None:
+        kind = self._outputs.kinds[name]
+        dialog = OptionsDialog(kind, self._outputs.settings.options(kind), self)
+        if dialog.exec() == QDialog.DialogCode.Accepted:
+            for option, value in dialog.changed().items():
+                self._outputs.set_option(name, option, value)
+
+    def _show_test(self, _name: str, found: Notice) -> None:
+        colour = TEST_LOOKS[found.severity].colour
+        sign = f'<span style="color:{colour}">{TEST_LOOKS[found.severity].sign}</span>'
+        self.result.setText(f"{sign} {escape(notice_text(found))}")
+        self.result.show()
+
+    def _result(self) -> QLabel:
+        """Of the last test."""
+        self.result = QLabel()
+        self.result.setWordWrap(True)
+        self.result.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.result.hide()
+        self._outputs.tested.connect(self._show_test)
+        return self.result
 
     def _reach(self) -> QLabel:
         """Show which streams other computers can receive, since they do not use the address."""

@@ -15,7 +15,9 @@ class HtsOptions:
     host: str = option(LOOPBACK, "destination; with transport server, the listening address")
     port: int = option(9000, "port")
     transport: str = option(
-        "udp", "udp; tcp: connect to a program that listens; server: wait for programs to connect"
+        "udp",
+        "udp; tcp: connect to a program that listens; server: wait for programs to connect",
+        ("udp", "tcp", "server"),
     )
     numbered: bool = option(False, "whether lines have a frame number and a time")
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from extensions.landmarks.lines import Lines
 from extensions.landmarks.points import UNITY_OF_G, WRIST, Landmarks, landmarks_of
+from tracker.base.notices import Notice
 from tracker.geometry import so3
 from tracker.messages import Array, Estimate
 from tracker.streaming.publisher import Names
@@ -35,6 +36,9 @@ class HtsPublisher:
         lines = hts_lines(estimate, self._names, self._numbered)
         if lines:
             self._lines.send(lines)
+
+    def probe(self) -> Notice | None:
+        return self._lines.probe()
 
     def close(self) -> None:
         if self._owner:

@@ -6,8 +6,10 @@ import contextlib
 import socket
 import threading
 import time
+from collections.abc import Callable
 from typing import Protocol
 
+from tracker.base.notices import Notice
 from tracker.streaming.connection import StreamError
 from tracker.streaming.datagram import DatagramSocket
 
@@ -23,6 +25,9 @@ class Lines(Protocol):
 
     def send(self, lines: list[str]) -> None: ...
 
+    def probe(self) -> Notice | None:
+        """Whether a program receives; None where connections tell that."""
+
     def close(self) -> None: ...
 
 
@@ -36,6 +41,9 @@ class DatagramLines:
     def send(self, lines: list[str]) -> None:
         for line in lines:
             self.socket.send(f"{line}\n".encode())
+
+    def probe(self) -> Notice | None:
+        return self.socket.probe(self.name)
 
     def close(self) -> None:
         self.socket.close()
@@ -61,6 +69,9 @@ class ConnectedLines:
         with self._lock:
             if not self._closed:
                 self._write("".join(f"{line}\n" for line in lines).encode())
+
+    def probe(self) -> Notice | None:
+        return None
 
     def _write(self, data: bytes) -> None:
         if self._socket is None:
@@ -123,6 +134,9 @@ class ServedLines:
                     client.close()
                     self._clients.remove(client)
 
+    def probe(self) -> Notice | None:
+        return None
+
     def _accept(self) -> None:
         with contextlib.suppress(OSError):
             while True:
@@ -145,5 +159,6 @@ def open_lines(transport: str, what: str, host: str, port: int) -> Lines:
     if transport not in TRANSPORTS:
         known = ", ".join(TRANSPORTS)
         raise StreamError(f"There is no transport {transport!r}. Transports are {known}.")
+    kinds: dict[str, Callable[[str, str, int], Lines]]
     kinds = {UDP: DatagramLines, TCP: ConnectedLines, SERVER: ServedLines}
     return kinds[transport](what, host, port)

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from extensions.landmarks.points import CAMERA_OF_G, WRIST, landmarks_of
+from tracker.base.notices import Notice
 from tracker.messages import Array, Estimate
 from tracker.streaming.connection import StreamError
 from tracker.streaming.datagram import DatagramSocket
@@ -58,6 +59,9 @@ class MediaPipePublisher:
     def send(self, estimate: Estimate) -> None:
         result = hand_result(estimate, self._names, self._view)
         self._socket.send(json.dumps(result, separators=(",", ":"), allow_nan=False).encode())
+
+    def probe(self) -> Notice:
+        return self._socket.probe(self.name)
 
     def close(self) -> None:
         self._socket.close()

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from tracker.streaming.connection import LOOPBACK, option
-from tracker.streaming.payload import LATEST
+from tracker.streaming.payload import LATEST, SCHEMAS
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 from tracker.streaming.remote.doors import Door, is_loopback
@@ -20,7 +20,9 @@ EXTRA = "glovetrack[streams]"
 @dataclass(frozen=True)
 class LslOptions:
     network: bool = option(False, "whether other computers can discover the outlet")
-    schema: int = option(LATEST, "2: with numbers and velocities in further channels; 1: without")
+    schema: int = option(
+        LATEST, "2: with numbers and velocities in further channels; 1: without", SCHEMAS
+    )
 
 
 @dataclass(frozen=True)

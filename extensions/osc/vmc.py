@@ -21,6 +21,7 @@ import numpy as np
 
 from extensions.osc.encode import bundle, message
 from extensions.osc.vmc_pose import AvatarHand, unity_pose, unity_velocity
+from tracker.base.notices import Notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
@@ -73,6 +74,9 @@ class VmcPublisher:
             self._socket.send(openxr_bundle(estimate, self._names))
         if self._names is not None and self._velocity:
             self._socket.send(velocity_bundle(estimate, self._names))
+
+    def probe(self) -> Notice:
+        return self._socket.probe(self.name)
 
     def close(self) -> None:
         self._socket.close()

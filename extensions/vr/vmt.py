@@ -9,14 +9,19 @@ from __future__ import annotations
 
 import contextlib
 import math
+import socket
+import time
 from dataclasses import dataclass
 
+from extensions.osc import decode
+from extensions.osc.decode import OscError
 from extensions.osc.encode import bundle, message
 from extensions.vr.buttons import ButtonGestures, ControlReader, Controls
 from extensions.vr.skeleton import Pose, Skeleton
+from tracker.base.notices import Notice, notice
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
-from tracker.streaming.connection import StreamError
+from tracker.streaming.connection import LOOPBACK, StreamError
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import openxr_of
 from tracker.streaming.publisher import Names
@@ -27,6 +32,8 @@ MODE = {"left": 5, "right": 6}  # a controller with the inputs of a Valve Index
 OFF = 0
 TRIGGER, GRIP, GRIP_FORCE, FIRST_FINGER = 0, 1, 2, 3
 A_BUTTON, B_BUTTON = 1, 3
+ALIVE_WAIT = 1.5  # s; the driver reports every second
+MOST_ANSWER = 4096  # bytes
 NOW = 0.0  # the time offset of every message
 
 
@@ -59,6 +66,14 @@ class VmtPublisher:
 
     def send(self, estimate: Estimate) -> None:
         self._socket.send(self._bundle(estimate))
+
+    def probe(self) -> Notice:
+        """VMT's driver reports every second that it runs, to a port that VMT Manager and the
+        vibration of this program use, too: where that is taken, only the port is judged."""
+        version = driver_version()
+        if version is None:
+            return self._socket.probe(self.name)
+        return notice("vr.vmt_answers", stream=self.name, version=version)
 
     def close(self) -> None:
         """Turns the device off in SteamVR."""
@@ -93,6 +108,23 @@ class VmtPublisher:
 
     def _input(self, kind: str, index: int, value: float) -> bytes:
         return message(f"/VMT/Input/{kind}", self._device, index, NOW, value)
+
+
+def driver_version(port: int = ANSWER_PORT, patience: float = ALIVE_WAIT) -> str | None:
+    """The version that VMT's driver on this computer reports; None where it reports none."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as answers:
+        end = time.monotonic() + patience
+        try:
+            answers.bind((LOOPBACK, port))
+            while (left := end - time.monotonic()) > 0:
+                answers.settimeout(left)
+                with contextlib.suppress(OscError):
+                    address, values = decode.message(answers.recv(MOST_ANSWER))
+                    if address == "/VMT/Out/Alive" and values:
+                        return str(values[0])
+        except OSError:
+            return None
+    return None
 
 
 def _numbers(pose: Pose) -> list[float]:

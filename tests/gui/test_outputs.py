@@ -12,6 +12,7 @@ from PySide6.QtCore import Qt
 from app.jobs.connections import remembered
 from app.jobs.outputs import HAPTICS, HapticRule
 from app.storage.settings import SettingsStore
+from app.widgets.options_dialog import OptionsDialog, options_of
 from app.window.main_window import MainWindow
 from extensions.conformance.isaac.reader import read_records
 from tests.gui.gui_fakes import ScriptedEngine, ScriptedGlove, scripted_setup, with_glove
@@ -224,3 +225,49 @@ def test_what_was_remembered_wrongly_is_the_default():
     assert (options.host, options.port) == ("127.0.0.1", 9750)
     assert settings.on == ["udp"]
     assert remembered(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)
+
+
+def test_the_test_button_says_whether_a_program_receives(panel, window, listener, qtbot):
+    """Of UDP only a refusal is known; of a server who is connected."""
+    panel.ports["udp"].setValue(listener.getsockname()[1])
+    panel.tests["udp"].click()
+    assert "switch it on" in panel.result.text()
+    panel.boxes["udp"].click()
+    qtbot.waitUntil(lambda: sent(panel, "udp") > 0, timeout=10_000)
+    panel.tests["udp"].click()
+    qtbot.waitUntil(lambda: "UDP sends no answer" in panel.result.text(), timeout=10_000)
+    listener.close()
+    panel.tests["udp"].click()
+    qtbot.waitUntil(lambda: "port unreachable" in panel.result.text(), timeout=10_000)
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    window.outputs.set_option("hts", "transport", "server")
+    panel.ports["hts"].setValue(port)
+    panel.boxes["hts"].click()
+    qtbot.waitUntil(lambda: sent(panel, "hts") > 0, timeout=10_000)
+    panel.tests["hts"].click()
+    qtbot.waitUntil(lambda: "no program is connected" in panel.result.text(), timeout=10_000)
+    with socket.create_connection(("127.0.0.1", port)):
+        qtbot.waitUntil(lambda: panel.cells["hts"]["clients"].text() == "1", timeout=10_000)
+        panel.tests["hts"].click()
+        qtbot.waitUntil(lambda: "received by 1" in panel.result.text(), timeout=10_000)
+
+
+def test_options_are_set_in_a_form_and_remembered(panel, window, store, qtbot):
+    kind = window.outputs.kinds["vmt"]
+    dialog = OptionsDialog(kind, window.outputs.settings.options(kind), panel)
+    qtbot.addWidget(dialog)
+    assert list(dialog.fields) == ["right", "left", "controller", "trigger", "grip", "a", "b"]
+    assert dialog.changed() == {}
+    dialog.fields["right"].setValue(4)
+    dialog.fields["controller"].click()
+    dialog.fields["a"].setCurrentIndex(0)
+    assert dialog.changed() == {"right": 4, "controller": True, "a": ""}
+    for name, value in dialog.changed().items():
+        window.outputs.set_option("vmt", name, value)
+    assert SettingsStore(store.path).value.streams["vmt_right"] == 4
+    assert set(panel.options) == {
+        name for name, kind in window.outputs.kinds.items() if options_of(kind)
+    }
+    assert "udp" in panel.options and "isaac" not in panel.options

@@ -26,7 +26,10 @@ from tracker.streaming.registry import (
     with_streams,
 )
 
-ALL = [*("udp", "websocket", "vmc", "openxr", "vmt", "hts", "mediapipe", "lsl", "foxglove", "isaac")]
+ALL = [
+    *("udp", "websocket", "vmc", "openxr", "vmt", "monado", "opengloves", "hts", "mediapipe"),
+    *("lsl", "foxglove", "isaac"),
+]
 PORTS = {"udp": 9750, "websocket": 9751, "vmc": 39540, "foxglove": 8765} | {
     "vmt": 39570,
     "hts": 9000,

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from tracker.streaming.connection import LOOPBACK, option
-from tracker.streaming.payload import LATEST
+from tracker.streaming.payload import LATEST, SCHEMAS
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.registry import StreamKind
 from tracker.streaming.remote.client import UDP_PORT
@@ -23,14 +23,14 @@ EXTRA = "glovetrack[streams]"
 class UdpOptions:
     host: str = option(LOOPBACK, "destination")
     port: int = option(DEFAULT_PORT, "destination port")
-    schema: int = option(LATEST, SCHEMA_HELP)
+    schema: int = option(LATEST, SCHEMA_HELP, SCHEMAS)
 
 
 @dataclass(frozen=True)
 class WebSocketOptions:
     host: str = option(LOOPBACK, "listening address")
     port: int = option(9751, "listening port")
-    schema: int = option(LATEST, SCHEMA_HELP)
+    schema: int = option(LATEST, SCHEMA_HELP, SCHEMAS)
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ This module does not import the engine, so that a command starts at once.
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, fields
 from typing import Any, Generic, TypeVar
@@ -30,9 +30,10 @@ class StreamError(GlovetrackError):
     """A stream cannot be opened or has failed."""
 
 
-def option(default: V, help: str) -> V:
-    """A field of a dataclass of options, with a sentence for tooltips and documentation."""
-    value: V = field(default=default, metadata={"help": help})
+def option(default: V, help: str, choices: Sequence[V] = ()) -> V:
+    """A field of a dataclass of options, with a sentence for tooltips and documentation, and the
+    values that it can have if these are few."""
+    value: V = field(default=default, metadata={"help": help, "choices": tuple(choices)})
     return value
 
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import socket
 
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, failure, notice, warning
 from tracker.streaming.publisher import StreamError
+
+PROBE_WAIT = 0.3  # s for an ICMP message
 
 
 class DatagramSocket:
@@ -27,10 +29,31 @@ class DatagramSocket:
         self._address: tuple[object, ...] = address
         self._socket = socket.socket(family, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
+        self._last = b""
 
     def send(self, data: bytes) -> None:
         """One datagram. Raises OSError where the system has no room for it or no way to it."""
+        self._last = data
         self._socket.sendto(data, self._address)
+
+    def probe(self, stream: str) -> Notice:
+        """Send the last datagram once more and report whether its port is unreachable. Waits
+        `PROBE_WAIT`; ``stream`` is the name in the report."""
+        data = self._last
+        if not data:
+            return warning("stream.test_nothing", stream=stream)
+        about = {"stream": stream, "size": len(data)}
+        with socket.socket(self._socket.family, socket.SOCK_DGRAM) as probe:
+            probe.settimeout(PROBE_WAIT)
+            try:
+                probe.connect(self._address)  # only then the system reports what comes back
+                probe.send(data)
+                probe.recv(1)
+            except TimeoutError:
+                return warning("stream.test_udp", **about)
+            except OSError:
+                return failure("stream.test_refused", **about)
+        return notice("stream.test_clients", stream=stream, count=1)
 
     @property
     def is_open(self) -> bool:

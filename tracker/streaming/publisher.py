@@ -30,7 +30,9 @@ class Publisher(Protocol):
     """One output. ``send`` and ``close`` are called from the output's own thread.
 
     A server also has ``clients``, how many are connected, and ``missed()``, the messages that slow
-    clients missed by their address ("" for clients that have left).
+    clients missed by their address ("" for clients that have left). ``probe()``, where there is
+    one, finds out whether a program receives and may take a second: a `Notice`, or None to judge by
+    ``clients``.
     """
 
     @property

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from tracker.base.channels import Backlog, Closed
-from tracker.base.notices import Notice, notice, warning
+from tracker.base.notices import Notice, failure, notice, warning
 from tracker.messages import Estimate
 from tracker.streaming.publisher import Publisher
 
@@ -43,6 +43,20 @@ class StreamCounts:
     def left_out(self) -> int:
         """Messages that at least one reader did not get, summed over readers."""
         return self.dropped + self.failed + sum(self.missed.values())
+
+
+def delivery(publisher: Publisher, sent: int) -> Notice:
+    """Whether a program receives what ``publisher`` sends; may take a second."""
+    probe: Callable[[], Notice | None] = getattr(publisher, "probe", lambda: None)
+    clients: int | None = getattr(publisher, "clients", None)
+    found = probe()
+    if found is not None:
+        return found
+    if clients is None:
+        return warning("stream.test_sent", stream=publisher.name, count=sent)
+    if clients == 0:
+        return failure("stream.test_no_client", stream=publisher.name)
+    return notice("stream.test_clients", stream=publisher.name, count=clients)
 
 
 def of_all_hands(counts: Sequence[StreamCounts]) -> StreamCounts:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tracker.base.notices import Notice
 from tracker.messages import Estimate
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.payload import LATEST, check_schema, to_json
@@ -27,6 +28,9 @@ class UdpPublisher:
 
     def send(self, estimate: Estimate) -> None:
         self._socket.send(to_json(estimate, self._names, self._gestures, self._schema).encode())
+
+    def probe(self) -> Notice:
+        return self._socket.probe(self.name)
 
     def close(self) -> None:
         self._socket.close()

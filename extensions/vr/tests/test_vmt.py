@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import contextlib
 import socket
+import threading
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from pythonosc.udp_client import SimpleUDPClient
 from scipy.spatial.transform import Rotation
 
 from extensions.applications.tests.hands import GLOVE, HAND, estimates
 from extensions.vr.buttons import ButtonGestures
 from extensions.vr.skeleton import HELD
 from extensions.vr.tests.openvr_reader import messages, received, skeleton
-from extensions.vr.vmt import VmtDevice, VmtPublisher
+from extensions.vr.vmt import VmtDevice, VmtPublisher, driver_version
 from tests.streaming.posed_hand import posed_estimate, side_names
 from tracker.hand.names import FINGERS
 from tracker.messages import Tracking
@@ -169,3 +171,35 @@ def test_a_bundle_fits_the_drivers_buffer(
         publisher.send(make_estimate())
         assert len(client.recv(65536)) < 4098
     assert STREAMS.get("vmt").options().port == 39570
+
+
+def test_the_drivers_sign_of_life_is_what_a_test_waits_for() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind((LOOPBACK, 0))
+        port = probe.getsockname()[1]
+    stop = threading.Event()
+
+    def driver() -> None:
+        client = SimpleUDPClient(LOOPBACK, port)
+        while not stop.wait(0.02):
+            client.send_message("/VMT/Out/Log", [0, "hello"])
+            client.send_message("/VMT/Out/Alive", ["VMT_015", "C:/VMT"])
+
+    playing = threading.Thread(target=driver)
+    playing.start()
+    try:
+        assert driver_version(port) == "VMT_015"
+    finally:
+        stop.set()
+        playing.join()
+    assert driver_version(port, patience=0.1) is None
+
+
+def test_without_a_driver_the_port_is_judged(names: Names, make_estimate, client) -> None:
+    out = opened(client, names)
+    with contextlib.closing(out):
+        assert out.probe().code == "stream.test_nothing"
+        out.send(make_estimate())
+        assert out.probe().code == "stream.test_udp"
+        client.close()
+        assert out.probe().code == "stream.test_refused"

@@ -38,6 +38,22 @@ TEXTS = {
     "stream.joints": 'Joints can be {known:or}, not "{value}".',
     "stream.publishers": "The {kind} stream made {made} publishers for {hands} hands.",
     "stream.server_not_started": "The {kind} server cannot start at {host}:{port}: {why}.",
+    "stream.test_off": "{stream}: switch it on and start tracking, then test it.",
+    "stream.test_clients": "{stream}: received by {count} connected programs.",
+    "stream.test_no_client": "{stream}: no program is connected.",
+    "stream.test_refused": (
+        "{stream}: {size} bytes were sent and refused (port unreachable). No program receives at "
+        "this address."
+    ),
+    "stream.test_udp": (
+        "{stream}: {size} bytes were sent and not refused. UDP sends no answer, so whether a "
+        "program received them is unknown."
+    ),
+    "stream.test_nothing": "{stream}: nothing has been sent yet, because no hand is tracked.",
+    "stream.test_sent": (
+        "{stream}: {count} messages were sent. The protocol does not report whether a program "
+        "received them."
+    ),
     "stream.failing": "The stream {stream} fails: {why}.",
     "stream.works_again": "The stream {stream} works again.",
     "remote.not_started": "Remote control by {kind} cannot start at {host}:{port}: {why}.",

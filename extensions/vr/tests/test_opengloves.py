@@ -1,0 +1,131 @@
+"""OpenGloves' pipe, faked by a FIFO and unpacked by NumPy as the C++ structure, and Monado's line,
+read by pyserial from the pseudo-terminal."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import serial
+from numpy.testing import assert_allclose
+
+from tests.streaming.posed_hand import posed_estimate
+from tracker.messages import Estimate
+from tracker.streaming.publisher import Names, Publisher, StreamError
+from tracker.streaming.registry import StreamSettings, open_streams
+
+C_STRUCT = np.dtype(
+    {
+        "names": ["flexion", "splay", "joystick", "buttons", "trigger"],
+        "formats": [("<f4", (5, 4)), ("<f4", 5), ("<f4", 2), ("?", 8), "<f4"],
+        "offsets": [0, 80, 100, 108, 116],
+        "itemsize": 120,
+    }
+)
+"""OpenGloves' OpenGloveInputData: flexion[5][4], splay[5], joyX, joyY, eight bools, trgValue."""
+
+
+def opened(names: Names, kind: str, **options: str) -> Publisher:
+    table = {kind: True} | {f"{kind}_{key}": value for key, value in options.items()}
+    return open_streams(StreamSettings(table), [names])[kind][0]
+
+
+def share(names: Names, e: Estimate, joint: str) -> float:
+    """Of the angle's range, from straight (0) to the most (1)."""
+    j = names.angles.index(joint)
+    low, high = names.model.angle_limits[j]
+    return float(np.clip((e.angles[j] - max(low, 0.0)) / (high - max(low, 0.0)), 0, 1))
+
+
+def test_the_pipe_gets_the_drivers_structure(names: Names, tmp_path: Path) -> None:
+    pipe, e = tmp_path / "right", posed_estimate(names, 8)
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    out = opened(names, "opengloves", pipe=str(tmp_path / "{side}"))
+    with contextlib.closing(out):
+        out.send(e)
+        assert out.clients == 1
+        data = os.read(reader, 4096)
+    os.close(reader)
+    assert len(data) == 120
+    found = np.frombuffer(data, C_STRUCT)[0]
+    for digit, finger in enumerate(("index", "middle", "ring", "little"), start=1):
+        wanted = [share(names, e, f"{finger}_{j}_flexion") for j in ("mcp", "mcp", "pip", "dip")]
+        assert_allclose(found["flexion"][digit], wanted, atol=1e-6)
+    thumb = [share(names, e, f"thumb_{j}_flexion") for j in ("cmc", "mcp", "ip", "ip")]
+    assert_allclose(found["flexion"][0], thumb, atol=1e-6)
+    j = names.angles.index("index_mcp_abduction")
+    assert found["splay"][1] == pytest.approx(np.clip(np.rad2deg(e.angles[j]) / 20, -1, 1))
+    assert not found["buttons"][[0, 6, 7]].any()
+    assert 0.0 <= found["trigger"] <= 1.0
+
+
+def test_a_lost_joint_keeps_its_last_value(names: Names, tmp_path: Path) -> None:
+    pipe, e = tmp_path / "right", posed_estimate(names, 8)
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    lost = np.array(e.angles)
+    lost[names.angles.index("index_pip_flexion")] = np.nan
+    out = opened(names, "opengloves", pipe=str(pipe))
+    with contextlib.closing(out):
+        out.send(e)
+        out.send(replace(e, angles=lost))
+        first, second = np.frombuffer(os.read(reader, 4096), C_STRUCT)
+    os.close(reader)
+    assert_allclose(first["flexion"], second["flexion"])
+
+
+def test_without_the_driver_it_fails_and_opens_the_pipe_later(names: Names, tmp_path: Path) -> None:
+    pipe = tmp_path / "right"
+    out = opened(names, "opengloves", pipe=str(pipe))
+    with contextlib.closing(out):
+        for _ in range(2):
+            with pytest.raises(StreamError, match="the driver does not run"):
+                out.send(posed_estimate(names, 8))
+        assert out.clients == 0
+
+
+def parsed(line: str) -> dict[str, int | None]:
+    """Keys and values as Monado's driver finds them; a key without a value is a button."""
+    assert re.fullmatch(r"(?:(?:\([A-E]{2,3}\)|[A-P])\d*)+\n", line)
+    pairs = re.findall(r"(\([A-Z]+\)|[A-Z])(\d*)", line)
+    return {key: int(value) if value else None for key, value in pairs}
+
+
+def test_a_serial_port_gives_monados_line(names: Names, tmp_path: Path) -> None:
+    e = posed_estimate(names, 9)
+    out = opened(names, "monado", link=str(tmp_path / "glove-{side}"))
+    with contextlib.closing(out), serial.Serial(str(tmp_path / "glove-right"), timeout=2) as port:
+        out.send(e)
+        line = port.readline().decode()
+        assert out.probe().code == "vr.line_read"
+    assert len(line) < 256  # the driver's buffer
+    found = parsed(line)
+    for letter, finger in zip("BCDE", ("index", "middle", "ring", "little"), strict=True):
+        shares = [share(names, e, f"{finger}_{j}_flexion") for j in ("mcp", "pip", "dip")]
+        joints = [found[f"({letter}A{k})"] for k in "BCD"]
+        assert_allclose(np.array(joints) / 1023, shares, atol=1e-3)
+        assert found[letter] == pytest.approx(1023 * np.mean(shares), abs=1)
+        j = names.angles.index(f"{finger}_mcp_abduction")
+        splay = np.clip(np.rad2deg(e.angles[j]) / 20, -1, 1)
+        assert (found[f"({letter}B)"] / 1023 - 0.5) * 2 == pytest.approx(splay, abs=2e-3)
+    assert "P" in found
+    assert not (tmp_path / "glove-right").is_symlink()
+
+
+def test_lines_that_nothing_reads_are_discarded(names: Names) -> None:
+    out, e = opened(names, "monado"), posed_estimate(names, 9)
+    with contextlib.closing(out):
+        for _ in range(100):
+            out.send(e)
+        assert out.probe().code == "vr.line_unread"
+
+
+def test_a_link_that_cannot_be_made_is_reported(names: Names, tmp_path: Path) -> None:
+    with pytest.raises(StreamError, match="cannot be made"):
+        opened(names, "monado", link=str(tmp_path / "none" / "glove"))
