@@ -173,7 +173,7 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 
 
 THREADS = {
-    "app/engines/demo_wearer.py": "finds how the simulated wearer touches his fingertips",
+    "app/engines/demo.py": "finds how the simulated wearer touches his fingertips",
     "app/engines/replay/thread.py": "plays a session beside the window",
     "tracker/simulation/rig_camera.py": "sends images as a device of its own does",
     "app/platform/tasks.py": "jobs of the window",
@@ -207,7 +207,7 @@ CLOCKS = {
     "tracker/doctor/machine.py": "rates of devices and of the disk",
     "tracker/doctor/speed.py": "how long tracking takes",
     "app/engines/demo.py": "begins now",
-    "app/engines/hand_looks.py": "when the engine was last looked at",
+    "app/engines/snapshot.py": "when the engine was last looked at",
     "app/engines/hardware.py": "anchors a recording to the wall clock",
     "app/engines/recording.py": "the time recorded",
     "app/engines/replay/thread.py": "how much of the session has passed",
@@ -224,10 +224,9 @@ CLOCKS = {
     "tracker/offline/fill.py": "the date of an edit",
     "tracker/offline/rig_command.py": "ends in time",
     "tracker/simulation/rig_device.py": "begins now",
-    "app/window/main_window.py": "the time beside a line of the log",
-    "app/window/recent.py": "how long ago a session was used",
-    "app/window/refresher.py": "which panel's turn it is",
-    "app/window/ticker.py": "when the window was last drawn",
+    "app/window/message_bar.py": "the time of a line in the log",
+    "app/window/takes.py": "how long ago a session was used",
+    "app/window/ticker.py": "when panels and the window were last drawn",
     "app/wizards/glove/feed.py": "waits for packets",
     "app/wizards/stereo/result.py": "the date of a calibration",
     "tracker/base/clock.py": "the host's clock, to be handed over",

@@ -9,11 +9,12 @@ import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from tracker.glove import library
 from tracker.simulation.shows import WORD
 
 if TYPE_CHECKING:
     from tracker.simulation.camera_device import DemoCamera
-    from tracker.simulation.demo import DemoSpec, WornTexts
+    from tracker.simulation.demo import DemoSpec
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
@@ -61,40 +62,35 @@ class DemoChoice:
 
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
-    """The simulated wearer or wearers, and the camera."""
-    from tracker.simulation.demo import TABLE, DemoSpec
+    """Returns the specification of the simulated wearers and the camera."""
+    from tracker.simulation.demo import TABLE, DemoSpec, WornTexts  # deferred: the simulator
 
     choice = choice or DemoChoice()
-    hands = choice.hands
-    worn = {side: _texts(side) for side in ("right", "left") if hands in (side, "both")}
-    (main, *others) = worn.values()
+    sides = ("right", "left") if choice.hands == "both" else (choice.hands,)
+    texts = [
+        WornTexts(library.text("hands", hand), library.text("gloves", glove))
+        for hand, glove in (FILES[side] for side in sides)
+    ]
     desk = choice.has_desk(os.cpu_count() or 1)
     return DemoSpec(
-        *main,
+        *texts[0],
         seed,
         DURATION,
         choice.fps,
         choice.motion,
         light=LIGHT if desk else "",
-        others=tuple(others),
+        others=tuple(texts[1:]),
         one_camera=choice.lenses != "both",
         table=0.0 if choice.uses_application else TABLE,
     )
 
 
-def _texts(side: str) -> WornTexts:
-    from tracker.glove import library
-    from tracker.simulation.demo import WornTexts
-
-    hand, glove = FILES[side]
-    return WornTexts(library.text("hands", hand), library.text("gloves", glove))
-
-
 def start_camera(seed: int = SEED, choice: DemoChoice | None = None, drawn: int = 0) -> DemoCamera:
-    """A process that draws, where there is a camera; whoever gets it has to close it.
+    """Starts the process that renders images; the caller has to close it.
 
     ``drawn``: see `SimulatedCamera`.
     """
+    # deferred: the simulator
     from tracker.simulation.camera_device import NoSimulatedCamera, SimulatedCamera
 
     choice = choice or DemoChoice()

@@ -12,11 +12,9 @@ from collections.abc import Callable, Mapping
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.hand_looks import Looks
 from app.engines.notes import Notes
-from app.engines.protocols import RecordingRequest
 from app.engines.recording import Recording
-from app.engines.snapshot import Snapshot
+from app.engines.snapshot import Looks, Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
 from app.words import error_text, notice_text
 from tracker.base.errors import GlovetrackError
@@ -107,6 +105,7 @@ class EngineHost(QObject):
             return
         self.shut_down()
         self._setup = setup
+        self.recording.set_engine(setup.live)
         self._spent = False
         self.opened.emit(setup)
         if start:
@@ -150,6 +149,7 @@ class EngineHost(QObject):
         if self._setup is None:
             return
         setup, self._setup = self._setup, None
+        self.recording.set_engine(None)
         if not self._spent:
             setup.engine.stop()  # one that never ran holds its devices too
         self._looks = Looks()
@@ -166,29 +166,6 @@ class EngineHost(QObject):
         self.recording.wait()
 
     # --- what the user asks
-
-    @property
-    def records(self) -> bool:
-        """Whether what is open can be recorded; a replay cannot."""
-        return self._setup is not None and self._setup.live is not None
-
-    def record(self, request: RecordingRequest) -> bool:
-        """Begin a file; False, with an `error`, where that is impossible."""
-        live = self._setup.live if self._setup is not None else None
-        return live is not None and self.recording.begin(live, request)
-
-    def toggle_recording(self, ask: Callable[[], RecordingRequest]) -> None:
-        """End the file that is being written, or begin the one that ``ask`` tells of."""
-        if self.recording.request is not None:
-            self.recording.end()
-            return
-        try:
-            self.record(ask())
-        except GlovetrackError as error:
-            self.recording.refuse(error.notice)
-
-    def toggle_pause(self) -> None:
-        self.recording.pause(not self.recording.paused)
 
     def _tell_note(self, text: str, t: float, data: Mapping[str, object]) -> None:
         if self._setup is not None:
@@ -226,6 +203,7 @@ class EngineHost(QObject):
         """Panels of one hand show this one from now on, where there are two."""
         if self._setup is not None and self._setup.seen_from(side) is not self._setup:
             self._setup = self._setup.seen_from(side)
+            self.recording.set_engine(self._setup.live)
             self.hand_changed.emit(self._setup)
 
     def command(self, work: Callable[[Engine], None], side: str = "") -> bool:

@@ -98,6 +98,7 @@ class Recording(QObject):
     ) -> None:
         super().__init__(parent)
         self._clock = clock
+        self._open: LivePart | None = None  # that can be recorded
         self._live: LivePart | None = None  # that is recorded
         self._recorder: PausableRecorder | None = None
         self._began = 0.0
@@ -131,9 +132,29 @@ class Recording(QObject):
         """s since the recording began; 0 where there is none."""
         return self._clock() - self._began if self.request is not None else 0.0
 
-    def begin(self, live: LivePart, request: RecordingRequest) -> bool:
-        """Begin a file; False, with `failed`, where that is impossible."""
+    def set_engine(self, live: LivePart | None) -> None:
+        """Record this engine from the next `begin` on; None where there is none, or a replay."""
+        self._open = live
+
+    @property
+    def is_possible(self) -> bool:
+        """Whether a live engine is open; a replay cannot be recorded."""
+        return self._open is not None
+
+    def toggle(self, ask: Callable[[], RecordingRequest]) -> None:
+        """End the file that is being written, or begin the one that ``ask`` returns."""
         if self.request is not None:
+            self.end()
+            return
+        try:
+            self.begin(ask())
+        except GlovetrackError as error:
+            self.refuse(error.notice)
+
+    def begin(self, request: RecordingRequest) -> bool:
+        """Begin a file; False, with `failed`, where that is impossible."""
+        live = self._open
+        if live is None or self.request is not None:
             return False
         self.refusal = None
         self.look()
@@ -161,8 +182,12 @@ class Recording(QObject):
         self.refusal = why
         self.failed.emit(notice_text(why))
 
+    def toggle_pause(self) -> None:
+        """Pause the file, or resume it."""
+        self.pause(not self.paused)
+
     def pause(self, on: bool) -> None:
-        """Hold the file back or let it go on."""
+        """Pause the file, or (off) resume it."""
         if self._recorder is None or self._live is None:
             return
         self._recorder.paused = on

@@ -33,11 +33,11 @@ class RecordKey(QObject):
             self._host.recording.end()
         elif self.left:
             self.cancel()
-        elif self._plan.countdown and self._host.running and self._host.records:
+        elif self._plan.countdown and self._host.running and self._host.recording.is_possible:
             self._set(self._plan.countdown)
             self._timer.start()
         else:
-            self._host.toggle_recording(self._plan.request)
+            self._host.recording.toggle(self._plan.request)
 
     def cancel(self) -> None:
         """Cancel the countdown, if any."""
@@ -50,7 +50,7 @@ class RecordKey(QObject):
             self._set(self.left - 1)
         else:
             self.cancel()
-            self._host.toggle_recording(self._plan.request)
+            self._host.recording.toggle(self._plan.request)
 
     def _set(self, left: int) -> None:
         self.left = left

@@ -111,7 +111,7 @@ class RemoteAnswers(QObject):
 
         self._host.error.connect(listen)
         try:
-            self._host.toggle_recording(self._plan.request)
+            self._host.recording.toggle(self._plan.request)
         finally:
             self._host.error.disconnect(listen)
         begun = recording.request

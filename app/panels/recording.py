@@ -286,8 +286,8 @@ class RecordingPanel(Panel):
         if self._key.left:
             words = self.tr("Not now ({})").format(self._key.left)
         self.record_button.setText(words)
-        self.record_button.setEnabled(self.host.running and self.host.records)
-        self.note_text.setEnabled(self.host.records)
+        self.record_button.setEnabled(self.host.running and self.host.recording.is_possible)
+        self.note_text.setEnabled(self.host.recording.is_possible)
         self.pause_button.setEnabled(recording)
         self.pause_button.setChecked(self.host.recording.paused and recording)
         for field in (self.participant, self.task, self.name_template):

@@ -106,7 +106,7 @@ def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
             raise SystemExit("The demo did not start.")
         wait_until(lambda: False, SETTLE_S)
         out = [_stretch(window, Load(fps, False), seconds)]
-        window.host.record(RecordingRequest(folder / f"{fps:g}.mcap", "", ""))
+        window.host.recording.begin(RecordingRequest(folder / f"{fps:g}.mcap", "", ""))
         wait_until(lambda: False, SETTLE_S)
         return [*out, _stretch(window, Load(fps, True), seconds)]
     finally:

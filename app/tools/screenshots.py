@@ -69,7 +69,7 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
     if not wait_until(lambda: window.host.running, START_TIMEOUT):
         print("The demo did not start.")
         return 1
-    window.host.record(RecordingRequest(folder / "P01_pinch.mcap", "P01", "pinch"))
+    window.host.recording.begin(RecordingRequest(folder / "P01_pinch.mcap", "P01", "pinch"))
     wait_until(lambda: False, SETTLE)
     for name in ("light", "dark"):
         window.set_theme(name)
@@ -83,7 +83,7 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
 
 def _take_panels(window: MainWindow, out: Path, name: str) -> None:
     """The whole window and each dock, while the hand is tracked."""
-    window.reset_layout()
+    window.layouts.reset()
     _wait_for_hand(window, spread=True)
     save(window, out / f"window-{name}.png")
     for panel, dock in window.docks.items():

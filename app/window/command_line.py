@@ -9,12 +9,13 @@ from tracker.base.command import Command
 
 
 def _add_window(parser: argparse.ArgumentParser) -> None:
-    from app.window.window_options import WindowOptions
+    from app.window.window_options import WindowOptions  # deferred: loads the registries
 
     add_options(parser, WindowOptions)
 
 
 def _open(args: argparse.Namespace) -> int:
+    # deferred: load Qt and the registries
     from app.window.start import open_window
     from app.window.window_options import WindowOptions
 
@@ -32,13 +33,13 @@ def _devices(args: argparse.Namespace) -> int:
 
 
 def _add_remote(parser: argparse.ArgumentParser) -> None:
-    from app.window.remote_command import add_remote
+    from app.window.remote_command import add_remote  # deferred: loads QtNetwork
 
     add_remote(parser)
 
 
 def _remote(args: argparse.Namespace) -> int:
-    from app.window.remote_command import control
+    from app.window.remote_command import control  # deferred: loads QtNetwork
 
     return control(args)
 

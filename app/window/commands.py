@@ -1,13 +1,51 @@
-"""Every command of the window, once: menus, tool bar, shortcuts and the palette read this."""
+"""All commands of the window: menus, tool bar, shortcuts and the command palette use this list."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QMenu
+from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtGui import QAction, QKeySequence, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QMainWindow,
+    QMenu,
+    QPlainTextEdit,
+    QSizePolicy,
+    QTextEdit,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
+
+from app.widgets.icons import beside, dress
+from app.widgets.number_box import NumberBox
+from app.widgets.segments import Segments
+
+TYPED = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QAbstractItemView, QComboBox)
+"""Widgets that take any key: text, or the first letters of an item."""
+TICKED = (QAbstractButton,)
+"""Widgets that take the space bar."""
+SPACE = "Space"
+ICONS = {
+    "demo": "flask-conical",
+    "hardware": "cable",
+    "open": "folder-open",
+    "start": "play",
+    "stop": "square",
+    "record": "circle-dot",
+    "note": "pencil-line",
+    "palette": "search",
+}
+SOURCES = ("demo", "hardware", "open")
+RECORD = 2  # of the work's buttons
+ICON = QSize(18, 18)
 
 
 @dataclass(frozen=True)
@@ -70,3 +108,146 @@ class Commands:
 
     def enable(self, key: str, on: bool) -> None:
         self.actions[key].setEnabled(on)
+
+
+class FocusKeys(QObject):
+    """Turns the shortcuts of ``actions`` off and on as the focus moves; menus show them all along.
+
+    Those with Ctrl or Alt, and function keys, are left alone, but Undo and Redo, which are a
+    text's own while it is typed.
+    """
+
+    def __init__(self, actions: Iterable[QAction], parent: QObject) -> None:
+        super().__init__(parent)
+        self._actions = list(actions)  # a key may be another one later
+        self._of_text = [
+            a for a in self._actions if a.shortcut().toString() in ("Ctrl+Z", "Ctrl+Y")
+        ]
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        app.focusChanged.connect(self._moved)
+
+    def _moved(self, _old: QWidget | None, new: QWidget | None) -> None:
+        typed, ticked = isinstance(new, TYPED), isinstance(new, TICKED)
+        for action in filter(is_single, self._actions):
+            _give(action, not typed and not (ticked and action.shortcut().toString() == SPACE))
+        for action in self._of_text:
+            _give(action, not is_text(new))
+
+
+def is_single(action: QAction) -> bool:
+    """Whether its shortcut is one key that prints something."""
+    keys = action.shortcut().toString()
+    return len(keys) == 1 or keys == SPACE
+
+
+def is_text(widget: QWidget | None) -> bool:
+    """Whether text is typed into it; a `NumberBox` says itself whose the keys are."""
+    if isinstance(widget, NumberBox):
+        return False
+    return isinstance(widget, QLineEdit | QPlainTextEdit | QTextEdit | QAbstractSpinBox)
+
+
+def _give(action: QAction, on: bool) -> None:
+    """To the window, or (off) to the menu it stands in, which never has the focus."""
+    context = Qt.ShortcutContext.WindowShortcut if on else Qt.ShortcutContext.WidgetShortcut
+    if action.shortcutContext() != context:
+        action.setShortcutContext(context)
+
+
+class ToolBar(QToolBar):
+    """Words give way to their icons, from the left, where there is no room for all.
+
+    ``jobs``: the actions that choose a layout, by the names of their icons.
+    """
+
+    def __init__(
+        self, actions: Mapping[str, QAction], jobs: Mapping[str, QAction], parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Commands"))
+        self.setObjectName("commands")
+        self.setMovable(False)
+        self.setIconSize(ICON)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        for key, name in ICONS.items():
+            dress(actions[key], name)
+        self._short(actions)
+        self._sources = [self._button(actions[key]) for key in SOURCES]
+        self.addSeparator()
+        self._work = [self._button(actions[key]) for key in ("start", "stop", "record", "note")]
+        self._work[RECORD].setObjectName("record_button")
+        self._fill()
+        for icon, action in jobs.items():
+            dress(action, icon)
+            action.setIconVisibleInMenu(False)  # there a tick says which one is on
+            action.setIconText(beside(action.text()))
+        self.segments = Segments(list(jobs.values()))
+        self.addWidget(self.segments)
+        self._fill()
+        self._search = self._button(actions["palette"])
+
+    def _short(self, actions: Mapping[str, QAction]) -> None:
+        """Fewer words than in the menu."""
+        words = {
+            "demo": self.tr("Demo"),
+            "hardware": self.tr("Devices"),
+            "open": self.tr("Open"),
+            "start": self.tr("Start"),
+            "stop": self.tr("Stop"),
+            "note": self.tr("Note"),
+            "palette": self.tr("Find"),
+        }
+        for key, text in words.items():
+            actions[key].setIconText(beside(text))
+            actions[key].setToolTip(tip_of(actions[key]))
+
+    def _button(self, action: QAction) -> QToolButton:
+        self.addAction(action)
+        button = self.widgetForAction(action)
+        assert isinstance(button, QToolButton)
+        return button
+
+    def _fill(self) -> None:
+        room = QWidget()
+        room.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.addWidget(room)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit(event.size().width())
+
+    def fit(self, width: int) -> None:
+        """Words where ``width`` px have room for them."""
+        words, icons = (
+            Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
+            Qt.ToolButtonStyle.ToolButtonIconOnly,
+        )
+        groups = [[self._search], self._sources, self._work, self.segments.buttons]
+        for group in groups:
+            for button in group:
+                button.setToolButtonStyle(words)
+        record = self._work[RECORD]
+        record.setMinimumWidth(0)
+        record.setMinimumWidth(record.sizeHint().width() + self._longer(record))
+        for group in groups:
+            if self.sizeHint().width() <= width:
+                break
+            for button in group:
+                button.setToolButtonStyle(icons)
+                button.setMinimumWidth(0)
+
+    def _longer(self, record: QToolButton) -> int:
+        """px that the longer of the button's two texts takes beyond its present one, so that
+        nothing beside it moves when a recording begins."""
+        metrics = record.fontMetrics()
+        texts = record.text(), beside(self.tr("Record")), beside(self.tr("Stop recording"))
+        widths = [metrics.horizontalAdvance(text) for text in texts]
+        return max(widths) - widths[0]
+
+
+def tip_of(action: QAction) -> str:
+    """The whole words of the menu, and the key."""
+    text = action.text().replace("&", "").rstrip("…")
+    keys = action.shortcut().toString()
+    return f"{text} ({keys})" if keys else text

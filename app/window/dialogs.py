@@ -1,18 +1,41 @@
-"""What commands open over the window: the palette, the guide, the keys, who made it."""
+"""Dialogs that commands open: the command palette, the guide, the list of keys, About."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, QUrl
-from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QMainWindow
+from collections.abc import Iterable
 
-from app.platform.guide import site
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QAction, QDesktopServices, QFontDatabase, QIcon, QKeySequence, QTextCursor
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QMainWindow,
+    QMenu,
+    QPlainTextEdit,
+    QTableWidget,
+    QTableWidgetItem,
+    QTabWidget,
+    QTextBrowser,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.platform.guide import FIRST, matches, pages, place, site, title_of
+from app.platform.licences import as_text, own_text
 from app.widgets.command_palette import CommandPalette
-from app.window.about import AboutDialog
+from app.widgets.measures import APART, NEAR, WIDE
 from app.window.commands import Commands
-from app.window.help import GuideDialog, KeysDialog
+from tracker import __version__
 
 BELOW_TOP = 90  # px
+SIZE = (900, 620)
+ICON = 64  # px
 
 
 class Dialogs:
@@ -49,3 +72,147 @@ class Dialogs:
         """To and fro."""
         state = self._window.windowState()
         self._window.setWindowState(state ^ Qt.WindowState.WindowFullScreen)
+
+
+class GuideDialog(QDialog):
+    """Pages left, their text right; the search leaves the pages that hold all its words."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Guide"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(*SIZE)
+        self._pages = pages()
+        self.search = QLineEdit()
+        self.search.setPlaceholderText(self.tr("Search the guide"))
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._find)
+        self.list = QListWidget()
+        self.list.setMaximumWidth(240)
+        self.list.currentItemChanged.connect(lambda item, _old: self._show_item(item))
+        self.view = QTextBrowser()
+        self.view.setOpenLinks(False)
+        self.view.setSearchPaths([str(place())])
+        self.view.anchorClicked.connect(self._follow)
+        left = QVBoxLayout()
+        left.addWidget(self.search)
+        left.addWidget(self.list, 1)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(APART, APART, APART, APART)
+        row.setSpacing(NEAR)
+        row.addLayout(left)
+        row.addWidget(self.view, 1)
+        self._find("")
+
+    def _find(self, words: str) -> None:
+        self.list.clear()
+        for name in matches(self._pages, words):
+            item = QListWidgetItem(title_of(self._pages[name]))
+            item.setData(Qt.ItemDataRole.UserRole, name)
+            self.list.addItem(item)
+        self.list.setCurrentRow(0)
+
+    def _show_item(self, item: QListWidgetItem | None) -> None:
+        if item is None:
+            self.view.clear()
+            return
+        self.view.setMarkdown(self._pages[item.data(Qt.ItemDataRole.UserRole)])
+        words = self.search.text().split()
+        if words and self.view.find(words[0]):
+            self.view.ensureCursorVisible()
+        else:
+            self.view.moveCursor(QTextCursor.MoveOperation.Start)
+
+    def show_page(self, name: str) -> None:
+        """A page by its file's name."""
+        self.search.clear()
+        names = list(self._pages)
+        self.list.setCurrentRow(names.index(name) if name in names else names.index(FIRST))
+
+    def _follow(self, url: QUrl) -> None:
+        """Pages open here, addresses in the browser."""
+        if url.isRelative() and url.path() in self._pages:
+            self.show_page(url.path())
+        elif not url.isRelative():
+            QDesktopServices.openUrl(url)
+
+
+class KeysDialog(QDialog):
+    """Every command that has a key, as the menus have it now."""
+
+    def __init__(self, menus: Iterable[QMenu], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Keys"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(560, 620)
+        rows = [(m.title(), a) for m in menus for a in m.actions() if not a.shortcut().isEmpty()]
+        self.table = QTableWidget(len(rows), 3)
+        self.table.setHorizontalHeaderLabels([self.tr("Key"), self.tr("Does"), self.tr("Menu")])
+        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        self.table.verticalHeader().hide()
+        for i, (menu, action) in enumerate(rows):
+            for k, text in enumerate((key_of(action), plain(action.text()), plain(menu))):
+                self.table.setItem(i, k, QTableWidgetItem(text))
+        self.table.resizeColumnsToContents()
+        self.table.horizontalHeader().setStretchLastSection(True)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(APART, APART, APART, APART)
+        column.addWidget(self.table)
+
+
+def key_of(action: QAction) -> str:
+    """As it is written on the keyboards of this system."""
+    return action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+
+
+def plain(text: str) -> str:
+    """Without the mark of the letter that Alt takes."""
+    return text.replace("&&", "\0").replace("&", "").replace("\0", "&")
+
+
+class AboutDialog(QDialog):
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("About Glovetrack"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(720, 520)
+        self.tabs = QTabWidget()
+        self.tabs.addTab(_text(as_text()), self.tr("Parts and their licences"))
+        self.tabs.addTab(_text(own_text()), self.tr("Apache-2.0"))
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.close)
+        column = QVBoxLayout(self)
+        column.addLayout(self._heading())
+        column.addWidget(self.tabs, 1)
+        column.addWidget(buttons)
+
+    def _heading(self) -> QHBoxLayout:
+        icon = QLabel()
+        app = QApplication.instance()
+        window_icon = app.windowIcon() if isinstance(app, QApplication) else QIcon()
+        icon.setPixmap(window_icon.pixmap(ICON, ICON))
+        title = QLabel(self.tr("Glovetrack {}").format(__version__))
+        title.setProperty("role", "heading")
+        words = QLabel(
+            self.tr(
+                "Hand tracking with a sensor glove and a stereo camera. Free software under the "
+                "Apache Licence 2.0, without any warranty."
+            )
+        )
+        words.setWordWrap(True)
+        texts = QVBoxLayout()
+        texts.addWidget(title)
+        texts.addWidget(words)
+        row = QHBoxLayout()
+        row.setSpacing(WIDE)
+        row.addWidget(icon)
+        row.addLayout(texts, 1)
+        return row
+
+
+def _text(text: str) -> QPlainTextEdit:
+    view = QPlainTextEdit(text)
+    view.setReadOnly(True)
+    view.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+    view.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+    return view

@@ -1,17 +1,21 @@
-"""The docks that hold the panels."""
+"""The docks that hold the panels, and the window's size and position."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QByteArray, QCoreApplication
+from PySide6.QtCore import QByteArray, QCoreApplication, QEvent, QObject, QSize, QTimer
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from app.panels.panel import Panel
 from app.widgets.scrolled import Scrolled
 from app.window.commands import Command, Commands
-from app.window.layouts import LEFT
+from app.window.layouts import LEFT, Docks, Shares, resize, shares_of
+
+SMALLEST = (800, 500)
+FRAME = (16, 48)  # px that a window manager's frame and title take at most
+QUIET_MS = 250  # after the last change of the window's size
 
 
 def make_docks(window: QMainWindow, panels: Mapping[str, Panel]) -> dict[str, QDockWidget]:
@@ -64,3 +68,59 @@ def geometry_of(window: QMainWindow) -> str:
 def restore_geometry(window: QMainWindow, text: str) -> None:
     if text:
         window.restoreGeometry(QByteArray.fromBase64(text.encode()))
+
+
+def fit_to_screen(window: QMainWindow, usual: tuple[int, int]) -> None:
+    """The usual size, or as much of it as the screen has; the least size gives way too."""
+    room = window.screen().availableSize() - QSize(*FRAME)
+    window.setMinimumSize(QSize(*SMALLEST).boundedTo(room))
+    window.resize(QSize(*usual).boundedTo(room))
+
+
+class DockShares(QObject):
+    """Keeps each dock's share of the window while the window changes its size.
+
+    A panel that was floating gets back the share that it had; Qt alone gives it half of that.
+    ``is_shown`` returns whether docks are shown at all, instead of the start page.
+    """
+
+    def __init__(self, window: QMainWindow, docks: Docks, is_shown: Callable[[], bool]) -> None:
+        super().__init__(window)
+        self._window, self._docks, self._is_shown = window, docks, is_shown
+        self._shares: Shares = {}  # as long as the window has one size
+        self._before_floating: dict[str, Shares] = {}  # by the panel that floats
+        self._measuring = False  # in the next turn of the event loop
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self._apply)  # whatever was laid out since
+        for watched in (window, *docks.values()):
+            watched.installEventFilter(self)
+        for name, dock in docks.items():
+            dock.topLevelChanged.connect(partial(self._floated, name))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and self._is_shown():
+            if watched is self._window:
+                QTimer.singleShot(0, self, self._apply)
+                self._rest.start(QUIET_MS)
+            elif not self._measuring:  # once for all docks that change together
+                self._measuring = True
+                QTimer.singleShot(0, self, self._measure)
+        return super().eventFilter(watched, event)
+
+    def _measure(self) -> None:
+        """A dock was resized on its own, not with the window (Qt reports that later)."""
+        self._measuring = False
+        if not self._rest.isActive():
+            self._shares = shares_of(self._window, self._docks)
+
+    def _apply(self) -> None:
+        resize(self._window, self._docks, self._shares)
+
+    def _floated(self, name: str, floating: bool) -> None:
+        if floating:
+            self._before_floating[name] = dict(self._shares)
+            return
+        before = self._before_floating.pop(name, {})
+        if name in before:
+            QTimer.singleShot(0, self, lambda: resize(self._window, self._docks, before))

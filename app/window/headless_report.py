@@ -102,7 +102,7 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
         print(f"The {watched.name} did not start: {' '.join(problems) or 'it took too long.'}")
         return 1
     path, table = out / "session.mcap", out / "session.csv"
-    window.host.record(RecordingRequest(path, watched.name, "as they come"))
+    window.host.recording.begin(RecordingRequest(path, watched.name, "as they come"))
     began, ticks = time.monotonic(), window.ticker.ticks
     gathered = _gather(window, duration, out / "window.png", problems)
     rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)

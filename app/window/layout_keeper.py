@@ -1,4 +1,4 @@
-"""Which layout is on: of a job, or one kept under a name; each comes back as it was left."""
+"""Which layout is shown: of a job, or one stored under a name; each returns as it was left."""
 
 from __future__ import annotations
 
@@ -6,40 +6,35 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from app.storage.settings import SettingsStore
 from app.widgets.question import answer, choice
 from app.window.commands import Command, Commands
+from app.window.docks import DockShares
 from app.window.layouts import (
     REPLAY_NEEDS,
     REVIEW,
     Docks,
     Job,
-    Shares,
     arrange,
     bring_main_to_front,
     capture,
     job_of,
     place_below,
-    resize,
     restore,
-    shares_of,
     title_of,
 )
-from app.window.taken_out import TakenOut
 
-QUIET_MS = 250  # after the last change of the window's size
 EARLY_SHARE = 0.6  # of the window's height, for the library below the start page
 
 
 class LayoutKeeper(QObject):
-    """Switches layouts, and keeps their shares while the window changes its size."""
+    """Switches layouts; ``named`` are those that the user has stored."""
 
     chosen_early = Signal(str)  # a job, before docks stand
-    removed = Signal(str, object)  # a sentence, and what undoes it
 
     def __init__(
         self, window: QMainWindow, docks: Docks, jobs: Mapping[str, Job], store: SettingsStore
@@ -48,19 +43,11 @@ class LayoutKeeper(QObject):
         self.jobs = jobs
         self._window, self._docks, self._store = window, docks, store
         self._actions: dict[str, QAction] = {}
-        self._changes: dict[str, QAction] = {}  # what is done with kept layouts
-        self._named: QMenu | None = None
+        self.named = NamedLayouts(self, window, store)
         self.shown = False  # docks stand; before, there is the start page
         self._visitors: set[str] = set()  # docks that the program has added to the layout
         self._before_review: tuple[str, dict[str, Any]] | None = None  # a job and its layout
-        self._shares: Shares = {}  # as long as the window has one size
-        self._noting = False  # they are to be noted in the next turn of the loop
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.timeout.connect(self._share_out)  # whatever was laid out since
-        for watched in (window, *docks.values()):
-            watched.installEventFilter(self)
-        TakenOut(window, docks, lambda: self._shares)
+        DockShares(window, docks, lambda: self.shown)
 
     def list_commands(self, commands: Commands) -> dict[str, QAction]:
         """The menu; returns the actions of the jobs, by the names of their icons."""
@@ -70,15 +57,7 @@ class LayoutKeeper(QObject):
                 f"job_{job.name}", menu, title_of(job), partial(self.choose, job.name), f"Alt+{i}"
             )
             self._actions[job.name] = commands.add(command)
-        for key, text, run in (
-            ("keep_layout", self.tr("&Keep this layout…"), self._ask_name),
-            ("rename_layout", self.tr("&Rename a layout…"), self._ask_rename),
-            ("delete_layout", self.tr("&Delete a layout…"), self._ask_delete),
-        ):
-            separator = key == "keep_layout"
-            self._changes[key] = commands.add(Command(key, menu, text, run, separator=separator))
-        self._named = commands.menu(menu).addMenu(self.tr("Kept layouts"))
-        self._list_named()
+        self.named.list_commands(commands, menu)
         self._tick()
         return {self.jobs[name].icon: action for name, action in self._actions.items()}
 
@@ -116,7 +95,9 @@ class LayoutKeeper(QObject):
         self._tick()
 
     def reset(self) -> None:
-        """The layout of the job as it comes with the program."""
+        """Restore the default layout of the job; nothing while no docks are shown."""
+        if not self.shown:
+            return
         job = job_of(self.jobs, self._store.value.job)
         kept = {k: v for k, v in self._store.value.job_layouts.items() if k != job.name}
         self._store.update(job=job.name, job_layouts=kept)
@@ -190,51 +171,77 @@ class LayoutKeeper(QObject):
         job, layout = before if before is not None else (self._store.value.job, layout)
         self._store.update(job=job, layout=layout)
 
-    # --- layouts with names
+    def put_on_named(self, layout: dict[str, Any]) -> None:
+        """Show a stored layout that belongs to no job."""
+        self._leave()
+        self._store.update(job="")
+        self._put_on("", layout)
+
+
+class NamedLayouts(QObject):
+    """Layouts that the user has stored under names, and their commands."""
+
+    removed = Signal(str, object)  # a sentence, and a function that undoes it
+
+    def __init__(self, keeper: LayoutKeeper, window: QMainWindow, store: SettingsStore) -> None:
+        super().__init__(keeper)
+        self._keeper, self._window, self._store = keeper, window, store
+        self._changes: dict[str, QAction] = {}
+        self._menu: QMenu | None = None
+
+    def list_commands(self, commands: Commands, menu: str) -> None:
+        """Add the commands, and a menu of the names, to the ``menu`` of layouts."""
+        for key, text, run in (
+            ("keep_layout", self.tr("&Keep this layout…"), self._ask_name),
+            ("rename_layout", self.tr("&Rename a layout…"), self._ask_rename),
+            ("delete_layout", self.tr("&Delete a layout…"), self._ask_delete),
+        ):
+            separator = key == "keep_layout"
+            self._changes[key] = commands.add(Command(key, menu, text, run, separator=separator))
+        self._menu = commands.menu(menu).addMenu(self.tr("Kept layouts"))
+        self._list()
 
     def keep(self, name: str) -> None:
-        """Keep the layout as it is now under a name; one of that name is replaced."""
-        if name and self.shown:
-            kept = {**self._store.value.layouts, name: self.current()}
+        """Store the present layout under a name; one of that name is replaced."""
+        if name and self._keeper.shown:
+            kept = {**self._store.value.layouts, name: self._keeper.current()}
             self._store.update(layouts=kept)
-            self._list_named()
+            self._list()
 
     def put_on(self, name: str) -> None:
-        """A kept layout."""
+        """Show a stored layout."""
         kept = self._store.value.layouts.get(name)
-        if self.shown and isinstance(kept, dict):
-            self._leave()
-            self._store.update(job="")
-            self._put_on("", kept)
+        if self._keeper.shown and isinstance(kept, dict):
+            self._keeper.put_on_named(kept)
 
     def rename(self, name: str, other: str) -> None:
         kept = self._store.value.layouts
         if name in kept and other:
             self._store.update(layouts={other if n == name else n: v for n, v in kept.items()})
-            self._list_named()
+            self._list()
 
     def delete(self, name: str) -> None:
-        """Delete a kept layout; ``removed`` offers to undo it."""
+        """Delete a stored layout; ``removed`` offers to undo it."""
         kept = self._store.value.layouts
         if name not in kept:
             return
         layout = kept[name]
         self._store.update(layouts={n: v for n, v in kept.items() if n != name})
-        self._list_named()
+        self._list()
         text = self.tr("The layout {} was deleted.").format(name)
         self.removed.emit(text, lambda: self._put_back(name, layout))
 
     def _put_back(self, name: str, layout: dict[str, Any]) -> None:
-        """Unless another one was kept under its name meanwhile."""
+        """Unless another one was stored under its name meanwhile."""
         self._store.update(layouts={name: layout, **self._store.value.layouts})
-        self._list_named()
+        self._list()
 
-    def _list_named(self) -> None:
-        assert self._named is not None
-        self._named.clear()
+    def _list(self) -> None:
+        assert self._menu is not None
+        self._menu.clear()
         for name in self._store.value.layouts:
-            self._named.addAction(name, partial(self.put_on, name))
-        self._named.setEnabled(bool(self._store.value.layouts))
+            self._menu.addAction(name, partial(self.put_on, name))
+        self._menu.setEnabled(bool(self._store.value.layouts))
         for key in ("rename_layout", "delete_layout"):
             self._changes[key].setEnabled(bool(self._store.value.layouts))
 
@@ -245,7 +252,7 @@ class LayoutKeeper(QObject):
             self.keep(name)
 
     def _ask_which(self, title: str) -> str:
-        """One of the kept layouts; empty for none."""
+        """One of the stored layouts; empty for none."""
         names = list(self._store.value.layouts)
         if not names:
             return ""
@@ -263,24 +270,3 @@ class LayoutKeeper(QObject):
         name = self._ask_which(self.tr("Delete a layout"))
         if name:
             self.delete(name)
-
-    # --- another size of the window
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize and self.shown:
-            if watched is self._window:
-                QTimer.singleShot(0, self, self._share_out)
-                self._rest.start(QUIET_MS)
-            elif not self._noting:  # once for all docks that change together
-                self._noting = True
-                QTimer.singleShot(0, self, self._note_shares)
-        return super().eventFilter(watched, event)
-
-    def _note_shares(self) -> None:
-        """A dock has another size, but not since the window has (of that Qt tells after it)."""
-        self._noting = False
-        if not self._rest.isActive():
-            self._shares = shares_of(self._window, self._docks)
-
-    def _share_out(self) -> None:
-        resize(self._window, self._docks, self._shares)

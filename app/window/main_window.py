@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QTimer
@@ -35,8 +33,7 @@ from app.viewmodels.recording import RecordingPlan
 from app.widgets.scrolled import Scrolled
 from app.window import theme
 from app.window.bug_reports import BugReports, ReportSources
-from app.window.colours_told import ColoursTold
-from app.window.commands import Commands
+from app.window.commands import Commands, FocusKeys, ToolBar
 from app.window.contributions import (
     added_commands,
     make_panels,
@@ -44,29 +41,20 @@ from app.window.contributions import (
     panel_of,
     recording_actions,
 )
-from app.window.countdown import Announced, Countdown
 from app.window.dialogs import Dialogs
-from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
-from app.window.drops import Drops
-from app.window.keys import FocusKeys
+from app.window.docks import SMALLEST as SMALLEST
+from app.window.docks import fit_to_screen, geometry_of, list_docks, make_docks, restore_geometry
 from app.window.layout_keeper import LayoutKeeper
 from app.window.layouts import jobs_for
-from app.window.message_bar import MessageBar
-from app.window.recent import RecentSessions
-from app.window.screen import SMALLEST as SMALLEST
-from app.window.screen import fit_to_screen
+from app.window.message_bar import Announced, ColoursHint, Countdown, MessageBar, MessageRouter
 from app.window.set_up_dialogs import SetUpDialogs
-from app.window.sources import DEVICES, Sources
+from app.window.sources import DEVICES, Drops, Sources
 from app.window.status_bar import StatusBar
-from app.window.takes import Takes
+from app.window.takes import RecentSessions, Takes
 from app.window.ticker import Ticker
-from app.window.tool_bar import ToolBar
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
-from app.words import event_text
-from tracker.messages import Event
 
 USUAL = (1440, 900)
-RESETS = "pose_reset."  # codes of the notices about a pose reset
 
 
 class MainWindow(QMainWindow):
@@ -93,6 +81,9 @@ class MainWindow(QMainWindow):
         self.layouts = LayoutKeeper(self, self.docks, jobs_for(self.kinds), self.store)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
+        self.router = MessageRouter(
+            self.messages, self.host, self.sources, self.log, self.calibration
+        )
         self._make_countdowns()
         self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
         self.reports = bug_reports(self, crashes)
@@ -109,9 +100,9 @@ class MainWindow(QMainWindow):
         self.ticker.is_waited_for = lambda: any(
             panel.needs_low_latency for panel in self.panels.values()
         )
-        told = ColoursTold(self.messages, self.colours, self.show_panel)
-        self.ticker.colours_unfit.connect(told.tell)
-        self.ticker.no_hand.connect(told.no_hand)
+        hint = ColoursHint(self.messages, self.colours, self.show_panel)
+        self.ticker.colours_unfit.connect(hint.show_unfit)
+        self.ticker.no_hand.connect(hint.no_hand)
         self.ticker.start()
         for text in self.not_made:
             self.messages.say(text)
@@ -155,7 +146,6 @@ class MainWindow(QMainWindow):
         self.bar = StatusBar(self.tasks)
         self.setStatusBar(self.bar)
         self.messages = MessageBar(self)
-        self.messages.said.connect(self._log_said)
         self.banner = self.messages.banner
 
     def _make_countdowns(self) -> None:
@@ -182,6 +172,7 @@ class MainWindow(QMainWindow):
             record_key=self.record_key,
             pose_reset=self.pose_reset,
             set_up=self.set_up,
+            layouts=self.layouts,
             reports=self.reports,
             bar=self.bar,
             library=self.library,
@@ -207,12 +198,10 @@ class MainWindow(QMainWindow):
         host.hand_changed.connect(lambda _setup: self._enable())
         host.running_changed.connect(lambda _on: self._enable())
         host.recording.changed.connect(lambda _on: self._enable())
-        host.error.connect(lambda text: self.messages.say(text))
-        host.happened.connect(self._heard)
         self.takes.recover.connect(self.recent.recover)
-        self.set_up.error.connect(lambda text: self.messages.say(text))
-        self.tasks.failed.connect(self._failed)
-        self.tasks.noted.connect(lambda text: self.messages.say(text))
+        self.set_up.error.connect(self.router.say)
+        self.tasks.failed.connect(self.router.show_failed_job)
+        self.tasks.noted.connect(self.router.say)
         self.set_up.changed.connect(lambda: self.messages.no_longer(DEVICES))
         self.set_up.restart.connect(self.sources.open_devices)
         self.set_up.changed.connect(self._show_set_up)
@@ -230,55 +219,19 @@ class MainWindow(QMainWindow):
         self.library.beside.connect(self.hand.show_reference)
         self.checklist.action.connect(self.run_command)
         self.calibration.guided_asked.connect(self.set_up.open_guided)
-        self.set_up.learned.connect(self._keep_learned)
+        self.set_up.learned.connect(self.router.offer_to_save_wearer)
         for part in (
             self.calibration.profiles,
             self.colours.image.source,
             self.recording.notes,
-            self.layouts,
+            self.layouts.named,
             self.library.files,
             self.library.transport,
             self.motion,
         ):
-            part.removed.connect(self._removed)
+            part.removed.connect(self.router.show_removed)
         self.set_up.pose_reset_changed.connect(self._pose_reset_set_up)
         self._enable()
-
-    # --- what there is to say
-
-    def _failed(self, text: str) -> None:
-        """A job has failed; the one that looks for devices can be helped in the set-up."""
-        if self.sources.looking_for_devices:
-            self.sources.tell_of_devices(text)
-        else:
-            self.messages.say(text)
-
-    def _heard(self, event: Event) -> None:
-        """What devices tell that only the user can mend stands in sight, and not in the log alone;
-        not what once was so in a session that is replayed."""
-        setup = self.host.setup
-        if setup is None or setup.player is not None:
-            return
-        if event.kind == "error":
-            self.sources.tell_of_devices(event_text(event))
-        elif event.kind == "device" and event.code.startswith(RESETS):
-            self.messages.say(event_text(event), good=True)
-
-    def _log_said(self, text: str, good: bool) -> None:
-        """A sentence of the banner stands in the log, once."""
-        if not self.log.model.ends_with(text):
-            self.log.add(Event(time.monotonic(), "note" if good else "error", text))
-
-    def _keep_learned(self) -> None:
-        """What guided poses have taught stays beyond today only in somebody's profile."""
-        if not self.calibration.profiles.keep_learned():
-            text = self.tr("It is kept while this session runs.")
-            ask = (self.tr("Save it for the next time…"), self.calibration.wearer.ask_name)
-            self.messages.say(text, ask, good=True)
-
-    def _removed(self, text: str, undo: Callable[[], None]) -> None:
-        """Nobody was asked before: it can be undone instead."""
-        self.messages.say(text, (self.tr("Undo"), undo), good=True)
 
     # --- what the engine host tells
 
@@ -339,11 +292,6 @@ class MainWindow(QMainWindow):
         """By the user's command: the panel becomes part of the layout."""
         self.show_panel(name)
         self.layouts.keep_dock(name)
-
-    def reset_layout(self) -> None:
-        """The layout of the job as it comes with the program."""
-        if self.layouts.shown:
-            self.layouts.reset()
 
     def set_theme(self, name: str) -> None:
         app = QApplication.instance()

@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QVBoxLayout, QWidget
 
+from app.engines.engine_host import EngineHost
+from app.jobs.pose_reset import PoseReset
+from app.jobs.record_key import RecordKey
+from app.panels.calibration.panel import CalibrationPanel
+from app.panels.colours.panel import ColoursPanel
+from app.panels.log import LogPanel
 from app.widgets.banner import Action, Banner
 from app.widgets.measures import NEAR
+from app.words import event_text
+from tracker.messages import Event
 
 MOVES = (
     QEvent.Type.Resize,
@@ -19,6 +33,10 @@ READ_MS = 8_000
 """After which good news disappears; see `MessageBar.say`."""
 CHOOSE_MS = 20_000
 """The same where it has buttons."""
+SIDE = 200  # px
+SHADE, INK = QColor(0, 0, 0, 170), QColor("#FFFFFF")  # legible over images of any brightness
+RESETS = "pose_reset."  # codes of the notices about a pose reset
+COLOURS = "colours"  # what a hint is about
 
 
 class MessageBar(QWidget):
@@ -123,3 +141,168 @@ class MessageBar(QWidget):
         if widget.window() is not self._window:
             return QRect()
         return QRect(widget.mapTo(self._window, QPoint(0, 0)), widget.size())
+
+
+@dataclass(frozen=True)
+class Announced:
+    """What begins: ``title`` with a place for the seconds, ``words`` over the number; whether each
+    second is to beep."""
+
+    title: str
+    beeps: Callable[[], bool]
+    words: str = ""
+
+
+class Countdown(QWidget):
+    """Lies over the window's middle and takes no clicks; Esc cancels what is counted down to."""
+
+    def __init__(
+        self, key: RecordKey | PoseReset, announced: Announced, window: QMainWindow
+    ) -> None:
+        super().__init__(window)
+        self._key, self._announced, self._window = key, announced, window
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setFixedSize(SIDE, SIDE)
+        self._escape = QShortcut(QKeySequence(Qt.Key.Key_Escape), window)
+        self._escape.activated.connect(key.cancel)
+        self._escape.setEnabled(False)
+        key.counted.connect(self._show)
+        window.installEventFilter(self)
+        self.hide()
+
+    def _show(self, left: int) -> None:
+        self._escape.setEnabled(left > 0)
+        self.setVisible(left > 0)
+        if left:
+            self.setAccessibleName(self._announced.title.format(left))
+            self._place()
+            self.raise_()
+            self.update()
+            if self._announced.beeps():
+                QApplication.beep()
+
+    def _place(self) -> None:
+        self.move(self._window.rect().center() - self.rect().center())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setBrush(SHADE)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.drawEllipse(self.rect())
+        painter.setPen(INK)
+        number, words = self.font(), self.font()
+        number.setPixelSize(SIDE // 3 if self._announced.words else SIDE // 2)
+        number.setBold(True)
+        painter.setFont(number)
+        upper = QRect(0, 0, SIDE, 3 * SIDE // 4)
+        if self._announced.words:
+            upper = QRect(0, SIDE // 3, SIDE, SIDE // 3)
+        painter.drawText(upper, Qt.AlignmentFlag.AlignCenter, str(self._key.left))
+        words.setPixelSize(SIDE // 13)
+        painter.setFont(words)
+        lower = QRect(0, 2 * SIDE // 3, SIDE, SIDE // 5)
+        painter.drawText(lower, Qt.AlignmentFlag.AlignCenter, self.tr("Esc: not now"))
+        if self._announced.words:
+            top = QRect(SIDE // 5, SIDE // 12, 3 * SIDE // 5, SIDE // 4)
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(top, flags, self._announced.words)
+
+
+class ColoursHint(QObject):
+    """Asks the user to fit the colours while they find no hand; tries a fit at once."""
+
+    def __init__(
+        self, messages: MessageBar, panel: ColoursPanel, show: Callable[[str], object]
+    ) -> None:
+        super().__init__(messages)
+        self._messages, self._panel, self._show = messages, panel, show
+
+    def show_unfit(self, unfit: bool) -> None:
+        """``unfit``: the colours find many patches and no hand."""
+        if not unfit:
+            self._messages.no_longer(COLOURS)
+            return
+        self._panel.fitting.fit_by_itself()
+        text = self.tr("The colours find many patches, none fit the glove: fit the colours.")
+        fit = (self.tr("Fit them now"), self._fit)
+        look = (self.tr("Show the colours"), lambda: self._show(self._panel.name))
+        self._messages.say(text, fit, look, about=COLOURS)
+
+    def no_hand(self) -> None:
+        """Packets and images arrive, and no hand has been found in them since the start."""
+        self._panel.fitting.fit_by_itself()
+
+    def _fit(self) -> None:
+        self._show(self._panel.name)  # it gathers images while it is in sight
+        self._panel.fitting.fit_live()
+
+
+class DeviceSearch(Protocol):
+    """Finds devices, and offers the set-up with messages about them; see `sources.Sources`."""
+
+    @property
+    def looking_for_devices(self) -> bool: ...
+
+    def tell_of_devices(self, text: str) -> None: ...
+
+
+class MessageRouter(QObject):
+    """Shows in the message bar what jobs, devices and panels report; the log gets it too."""
+
+    def __init__(
+        self,
+        messages: MessageBar,
+        host: EngineHost,
+        devices: DeviceSearch,
+        log: LogPanel,
+        calibration: CalibrationPanel,
+    ) -> None:
+        super().__init__(messages)
+        self._messages, self._host, self._devices = messages, host, devices
+        self._log, self._calibration = log, calibration
+        messages.said.connect(self._add_to_log)
+        host.error.connect(self.say)
+        host.happened.connect(self._show_event)
+
+    def say(self, text: str) -> None:
+        """Show what went wrong."""
+        self._messages.say(text)
+
+    def show_failed_job(self, text: str) -> None:
+        """The set-up can help where devices were searched for."""
+        if self._devices.looking_for_devices:
+            self._devices.tell_of_devices(text)
+        else:
+            self._messages.say(text)
+
+    def _show_event(self, event: Event) -> None:
+        """Only what the user can fix now: not the events of a session that is replayed."""
+        setup = self._host.setup
+        if setup is None or setup.player is not None:
+            return
+        if event.kind == "error":
+            self._devices.tell_of_devices(event_text(event))
+        elif event.kind == "device" and event.code.startswith(RESETS):
+            self._messages.say(event_text(event), good=True)
+
+    def _add_to_log(self, text: str, good: bool) -> None:
+        """Once, where the log does not end with the same text already."""
+        if not self._log.model.ends_with(text):
+            self._log.add(Event(time.monotonic(), "note" if good else "error", text))
+
+    def offer_to_save_wearer(self) -> None:
+        """What guided poses have taught is lost at the end, unless it is saved in a profile."""
+        if not self._calibration.profiles.keep_learned():
+            text = self.tr("It is kept while this session runs.")
+            ask = (self.tr("Save it for the next time…"), self._calibration.wearer.ask_name)
+            self._messages.say(text, ask, good=True)
+
+    def show_removed(self, text: str, undo: Callable[[], None]) -> None:
+        """Nobody was asked for confirmation: it can be undone instead."""
+        self._messages.say(text, (self.tr("Undo"), undo), good=True)

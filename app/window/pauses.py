@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QTimer
 
-from app.engines.engine_host import EngineHost
 from app.platform.process_tuning import freeze_permanent_objects
+
+if TYPE_CHECKING:
+    from app.engines.engine_host import EngineHost
 
 SETTLED_MS = 1500
 """After a start: the hand is found, and what a first look at it imports is there."""

@@ -14,9 +14,13 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.window import theme
+from app.wizards.camera import CameraSetup
+from app.wizards.firmware import FirmwareSetup
+from app.wizards.pose_reset import PoseResetSettings
 from app.words import error_text
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.calibration.stereo.board import BoardSpec
+from tracker.calibration.stereo.files import load_rig
 from tracker.calibration.still import StillPose
 from tracker.engine.kinds import learns_wearer
 from tracker.fusion.worn import take_gyro_bias
@@ -58,6 +62,7 @@ class SetUpDialogs(QObject):
     def _open_stereo(self, cameras: list[CameraName]) -> None:
         if self._raise("stereo"):
             return
+        # deferred: load every engine
         from app.wizards.stereo.image_choices import image_choices
         from app.wizards.stereo.wizard import StereoWizard
 
@@ -83,8 +88,6 @@ class SetUpDialogs(QObject):
 
     def set_calibration(self, path: Path) -> bool:
         """Remember the camera's calibration file; it is checked before it is taken."""
-        from tracker.calibration.stereo.files import load_rig
-
         try:
             load_rig(path)
         except GlovetrackError as error:
@@ -100,7 +103,7 @@ class SetUpDialogs(QObject):
         """Port, files, biases at rest, wiggle test."""
         if self._raise("glove"):
             return
-        from app.wizards.glove.wizard import GloveSetup
+        from app.wizards.glove.wizard import GloveSetup  # deferred: a tenth of a second
 
         dialog = GloveSetup(self._host, self._store, self._tasks, self._window)
         dialog.chosen.connect(self._restart_devices)
@@ -110,8 +113,6 @@ class SetUpDialogs(QObject):
     def open_firmware(self) -> None:
         """Versions, and writing the glove's firmware."""
         if not self._raise("firmware"):
-            from app.wizards.firmware import FirmwareSetup
-
             self.show_dialog("firmware", FirmwareSetup(self._host, self._tasks, self._window))
 
     def take_bias(self, pose: StillPose) -> None:
@@ -126,8 +127,6 @@ class SetUpDialogs(QObject):
         """Which camera, and what of its image is locked."""
         if self._raise("camera"):
             return
-        from app.wizards.camera import CameraSetup
-
         dialog = CameraSetup(self._host, self._store, self._tasks, self._window)
         dialog.chosen.connect(self._restart_devices)
         self.show_dialog("camera", dialog)
@@ -153,7 +152,7 @@ class SetUpDialogs(QObject):
                 self.tr("Only the engine chain learns from poses: choose it in the Tracking menu.")
             )
             return
-        from app.wizards.guided.dialog import GuidedDialog
+        from app.wizards.guided.dialog import GuidedDialog  # deferred: loads SciPy
 
         scene = theme.colours(self._store.value.theme).scene
         dialog = GuidedDialog(self._host, setup, setup.live, self._store, scene, self._window)
@@ -164,8 +163,6 @@ class SetUpDialogs(QObject):
         """Key, countdown, sound and double tap; ``user_of`` names the command that has a key."""
         if self._raise("pose_reset"):
             return
-        from app.wizards.pose_reset import PoseResetSettings
-
         dialog = PoseResetSettings(self._store, user_of, self._window)
         dialog.saved.connect(self.pose_reset_changed)
         self.show_dialog("pose_reset", dialog)

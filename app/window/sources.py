@@ -12,7 +12,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QObject, Qt, Signal
+from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from app.engines.demo_camera import DemoChoice
@@ -36,7 +37,7 @@ def demo_factory(
     started = [camera] if camera is not None else []
 
     def build(progress: JobProgress) -> EngineSetup:
-        from app.engines.demo import demo_setup
+        from app.engines.demo import demo_setup  # deferred: loads the simulator
 
         return demo_setup(progress, seed, wanted, started.pop() if started else None)
 
@@ -47,7 +48,7 @@ def hardware_factory(settings: AppSettings) -> SetupFactory:
     """The glove on a serial port and the stereo camera."""
 
     def build(progress: JobProgress) -> EngineSetup:
-        from app.engines.hardware import hardware_setup
+        from app.engines.hardware import hardware_setup  # deferred: loads every engine
 
         return hardware_setup(progress, settings)
 
@@ -58,7 +59,7 @@ def replay_factory(path: Path) -> SetupFactory:
     """A recorded session."""
 
     def build(progress: JobProgress) -> EngineSetup:
-        from app.engines.replay.engine import open_replay
+        from app.engines.replay.engine import open_replay  # deferred: loads codecs
 
         return open_replay(path, progress)
 
@@ -216,3 +217,32 @@ class Sources(QObject):
     def shut_down(self) -> None:
         """Nothing is looked for any more."""
         self.plugged.shut_down()
+
+
+class Drops(QObject):
+    """Watches ``window`` and hands the path of a dropped session to ``take``."""
+
+    def __init__(self, window: QWidget, take: Callable[[str], None]) -> None:
+        super().__init__(window)
+        self._take = take
+        window.setAcceptDrops(True)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QDropEvent):  # a drag that enters is one too
+            return super().eventFilter(watched, event)
+        path = session_in(event.mimeData())
+        if path is None:
+            event.ignore()
+            return True
+        event.acceptProposedAction()
+        if event.type() == QEvent.Type.Drop:
+            self._take(str(path))
+        return True
+
+
+def session_in(data: QMimeData) -> Path | None:
+    """The one session among what is dragged; None where there is none, or several."""
+    paths = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
+    sessions = [path for path in paths if path.suffix.lower() == ".mcap"]
+    return sessions[0] if len(sessions) == 1 else None

@@ -6,15 +6,21 @@ import os
 import signal
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.engines.demo_camera import DemoChoice, start_camera
+from app.platform.compiling import compile_before_start
+from app.platform.crash import CrashWatch, log_folder, log_to_file
 from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
+from app.platform.single_instance import Instance, hand_over
+from app.platform.translation import install
+from app.storage.settings import SettingsStore
+from app.window.pauses import keep_pauses_short
+from app.window.report_files import check_report
 from app.window.window_options import WindowOptions
 from resources import folder
 from tracker import __version__
@@ -24,11 +30,6 @@ from tracker.base.toml_reader import read_text
 from tracker.streaming.connection import ConnectionSettings
 from tracker.streaming.registry import StreamSettings, with_streams
 from tracker.streaming.remote.registry import with_doors
-
-if TYPE_CHECKING:
-    from app.platform.crash import CrashWatch
-    from app.platform.single_instance import Instance
-    from app.storage.settings import SettingsStore
 
 NO_SCREEN = (
     "The window cannot open because no display is available: neither DISPLAY nor WAYLAND_DISPLAY "
@@ -90,12 +91,10 @@ def _streams(options: WindowOptions) -> StreamSettings:
 
 
 def _report(options: WindowOptions, seconds: float) -> int:
-    from app.window.report_files import check_report
-
     check_report(options.out, options.force)
     # a camera to be simulated starts before the window is even imported
     camera = None if options.devices else start_camera(choice=_demo(options))
-    from app.storage.settings import SettingsStore
+    # deferred: load the window
     from app.window.headless_report import Connected, Watched, headless_report
     from app.window.sources import demo_factory, hardware_factory
 
@@ -110,12 +109,6 @@ def _report(options: WindowOptions, seconds: float) -> int:
 
 
 def _run(app: QApplication, options: WindowOptions) -> int:
-    from app.platform.compiling import compile_before_start
-    from app.platform.crash import CrashWatch, log_folder, log_to_file
-    from app.platform.single_instance import Instance, hand_over
-    from app.platform.translation import install
-    from app.storage.settings import SettingsStore
-
     if not options.demo and hand_over(options.session):
         return 0  # the window that is open has it now
     store = SettingsStore()
@@ -138,8 +131,7 @@ def _show(
     instance: Instance,
 ) -> int:
     camera = start_camera(choice=_demo(options)) if options.demo else None
-    from app.window.main_window import MainWindow
-    from app.window.pauses import keep_pauses_short
+    from app.window.main_window import MainWindow  # deferred: after the camera has started
 
     window = MainWindow(store, crashes)
     instance.asked.connect(window.sources.take_over)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import time
 from collections.abc import Callable, Sequence
 
@@ -13,15 +14,114 @@ from app.panels.panel import Panel
 from app.platform.courtesy import PAINTING
 from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, WARN
-from app.window.pace import Pace
-from app.window.refresher import Refresher
 from app.window.status_bar import StatusBar
+from app.words import tr
 from tracker.messages import Tracking
 
+SPARE = 4.0
+"""A panel rests this many times as long as its last refresh took: on a busy machine the image
+slows down, not the tracking."""
+SPARING = 4.0  # times its period that a panel waits which is spared
+REST_S = 5.0  # after a failure
+_log = logging.getLogger(__name__)
+HURRIED = 0.6
+"""Share of a processor that the window takes, painting included, where a motor or a robot waits
+for the hand. What tracks it shares Python's lock: a window that paints all the time holds up every
+packet. Where only people look it may take all there is."""
+LEAST, LESS, MORE = 0.3, 0.8, 0.01
+"""While images are left out the share shrinks by `LESS` at each look, down to `LEAST`; else it
+grows by `MORE`: back within twenty seconds, so that it does not swing."""
+SLOWEST = 1 / 20  # s between two drawings that hold it to no share: it must not look stuck
 TICK_MS = 16
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
 NO_HAND_AFTER = 3.0  # s
+
+
+class Refresher:
+    """Refreshes panels in sight or at work, each at its own pace.
+
+    ``failed`` gets a sentence, once a panel.
+    """
+
+    def __init__(
+        self,
+        panels: Sequence[Panel],
+        tick: float,
+        failed: Callable[[str], None],
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._panels, self._tick, self._failed, self._clock = panels, tick, failed, clock
+        self._due: dict[str, float] = {}
+        self._told: set[str] = set()
+
+    def clear(self) -> None:
+        """Let every panel show that there is no engine."""
+        for panel in self._panels:
+            self._refresh(panel, None)
+
+    def refresh(self, view: Snapshot) -> None:
+        """Those that are due. ``tick`` is the s between two calls."""
+        now = self._clock()
+        for panel in self._panels:
+            unseen = panel.visibleRegion().isEmpty() and not panel.works_unseen
+            if now < self._due.get(panel.name, 0.0) or unseen:
+                continue
+            began = self._clock()
+            fine = self._refresh(panel, view)
+            rest = self._period(panel, view) - self._tick / 2 if fine else REST_S
+            self._due[panel.name] = now + max(rest, SPARE * (self._clock() - began))
+
+    def _period(self, panel: Panel, view: Snapshot) -> float:
+        """s; longer where the engine says that the computer is too slow for all panels."""
+        spared = panel.spared_at is not None and view.shed >= panel.spared_at
+        return panel.period * (SPARING if spared else 1.0)
+
+    def _refresh(self, panel: Panel, view: Snapshot | None) -> bool:
+        """Whether that went well."""
+        PAINTING.give_way()
+        try:
+            panel.refresh(view)
+        except Exception as error:  # noqa: BLE001  one panel's fault must not stop the others
+            self._tell(panel, error)
+            return False
+        return True
+
+    def _tell(self, panel: Panel, error: Exception) -> None:
+        if panel.name not in self._told:
+            self._told.add(panel.name)
+            _log.exception("The panel %s failed.", panel.name)
+            self._failed(
+                tr("The panel {} failed and rests ({}: {}); the rest goes on.").format(
+                    panel.windowTitle().replace("&&", "&"), type(error).__name__, error
+                )
+            )
+
+
+class Pace:
+    """Whether it is time to draw again; times in s, ``spent`` is the processor time of the thread
+    that draws."""
+
+    def __init__(self) -> None:
+        self.share = 1.0
+        self._last = (0.0, 0.0)  # when it was drawn last, and what was spent by then
+
+    def look(self, strained: bool) -> None:
+        """Told a few times a second whether images are left out, or anything else."""
+        if strained:
+            self.share = max(LEAST, LESS * self.share)
+        else:
+            self.share = min(1.0, self.share + MORE)
+
+    def is_due(self, now: float, spent: float, hurried: bool) -> bool:
+        """Whether to draw ``now``; then what follows is counted from here. ``hurried``: something
+        follows the hand that cannot wait."""
+        since, used = now - self._last[0], spent - self._last[1]
+        held = self.share < 1.0 and used > self.share * since and since < SLOWEST
+        if held or (hurried and used > HURRIED * since):
+            return False
+        self._last = now, spent
+        return True
 
 
 class Ticker(QObject):

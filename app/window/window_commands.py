@@ -26,6 +26,7 @@ from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
 from app.window.contributions import AddedCommand
 from app.window.dialogs import Dialogs
+from app.window.layout_keeper import LayoutKeeper
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
 from app.window.status_bar import StatusBar
@@ -44,8 +45,6 @@ class Window(Protocol):
     def close(self) -> bool: ...
 
     def show_panel(self, name: str) -> None: ...
-
-    def reset_layout(self) -> None: ...
 
     def set_theme(self, name: str) -> None: ...
 
@@ -67,6 +66,7 @@ class Targets:
     record_key: RecordKey
     pose_reset: PoseReset
     set_up: SetUpDialogs
+    layouts: LayoutKeeper
     reports: BugReports
     bar: StatusBar
     library: LibraryPanel
@@ -144,7 +144,9 @@ def _tracking(on: Targets) -> list[Command]:
         Command("start", menu, w.tr("&Start tracking"), on.host.start, "F5"),
         Command("stop", menu, w.tr("S&top tracking"), on.host.stop, "Shift+F5"),
         Command("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
-        Command("pause", menu, w.tr("&Pause the recording"), on.host.toggle_pause, "Ctrl+P"),
+        Command(
+            "pause", menu, w.tr("&Pause the recording"), on.host.recording.toggle_pause, "Ctrl+P"
+        ),
         Command("note", menu, w.tr("Add a &note…"), on.takes.ask_note, "N"),
         Command(
             "pose_reset",
@@ -234,7 +236,7 @@ def _view(on: Targets) -> list[Command]:
     return [
         Command("palette", menu, w.tr("&Command palette…"), on.dialogs.palette, "Ctrl+K"),
         Command("latencies", menu, w.tr("Latency of &each stage"), on.bar.show_latencies),
-        Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
+        Command("reset_layout", menu, w.tr("&Reset the layout"), on.layouts.reset, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), on.dialogs.full_screen, "F11"),
         *_hands(on, menu),
         *_choices(on, menu, ("view", "view_3d"), views, on.hand.chooser.choose),
@@ -317,12 +319,12 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("start", tracks and not host.running),
         ("stop", tracks and host.running),
         ("close", opened),
-        ("record", host.running and host.records),
+        ("record", host.running and host.recording.is_possible),
         ("pause", recording),
         ("pose_reset", on.pose_reset.available),
         ("guided", host.running and guided),
         ("save_wearer", on.calibration.profiles.link.available),
-        ("note", host.records),  # a replay's file is not written to again
+        ("note", host.recording.is_possible),  # a replay's file is not written to again
         ("live", on.sources.can_go_live),
     ):
         commands.enable(key, able)

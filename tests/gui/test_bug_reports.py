@@ -17,7 +17,7 @@ from app.platform.bug_report import Choice, Material, contents, cut_tail, write_
 from app.platform.crash import CrashWatch
 from app.platform.licences import parts
 from app.storage.settings import AppSettings
-from app.window.about import AboutDialog
+from app.window.dialogs import AboutDialog
 from app.window.main_window import MainWindow
 from tracker import __version__
 from tracker.base.notices import failure

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 
 from app.jobs import record_key
 from app.storage.settings import SettingsStore
-from app.window.countdown import Countdown
+from app.window.message_bar import Countdown
 from tests.gui.gui_fakes import scripted_setup
 
 TICK_MS = 150

@@ -198,7 +198,7 @@ def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, tw
     for side in ("left", "right"):
         goes_on(window, qtbot, side)
     path = tmp_path / "both.mcap"
-    assert window.host.record(RecordingRequest(path, "", ""))
+    assert window.host.recording.begin(RecordingRequest(path, "", ""))
     for number, side, other in ((22, "left", "right"), (11, "right", "left")):
         two_gloves.discard(number)
         gloves[number].unplug()

@@ -139,7 +139,7 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     window = glove_alone
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
     path = tmp_path / "alone.mcap"
-    assert window.host.record(RecordingRequest(path, "", ""))
+    assert window.host.recording.begin(RecordingRequest(path, "", ""))
     qtbot.waitUntil(lambda: window.host.recording.written > 100, timeout=30_000)
     window.host.recording.end()
     window.sources.open_session(path)

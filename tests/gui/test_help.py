@@ -10,8 +10,7 @@ from app.platform import guide as guide_pages
 from app.platform.guide import matches, pages, place
 from app.viewmodels.status import tracking_look
 from app.widgets.chip import Chip
-from app.window.dialogs import Dialogs
-from app.window.help import GuideDialog, KeysDialog, key_of, plain
+from app.window.dialogs import Dialogs, GuideDialog, KeysDialog, key_of, plain
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, with_camera
 from tracker.messages import Status, Tracking
 

@@ -6,8 +6,8 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication
 
 from app.viewmodels.colour_picks import factory_colours
-from app.window.keys import is_single
-from app.window.screen import fit_to_screen
+from app.window.commands import is_single
+from app.window.docks import fit_to_screen
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 

@@ -5,6 +5,7 @@ from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QToolButton
 
 from app.window.contributions import panel_kinds
+from app.window.docks import DockShares
 from app.window.layouts import jobs_for, shares_of
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
@@ -31,7 +32,7 @@ def in_sight(window) -> set[str]:
 
 def size_to(window, size, qtbot) -> None:
     window.resize(*size)
-    qtbot.waitUntil(lambda: not window.layouts._rest.isActive(), timeout=30_000)
+    qtbot.waitUntil(lambda: not window.findChild(DockShares)._rest.isActive(), timeout=30_000)
     qtbot.wait(50)
 
 
@@ -81,11 +82,11 @@ def test_a_layout_kept_on_a_small_screen_is_the_same_on_a_large_one_and_back(wat
     watched.layouts.choose(job.name)
     size_to(watched, SMALL, qtbot)
     before = shares_of(watched, watched.docks)
-    watched.layouts.keep("mine")
+    watched.layouts.named.keep("mine")
     watched.layouts.choose("all" if job.name != "all" else "watch")
     for size in (LARGE, SMALL):
         size_to(watched, size, qtbot)
-        watched.layouts.put_on("mine")
+        watched.layouts.named.put_on("mine")
         qtbot.wait(50)
         after = shares_of(watched, watched.docks)
         assert after.keys() == before.keys()
@@ -125,7 +126,7 @@ def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
     watched.layouts.choose("record")
     watched.layouts.choose("watch")
     assert in_sight(watched) == {"cameras"}
-    watched.reset_layout()
+    watched.layouts.reset()
     assert in_sight(watched) == JOB_OF["watch"].shown
 
 
@@ -134,10 +135,10 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
 ):
     assert not watched.commands.actions["rename_layout"].isEnabled()
     watched.layouts.choose("look")
-    watched.layouts.keep("lab")
+    watched.layouts.named.keep("lab")
     assert watched.commands.actions["rename_layout"].isEnabled()
-    watched.layouts.rename("lab", "Lab A")
-    assert [a.text() for a in watched.layouts._named.actions()] == ["Lab A"]
+    watched.layouts.named.rename("lab", "Lab A")
+    assert [a.text() for a in watched.layouts.named._menu.actions()] == ["Lab A"]
     watched.layouts.choose("watch")
     watched.close()
     again = MainWindow(store)
@@ -146,14 +147,14 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     again.show()
     again.host.adopt(scripted_setup(ScriptedEngine()))
     assert in_sight(again) == JOB_OF["watch"].shown
-    again.layouts._named.actions()[0].trigger()
+    again.layouts.named._menu.actions()[0].trigger()
     assert in_sight(again) == JOB_OF["look"].shown
-    again.layouts.delete("Lab A")
-    assert not again.layouts._named.isEnabled() and store.value.layouts == {}
+    again.layouts.named.delete("Lab A")
+    assert not again.layouts.named._menu.isEnabled() and store.value.layouts == {}
     assert again.banner.text() == "The layout Lab A was deleted."
     again.banner.buttons[0].click()
-    assert [a.text() for a in again.layouts._named.actions()] == ["Lab A"]
-    again.layouts._named.actions()[0].trigger()
+    assert [a.text() for a in again.layouts.named._menu.actions()] == ["Lab A"]
+    again.layouts.named._menu.actions()[0].trigger()
     assert in_sight(again) == JOB_OF["look"].shown
     again.close()
 
@@ -233,7 +234,7 @@ def test_after_a_replay_opened_first_the_layout_has_its_usual_shares(window, sto
     window.host.adopt(scripted_setup(ScriptedEngine()))
     qtbot.wait(300)
     after = shares_of(window, window.docks)
-    window.reset_layout()
+    window.layouts.reset()
     qtbot.wait(300)
     usual = shares_of(window, window.docks)
     assert store.value.job == "set_up" and after.keys() == usual.keys()

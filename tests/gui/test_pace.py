@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.viewmodels.signal_curves import FIRST_CAPACITY, TimedRows
-from app.window.pace import HURRIED, LEAST, SLOWEST, Pace
+from app.window.ticker import HURRIED, LEAST, SLOWEST, Pace
 
 COST = 0.02  # s of processor time a drawing, at 60 calls a second
 

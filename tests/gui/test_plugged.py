@@ -107,7 +107,7 @@ def test_a_recording_that_begins_while_a_file_is_being_opened_goes_on(live, qtbo
 
     setup = live.host.setup
     live.host.open("Opening take.mcap", slow, keep=True)
-    assert live.host.record(RecordingRequest(tmp_path / "now.mcap", "", ""))
+    assert live.host.recording.begin(RecordingRequest(tmp_path / "now.mcap", "", ""))
     let.set()
     qtbot.waitUntil(lambda: "Opening take.mcap: not now" in live.banner.text(), timeout=10_000)
     assert live.host.recording.request is not None

@@ -11,8 +11,8 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QLineEdit
 
 from app.engines.demo_camera import DemoChoice
-from app.window.countdown import Countdown
-from app.window.help import KeysDialog
+from app.window.dialogs import KeysDialog
+from app.window.message_bar import Countdown
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup, with_live
 from tracker.glove import library
 from tracker.messages import Event, ImuSample

@@ -116,10 +116,9 @@ def test_after_a_pause_the_file_hears_what_the_engine_knows(recording, engine):
 def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tmp_path, qapp):
     now = [100.0]
     recording = Recording(clock=lambda: now[0])
+    recording.set_engine(scripted_setup(engine).live)
     assert recording.elapsed == 0.0
-    assert recording.begin(
-        scripted_setup(engine).live, RecordingRequest(tmp_path / "a.mcap", "", "")
-    )
+    assert recording.begin(RecordingRequest(tmp_path / "a.mcap", "", ""))
     now[0] += 7.5
     recording.pause(True)
     now[0] += 2.5
@@ -160,18 +159,19 @@ def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeyp
     recording, finished, said = Recording(), [], []
     recording.finished.connect(finished.append)
     recording.failed.connect(said.append)
-    setup, path = scripted_setup(engine), tmp_path / "a.mcap"
-    assert recording.begin(setup.live, RecordingRequest(path, "", ""))
+    path = tmp_path / "a.mcap"
+    recording.set_engine(scripted_setup(engine).live)
+    assert recording.begin(RecordingRequest(path, "", ""))
     behind = engine.recorder
     monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)
     recording.end()
     assert recording.request is None and recording.closing and finished == []
-    assert not recording.begin(setup.live, RecordingRequest(tmp_path / "b.mcap", "", ""))
+    assert not recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
     assert "a.mcap is still being written" in said[0]
     behind.close()
     recording.look()
     assert finished == [path] and not recording.closing
-    assert recording.begin(setup.live, RecordingRequest(tmp_path / "b.mcap", "", ""))
+    assert recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
 
 
 def test_what_was_typed_is_there_at_the_next_start(store, tmp_path):

@@ -12,7 +12,7 @@ from app.platform.courtesy import PAINTING
 from app.platform.tasks import TaskOwner
 from app.widgets.image_shapes import Cross
 from app.widgets.image_view import ImageView
-from app.window.refresher import SPARING, Refresher
+from app.window.ticker import SPARING, Refresher
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 from tracker.base.notices import failure
 from tracker.messages import Shed

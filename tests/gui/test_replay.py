@@ -7,15 +7,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.engines.hand_looks import HandLooks
 from app.engines.replay.engine import ReplayEngine, open_replay
-from app.engines.replay.hands import OfFile
-from app.engines.replay.holes import marked
-from app.engines.replay.moment import LATE, ReplayMoment
+from app.engines.replay.hands import LATE, OfFile, ReplayMoment
 from app.engines.replay.references import ReferenceTrack
 from app.engines.replay.sights import pairs
 from app.engines.replay.tell_markers import MarkerTeller
-from app.engines.snapshot import Snapshot
+from app.engines.replay.thread import marked
+from app.engines.snapshot import HandLooks, Snapshot
 from app.panels.library.transport import TransportBar
 from app.viewmodels.hand_scene import HandSceneModel
 from app.viewmodels.log import KINDS, EventLog, words_of

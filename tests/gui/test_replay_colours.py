@@ -4,8 +4,7 @@ import dataclasses
 
 import pytest
 
-from app.engines.replay.colours import ColoursOfFile
-from app.engines.replay.engine import open_replay
+from app.engines.replay.engine import ColoursOfFile, open_replay
 from tracker.glove import library
 from tracker.live.colours import KIND
 from tracker.messages import Event

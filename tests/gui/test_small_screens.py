@@ -6,8 +6,8 @@ from PySide6.QtWidgets import QApplication, QLabel, QTabBar, QToolButton, QVBoxL
 
 from app.panels.colours.panel import TWO_COLUMNS
 from app.widgets.scrolled import Scrolled
+from app.window.commands import ToolBar
 from app.window.main_window import SMALLEST
-from app.window.tool_bar import ToolBar
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
 
 SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
@@ -85,7 +85,7 @@ def test_a_replay_has_a_session_and_its_transport_in_sight_on_every_screen(
     window.resize(*size)
     QApplication.processEvents()
     window.run_command(f"job_{job}")
-    window.reset_layout()
+    window.layouts.reset()
     window.show_panel("library")
     library = window.library
     library.transport.show()
@@ -107,7 +107,7 @@ def test_record_is_in_sight_and_nothing_scrolls_sideways_on_every_screen(window,
     window.resize(*size)
     QApplication.processEvents()
     window.run_command(f"job_{job}")
-    window.reset_layout()
+    window.layouts.reset()
     window.show_panel("recording")
     area = window.docks["recording"].widget()
     button = window.recording.record_button

@@ -4,8 +4,7 @@ import time
 from types import SimpleNamespace
 
 from app.platform.courtesy import PAINTING
-from app.window.pace import HURRIED
-from app.window.ticker import Ticker
+from app.window.ticker import HURRIED, Ticker
 from tracker.live.right_of_way import RightOfWay
 
 WORK = 0.03  # s of processor time that a look at the engine takes here
@@ -43,7 +42,7 @@ def test_a_window_that_has_much_to_paint_leaves_the_processor_to_what_moves(wind
 def test_what_is_painted_gives_way_only_where_something_waits_for_the_hand(window, qtbot):
     way = RightOfWay()
     host = SimpleNamespace(
-        setup=SimpleNamespace(right_of_way=way),
+        setup=SimpleNamespace(live=SimpleNamespace(engine=SimpleNamespace(right_of_way=way))),
         snapshot=lambda: None,
         opened=window.host.opened,
         closed=window.host.closed,

@@ -229,7 +229,7 @@ def test_theme_and_layout_come_back(window, store, qtbot, no_leaks):
     again.host.adopt(scripted_setup(ScriptedEngine()))
     assert store.value.theme == "dark"
     assert not again.docks["sensors"].isVisible()
-    again.reset_layout()
+    again.layouts.reset()
     assert not again.docks["sensors"].isHidden()
     again.close()
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import logging
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from pathlib import Path
 
 from app.engines.engine import CameraPart, EngineSetup, seen_from_main
-from app.engines.replay.colours import ColoursOfFile
 from app.engines.replay.hands import HandsInFile, holds
 from app.engines.replay.sights import first_sight
 from app.engines.replay.thread import ReplayThread
@@ -16,6 +17,7 @@ from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
 from resources import folder
 from tracker.base.errors import FileError, GlovetrackError
+from tracker.live.colours import KIND
 from tracker.messages import Event
 from tracker.session.description import SessionInfo
 from tracker.session.notes import standing
@@ -26,6 +28,7 @@ MAX_EVENTS = 5000
 
 FROM_IMAGES = ("/image/compressed", "/blobs")
 """Endings of the topics that a camera has."""
+_log = logging.getLogger(__name__)
 
 
 class ReplayEngine:
@@ -144,3 +147,46 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
         for seen in info.hands
     ]
     return seen_from_main(setups)
+
+
+class ColoursOfFile:
+    """By positions in s from the file's start, from which on they were looked for."""
+
+    def __init__(self, first: ColourProfile, events: Sequence[tuple[float, Event]]) -> None:
+        """``first``: those that the session began with."""
+        told = sorted(
+            (
+                (t, str(e.data["colours"]))
+                for t, e in events
+                if e.kind == KIND and "colours" in e.data
+            ),
+            key=lambda of: of[0],
+        )
+        self._first, self._tried = first, first
+        self._starts = [t for t, _ in told]
+        self._texts = [text for _, text in told]
+        self._read: dict[int, ColourProfile] = {}  # only what was looked at: reading takes a while
+
+    def tried(self, profile: ColourProfile) -> None:
+        """These are shown everywhere from now on; those of the file end that."""
+        self._tried = profile
+
+    def at(self, position: float) -> ColourProfile:
+        """Those to be shown there."""
+        if self._tried is not self._first and self._tried not in self._read.values():
+            return self._tried
+        return self._of(bisect_right(self._starts, position) - 1)
+
+    def _of(self, index: int) -> ColourProfile:
+        """Of a change; what cannot be read, or is of another glove, changes nothing."""
+        if index < 0:
+            return self._first
+        if index not in self._read:
+            before = self._of(index - 1)
+            try:
+                new = parse_profile(self._texts[index])
+            except GlovetrackError as error:
+                _log.warning("Colours in the session were not taken: %s", error)
+                new = before
+            self._read[index] = new if new.hue_names == before.hue_names else before
+        return self._read[index]

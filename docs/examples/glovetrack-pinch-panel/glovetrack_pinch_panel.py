@@ -46,7 +46,7 @@ def add_mark(on: CommandContext) -> None:
 
 
 def is_recording(on: CommandContext) -> bool:
-    return on.host.running and on.host.records
+    return on.host.running and on.host.recording.is_possible
 
 
 PINCH = PanelKind("pinch", "Pinch", PinchPanel, {"all": Spot("right", 1)}, over="hand")

@@ -13,7 +13,7 @@ from extensions.applications.interface import Happening, Step
 from extensions.applications.live import ReplayedApplication
 from extensions.applications.stage import ApplicationStage
 from extensions.applications.window.drawing import DrawingForms, bounds
-from extensions.applications.window.words import Progress, instruction, results
+from extensions.applications.window.view_model import Progress, instruction, results
 from tests.base.test_registry import install
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup
 from tracker.geometry import so3
@@ -137,10 +137,10 @@ def test_the_hand_is_drawn_after_the_colours_have_changed(staged, window, qtbot)
 
     def drawn() -> bool:
         show(panel, stage, engine)
-        return panel._skin is not None and panel.view.caption == ""
+        return panel.view.skin is not None and panel.view.caption == ""
 
     qtbot.waitUntil(drawn, timeout=60_000)
-    assert panel._bodies[0]._skin is panel._skin
+    assert panel.view._bodies[0]._skin is panel.view.skin
 
 
 def progress(**counts) -> Progress:

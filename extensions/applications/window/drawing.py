@@ -5,14 +5,28 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
 
-from app.widgets.view3d.scene import BodyLook, BodyScene, DrawnBody, DrawnSurface
+from app.engines.engine import EngineSetup
+from app.engines.snapshot import Snapshot
+from app.panels.hand.bodies import HandBodies
+from app.platform.tasks import LatestJob
+from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts, followed
+from app.viewmodels.hand_skin import HandSkin
+from app.viewmodels.made_skins import MADE
+from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
+from app.widgets.view3d.scene import BodyLook, BodyScene, DrawnBody, DrawnSurface, Label, contrast
 from app.widgets.view3d.shapes import Surface, polyline
+from app.widgets.view3d.view_3d import View3D
 from extensions.applications.drawing import Drawing, Line, Mesh, Points, Text
 from tracker.messages import Array, IntArray
 
 LOOK = 7  # numbers of a point's look, as `app.widgets.view3d.shapes.DRESS`
 AMBIENT = 0.25
+FIRST_LOOK = np.array([-0.75, 0.25, 0.6])
+PARTS = ShownParts(markers=False, uncertainty=False, camera=False, reference=False)
+ROOM = 1.25  # times the size of what is drawn that the view shows
 FIRST_PART = 3000  # parts of their own, far from those of the hand
 MOST = 400
 """Bodies that a scene holds, shown or not, before it is made again."""
@@ -181,3 +195,131 @@ class ApplicationBodies:
         body.reshape(form.points)
         body.wear(look)
         body.show(True)
+
+
+class ApplicationView(View3D):
+    """The hand and what an application draws of it."""
+
+    failed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._ink = contrast("#000000")
+        self._setup: EngineSetup | None = None
+        self._model: HandSceneModel | None = None
+        self._bodies: tuple[HandBodies, ApplicationBodies] | None = None
+        self._forms = DrawingForms()
+        self.skin: HandSkin | None = None
+        self._skin_requested = self._to_fit = False
+        self._skins = LatestJob(self.tr("Generating the hand mesh"), self)
+        self._skins.failed.connect(self.failed)
+        self.scene_changed.connect(self._make_bodies)
+
+    def set_background(self, colour: str) -> None:
+        self._ink = contrast(colour)
+        super().set_background(colour)
+
+    def open(self, setup: EngineSetup) -> None:
+        """Show the hand of this setup."""
+        self._setup, self._model = setup, HandSceneModel(setup)
+        self.orbit.look_from(FIRST_LOOK)
+        self.fit_next()
+        self._make_bodies()
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self._setup = self._model = self._bodies = self.skin = None
+        self._skin_requested = False
+        self._skins.forget()
+        self.set_labels(())
+        if self.scene is not None:
+            self.scene.clear()
+
+    def fit_next(self) -> None:
+        """Move the eye with the next drawing until all of it is in view."""
+        self._to_fit = True
+
+    def draw(self, view: Snapshot | None, drawing: Drawing, runs: bool) -> None:
+        """Draw the hand and the application's ``drawing``; ``runs``: there is an application."""
+        if self._setup is None or self._model is None or view is None or self._bodies is None:
+            self.caption = self.tr("No hand yet")
+            self.render_scene()
+            return
+        if not self._skin_requested:
+            self._make_skin(self._setup)  # the view's setup is another one once colours change
+        if self._bodies[1].worn_out:
+            self._make_bodies()
+        scene = self._model.scene(view)
+        self.caption = self._caption_of(scene)
+        self._look(scene, drawing, runs)
+        self._update(scene, drawing)
+        self.render_scene()
+
+    def _caption_of(self, scene: HandScene | None) -> str:
+        if scene is None:
+            return self.tr("No hand yet")
+        making = "" if self.skin is not None else self.tr("Generating the hand mesh…")
+        return " · ".join(filter(None, (scene.caption, making)))
+
+    def _look(self, scene: HandScene | None, drawing: Drawing, runs: bool) -> None:
+        if self._to_fit and (drawing or scene is not None):
+            box = bounds(drawing)
+            self._to_fit = box is None and runs
+            look_at(self.orbit, box, scene)
+        elif scene is not None and not runs:  # an application's drawing stays where it is
+            self.orbit.target = followed(self.orbit.target, [scene], True)
+
+    def _update(self, scene: HandScene | None, drawing: Drawing) -> None:
+        assert self._bodies is not None
+        hand, own = self._bodies
+        labels: list[Label] = []
+        if scene is not None:
+            labels += hand.update_ground(scene)
+            hand.update(scene, PARTS, self.orbit)
+        own.update(self._forms.surfaces(drawing), self._forms.lines(drawing))
+        labels += [Label(f.text, f.p, f.colour) for f in self._forms.labels(drawing, self._ink)]
+        self.set_labels(labels)
+
+    def _make_skin(self, setup: EngineSetup) -> None:
+        """Once the view is visible; it takes about a second, on another thread."""
+        self._skin_requested = True
+        hand, glove = setup.hand, setup.glove
+        if MADE.has(hand, glove):  # as where the hand's own panel has it
+            self.skin = HandSkin(hand, glove)
+            self._make_bodies()
+            return
+
+        def made(skin: HandSkin) -> None:
+            if self._setup is setup:
+                self.skin = skin
+                self._make_bodies()
+
+        self._skins.run(lambda _progress: HandSkin(hand, glove), made)
+
+    def _make_bodies(self) -> None:
+        """Fill the scene of the present renderer."""
+        self._bodies = None
+        scene = self.scene
+        if self._setup is None or scene is None:
+            return
+        scene.clear()
+        hand = HandBodies(scene, self._setup, {})
+        self._bodies = hand, ApplicationBodies(scene)
+        if self.skin is not None:
+            hand.put_on(self.skin)
+
+    def shut_down(self) -> None:
+        self._bodies = None
+        self._skins.shut_down()
+        super().shut_down()
+
+
+def look_at(orbit: Orbit, box: tuple[Array, Array] | None, scene: HandScene | None) -> None:
+    """Move the eye until the drawing in its ``box``, if any, and the hand are in sight."""
+    corners = [*box] if box is not None else []
+    if scene is not None:
+        corners += [scene.segment_p.min(axis=0), scene.segment_p.max(axis=0)]
+    low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+    orbit.target = (low + high) / 2
+    half = max(0.5 * float(np.linalg.norm(high - low)), 0.08)
+    orbit.distance = ROOM * half / float(np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)))

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from app.engines.engine import EngineSetup
+from app.viewmodels.names import spoken
 from app.words import error_text, local, tr
 from extensions.applications.drawing import Drawing
 from extensions.applications.live import stage_of
 from extensions.applications.registry import titles
 from extensions.applications.runner import BEGINS, ENDS, KIND
 from extensions.applications.stage import ApplicationStage
-from extensions.applications.window.words import Progress, instruction, is_known, results
 from tracker.base.errors import GlovetrackError
 from tracker.streaming.publisher import StreamError
 
@@ -104,7 +106,7 @@ class ApplicationsModel:
         if not on:
             return ""
         try:
-            from extensions.applications.page import PageServer
+            from extensions.applications.page import PageServer  # deferred: needs an extra
 
             page = PageServer(PAGE_PORT)
         except ImportError:
@@ -163,3 +165,158 @@ def written(value: Any) -> str:
     if isinstance(value, Sequence) and not isinstance(value, str):
         return ", ".join(f"{local(float(v)):g}" for v in value)
     return str(value)
+
+
+class Progress(NamedTuple):
+    """How often each event has happened, and the data of the last one of each kind."""
+
+    counts: Mapping[str, int]
+    last: Mapping[str, Mapping[str, Any]]
+
+    def count(self, what: str) -> int:
+        return self.counts.get(what, 0)
+
+    def goes_on(self, begins: str, ends: str) -> bool:
+        return self.count(begins) > self.count(ends)
+
+
+def is_known(name: str) -> bool:
+    """Whether `instruction` and `results` have texts for this application."""
+    return name in _STEPS
+
+
+def instruction(name: str, made: Progress, located: bool) -> str:
+    """What to do now; empty for an application of others."""
+    if not is_known(name):
+        return ""
+    if not located:
+        return tr("Hold the hand where the cameras see it.")
+    return _STEPS[name](made)
+
+
+def results(name: str, made: Progress) -> str:
+    """What has come of it, with units; empty for an application of others, or before there is
+    anything."""
+    return " · ".join(_RESULTS[name](made)) if name in _RESULTS else ""
+
+
+def _touch_step(made: Progress) -> str:
+    if made.goes_on("touch", "release"):
+        return tr("Press deeper to feel it more, or slide along the surface.")
+    if made.count("touch"):
+        return tr("Touch the object from another side, or with another finger.")
+    return tr("Reach forward and touch the object with a fingertip.")
+
+
+def _arm_step(made: Progress) -> str:
+    if made.goes_on("stop", "go_on"):
+        return tr("The arm is stopped. Show a thumb up to go on.")
+    if made.goes_on("grab", "release"):
+        return tr("Move the closed hand to carry the block. Pinch again to open the gripper.")
+    if made.goes_on("clutch", "unclutch"):
+        return tr("Move the hand: the arm follows. Pinch at the block to close the gripper.")
+    return tr("Close the hand, by a grasp or a pinch, to move the arm. An open palm stops it.")
+
+
+def _place_step(made: Progress) -> str:
+    if not made.goes_on("choose", "back"):
+        return tr("Point at a building with the index finger and hold still to open it.")
+    return tr(
+        "Grasp the building to move and turn it. Pinch with the middle finger and raise the hand "
+        "to enlarge it, with the index finger and slide to fade the old plan. Hold the palm open "
+        "to go back to the map."
+    )
+
+
+def _swarm_step(made: Progress) -> str:
+    if not made.count("nudge"):
+        return tr("Point with the index finger and push into the swarm.")
+    if not made.count("dragged"):
+        return tr("Pinch inside the swarm and move the hand to drag it.")
+    if not made.count("stretched"):
+        return tr("Grasp inside the swarm and pull to stretch it.")
+    if made.goes_on("split", "merge"):
+        return tr("Make a fist to join the groups.")
+    if not made.count("split"):
+        return tr("Cut through the swarm with the open palm to split it.")
+    if not made.count("wall"):
+        return tr("Sweep the open palm beside the swarm to leave a wall.")
+    return tr("Show a thumb up to remove the walls.")
+
+
+def _touch_results(made: Progress) -> list[str]:
+    out = []
+    if made.count("touch"):
+        last = made.last["touch"]
+        finger, depth = spoken(str(last["tip"])), float(last["depth_mm"])
+        out.append(tr("Touches: {}").format(made.count("touch")))
+        out.append(tr("last: {}, {:.1f} mm deep").format(finger, local(depth)))
+        now = made.count("touch") - made.count("release")
+        out.append(tr("fingertips that touch now: {}").format(max(now, 0)))
+    return out
+
+
+def _arm_results(made: Progress) -> list[str]:
+    out = []
+    if made.count("clutch"):
+        out.append(tr("Moves: {}").format(made.count("clutch")))
+        closed = made.goes_on("grab", "release")
+        out.append(tr("gripper closed") if closed else tr("gripper open"))
+    if made.count("lifted"):
+        out.append(tr("block lifted: {} ×").format(made.count("lifted")))
+    if made.count("put_down"):
+        x, y, _ = made.last["put_down"]["at"]
+        words = tr("put down {:.0f} mm ahead and {:.0f} mm to the left of the arm's foot")
+        out.append(words.format(1e3 * x, 1e3 * y))
+    if made.count("confirm"):
+        out.append(tr("marked positions: {}").format(made.count("confirm")))
+    return out
+
+
+def _place_results(made: Progress) -> list[str]:
+    out = []
+    if made.goes_on("choose", "back"):
+        out.append(tr("Open: {}").format(made.last["choose"]["label"]))
+    if made.count("moved"):
+        last = made.last["moved"]
+        far = 100 * float(np.linalg.norm(last["by"]))
+        out.append(tr("moved by {:.0f} cm, turned by {:.0f}°").format(far, last["turned_deg"]))
+    if made.count("scaled"):
+        out.append(tr("size {:.1f} ×").format(local(float(made.last["scaled"]["size"]))))
+    if made.count("faded"):
+        out.append(tr("old plan {:.0f} % visible").format(100 * made.last["faded"]["source"]))
+    return out
+
+
+def _swarm_results(made: Progress) -> list[str]:
+    out = []
+    if made.count("placed"):
+        out.append(tr("Drones: {}").format(int(made.last["placed"]["drones"])))
+    for what, words in (("nudge", tr("nudges: {}")), ("split", tr("splits: {}"))):
+        if made.count(what):
+            out.append(words.format(made.count(what)))
+    if made.count("dragged"):
+        far = 100 * float(np.linalg.norm(made.last["dragged"]["by"]))
+        out.append(tr("dragged by {:.0f} cm").format(far))
+    if made.count("stretched"):
+        out.append(
+            tr("stretched to {:.1f} ×").format(local(float(made.last["stretched"]["factor"])))
+        )
+    if made.count("wall"):
+        area = float(made.last["wall"]["area_cm2"])
+        out.append(tr("walls: {}, the last of {:.0f} cm²").format(made.count("wall"), area))
+    return out
+
+
+_STEPS: Mapping[str, Callable[[Progress], str]] = {
+    "touch": _touch_step,
+    "arm": _arm_step,
+    "place": _place_step,
+    "swarm": _swarm_step,
+}
+_RESULTS: Mapping[str, Callable[[Progress], list[str]]] = {
+    "touch": _touch_results,
+    "arm": _arm_results,
+    "place": _place_results,
+    "swarm": _swarm_results,
+}

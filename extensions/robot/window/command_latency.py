@@ -102,7 +102,7 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
         _begin(window, [args.only] if args.only else PARTS, not args.hidden)
         wait_until(lambda: False, SETTLE_S)
         path.unlink(missing_ok=True)
-        window.host.record(RecordingRequest(path, "", ""))
+        window.host.recording.begin(RecordingRequest(path, "", ""))
         ticks = window.ticker.ticks
         wait_until(lambda: False, args.seconds)
         drawn = (window.ticker.ticks - ticks) / args.seconds

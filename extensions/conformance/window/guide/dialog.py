@@ -67,7 +67,7 @@ class ConformanceDialog(LeadingDialog):
         except GlovetrackError as error:
             self._host.error.emit(error_text(error))
             return
-        if self._host.record(request):
+        if self._host.recording.begin(request):
             self._take = request.path
             self.run.start(monotonic())
             self.tick()
