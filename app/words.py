@@ -39,6 +39,9 @@ def mark(text: str) -> str:
     return text
 
 
+SIDES = {"left": mark("Left"), "right": mark("Right")}
+
+
 def local(value: float) -> LocalFloat:
     """``value``, to be formatted in the user's language: ``f"{local(0.5):.1f}"``, German 0,5."""
     return LocalFloat(value)
@@ -75,10 +78,6 @@ def event_text(event: Event) -> str:
 
 
 def _word(text: str) -> str:
-    """A template or a value of a notice in the user's language; values are often in lower case."""
-    found = tr(text)
-    if found is text and text.islower():
-        capital = text[0].upper() + text[1:]
-        translated = tr(capital)
-        found = text if translated is capital else translated.lower()
-    return found
+    """A template or a value of a notice in the user's language. A side is translated as by itself,
+    since the word before a noun may be inflected."""
+    return tr(SIDES[text]).lower() if text in SIDES else tr(text)

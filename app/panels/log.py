@@ -63,7 +63,7 @@ class LogPanel(Panel):
         host.error.connect(lambda text: self.add(Event(0.0, "error", text)))
 
     def add(self, event: Event) -> None:
-        _log.info("%s: %s", event.kind, event.text)
+        _log.info("%s %s: %s", event.kind, event.code or "-", event.text)
         if not words_of(event):
             return
         entry = self.model.add(event)

@@ -15,6 +15,7 @@ import pytest
 
 from tracker.base.errors import DeviceError, FileError, GlovetrackError, notice_of
 from tracker.base.notices import (
+    PLAIN,
     Language,
     Notice,
     Outbox,
@@ -96,7 +97,14 @@ def test_every_code_that_is_used_has_a_text_whose_values_are_supplied() -> None:
     assert wrong == []
 
 
-def test_values_that_come_as_a_mapping_are_told_by_their_template() -> None:
+def test_no_text_is_left_over_that_nothing_reports() -> None:
+    used = {code for _, code, _ in emitted()} | {PLAIN}
+    source = (ROOT / "tracker/firmware/flash.py").read_text("utf-8")  # by what avrdude prints
+    left = [code for code in all_templates() if code not in used and f'"{code}"' not in source]
+    assert left == []
+
+
+def test_a_template_without_all_its_values_is_not_rendered() -> None:
     sizes = {"width": 1, "height": 2, "calibrated_width": 3, "calibrated_height": 4}
     assert "1 by 2" in str(warning("camera.size_misfit", **sizes))
     assert try_render(warning("camera.size_misfit", width=1)) is None

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from tracker.base.command import Command
+from tracker.base.notices import warning
 from tracker.base.terminal import add_json, finish
 
 
@@ -76,7 +77,7 @@ def _write(args: argparse.Namespace) -> int:
     print(f"{args.port}: firmware {version} written and verified, glove {number}")
     after = greeting(args.port)
     if after is None:
-        print("The glove does not respond yet. Unplug it, then plug it in again.")
+        print(warning("firmware.no_response"))
     return 0
 
 

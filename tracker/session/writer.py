@@ -11,7 +11,7 @@ from types import TracebackType
 from tracker.base.clock import seconds
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.files import DiskError, free_bytes, whole_file
-from tracker.base.notices import notice
+from tracker.base.notices import notice, warning
 from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
@@ -121,12 +121,13 @@ class SessionRecorder:
 
     @property
     def status(self) -> RecorderStatus:
-        warning = ""
+        problem = ""
         if self._free < self.params.warn_free_gb * GB:
-            warning = f"Only {self._free / GB:.1f} GB are left on the disk of {self.path.parent}."
+            low = {"free_gb": self._free / GB, "folder": self.path.parent}
+            problem = str(warning("recording.disk_low", **low))
         size = self._out.size if self._out else _size_on_disk(self.path)
         return RecorderStatus(
-            self.path, size, self._messages, self._frames, self._thinned, self._free, warning
+            self.path, size, self._messages, self._frames, self._thinned, self._free, problem
         )
 
     @property
