@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from glovetrack.columns import Columns
     from glovetrack.hands import Hand, ImuSamples
     from glovetrack.live import Estimate, LiveTracker
-    from glovetrack.recording import Image, RecordedEvent, Recording, open, simulate
+    from glovetrack.recorded import Image, RecordedEvent
+    from glovetrack.recording import Recording, open, simulate
     from tracker.base.errors import ConfigError, DeviceError, FileError, GlovetrackError
     from tracker.offline.options import TrackOptions
     from tracker.offline.simulate import SimulateOptions
@@ -69,7 +70,8 @@ if not TYPE_CHECKING:
         "columns": ("Columns",),
         "hands": ("Hand", "ImuSamples"),
         "live": ("Estimate", "LiveTracker"),
-        "recording": ("Image", "RecordedEvent", "Recording", "open", "simulate"),
+        "recorded": ("Image", "RecordedEvent"),
+        "recording": ("Recording", "open", "simulate"),
         "options": ("ExportOptions", "SimulateOptions", "TrackOptions"),
     }
     _HOME = {name: module for module, names in _MODULES.items() for name in names}

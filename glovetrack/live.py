@@ -20,7 +20,7 @@ from glovetrack.devices import (
     simulated_devices,
     with_camera,
 )
-from glovetrack.recording import RecordedEvent
+from glovetrack.recorded import RecordedEvent
 from tracker.base.channels import Backlog, Closed
 from tracker.base.clock import ClockAnchor, monotonic
 from tracker.base.errors import ConfigError

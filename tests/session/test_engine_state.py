@@ -28,7 +28,7 @@ from tracker.engine.settings import Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraPose, Estimate, ImuSample
-from tracker.session.engine_parts import register_all
+from tracker.session.mcap_session import register_states
 from tracker.session.engine_state import MOST_BYTES, MOST_TEXT, VERSION, pack, unpack
 from tracker.session.state_check import mismatch
 from tracker.simulation.random_postures import RandomPostures
@@ -56,7 +56,7 @@ def feed(pipeline: Pipeline, messages: Iterable[ImuSample | BlobFrame]) -> list[
 @pytest.fixture(autouse=True)
 def _registered() -> None:
     """As a reader of sessions does before it reads a state."""
-    register_all()
+    register_states()
 
 
 @pytest.mark.parametrize("engine", ENGINES.names())

@@ -6,47 +6,38 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from types import TracebackType
 
-from tracker.base.clock import NS, ClockAnchor
+from tracker.base.clock import NS
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
-from tracker.base.toml_reader import MOST_BYTES
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.hand.names import SIDES
-from tracker.messages import EYES, EngineState, Estimate, Message, StereoFrame
-from tracker.session import description, edits, engine_state
+from tracker.messages import EYES, Estimate, Message, StereoFrame
+from tracker.session import description
 from tracker.session.decode import MESSAGE_KINDS, Decoded, MessageDecoder
 from tracker.session.decode_estimate import EstimateDecoder
 from tracker.session.decode_sensors import Timing, foreign_timing
 from tracker.session.description import SessionInfo
-from tracker.session.edits import Edit
-from tracker.session.engine_parts import register_all
 from tracker.session.images import PackedFrame
-from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
+from tracker.session.mcap.input import FOREVER, RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
-from tracker.session.mcap.records import LATEST
+from tracker.session.mcap_session import McapSession
 from tracker.session.rigs import first_rig, rig_changes
-from tracker.session.ros import motion, sensors, topics
+from tracker.session.ros import topics
 from tracker.vision.rig import StereoRig
 
-_LATEST_WALL = 2**31 * NS  # ns since 1970: the stamps of ROS 2 count seconds in 31 bits
-_MOST_ATTACHMENTS = 1000
-_BESIDE_TEXT = 1000  # bytes of an attachment's record beside its data
 _WATCH_EVERY = 200  # messages
-MEASURED = frozenset({sensors.IMU, sensors.IMAGE, sensors.DETECTIONS, motion.POSES, motion.JOINTS})
-"""Types of what sensors gave and what was made of it, each message with a stamp of its own."""
 
 
-class SessionReader:
-    """A session opened for reading. Raises FileError in words if it cannot be.
+class SessionReader(McapSession):
+    """The hands and the messages of a session file. Raises FileError if it is not a session.
 
     ``instead`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
-    the file lacks or that shall count instead of its own; ``origins``, by the same names, what an
-    error calls them. ``watch`` hears now and then which share
-    (0..1) of the file `messages` has come through, and may raise to end it. ``side`` is the hand
-    that is read of a session of both; the right one if not told.
+    the file lacks or that replace its own; ``origins``, by the same names, is where errors say that
+    those come from. ``watch`` is called every `_WATCH_EVERY` messages with the share (0..1) of the
+    file that `messages` has read, and may raise to stop it. ``side`` is the hand to read in a
+    session of both, the right one by default.
     """
 
     def __init__(
@@ -57,132 +48,8 @@ class SessionReader:
         side: str = "",
         origins: Mapping[str, str] | None = None,
     ) -> None:
-        self.path, self._asked = Path(path), side
-        self._replace, self._origins = dict(instead or {}), dict(origins or {})
-        self._watch = watch
-        self.source = McapInput(self.path)
-
-    def close(self) -> None:
-        self.source.close()
-
-    def __enter__(self) -> SessionReader:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
-
-    @cached_property
-    def topic_names(self) -> frozenset[str]:
-        return frozenset(c.topic for c in self.source.contents.channels.values())
-
-    @cached_property
-    def metadata(self) -> dict[str, str]:
-        """The record ``glovetrack``; empty in a foreign session."""
-        for record in self.source.metadata():
-            if record.name == description.METADATA:
-                return dict(record.metadata)
-        return {}
-
-    @cached_property
-    def attachments(self) -> dict[str, str]:
-        """Text attachments by file name; names with a path in them are left out, and large ones."""
-        out: dict[str, str] = {}
-        for place in self.source.contents.attachments[:_MOST_ATTACHMENTS]:
-            if place[1] > MOST_BYTES + _BESIDE_TEXT:
-                continue
-            a = self.source.attachment_at(place)
-            if "/" in a.name or "\\" in a.name or a.name == engine_state.NAME:
-                continue
-            try:
-                out[a.name] = a.data.decode()
-            except UnicodeDecodeError:
-                continue  # not one of ours: ours are TOML
-        return {**out, **self._replace}
-
-    @cached_property
-    def edits(self) -> tuple[Edit, ...]:
-        """What was changed in this session after it was recorded or tracked; see `edits`.
-
-        Raises FileError where the record of it cannot be read.
-        """
-        text = self.attachments.get(edits.NAME)
-        return () if text is None else edits.parse_edits(text, f"{self.path}, {edits.NAME}")
-
-    @property
-    def has_start_state(self) -> bool:
-        """Whether a live tracker recorded what it knew."""
-        return any(a.name == engine_state.NAME for a in self.source.attachments())
-
-    def engine_states(self) -> list[EngineState]:
-        """What the engine knew when the recording began, and after each change from outside.
-
-        Raises FileError where one is damaged or of another version.
-        """
-        register_all()
-        found = [
-            EngineState(self.anchor.monotonic(a.log_time), *engine_state.unpack(a.data))
-            for a in self.source.attachments()
-            if a.name == engine_state.NAME
-        ]
-        return sorted(found, key=lambda state: state.t)
-
-    def attachment(self, name: str) -> str:
-        """An attached text. Raises FileError if there is none of that name."""
-        if name not in self.attachments:
-            large = any(n > MOST_BYTES + _BESIDE_TEXT for _, n in self.source.contents.attachments)
-            if large:
-                raise FileError(
-                    notice(
-                        "session.part_too_large", path=self.path, part=name, limit_bytes=MOST_BYTES
-                    )
-                )
-            raise FileError(notice("session.part_missing", path=self.path, part=name))
-        return self.attachments[name]
-
-    @cached_property
-    def anchor(self) -> ClockAnchor:
-        """The session's clock; in a foreign session it starts at one second.
-
-        Raises FileError for an instant that no clock shows.
-        """
-        try:
-            anchor = ClockAnchor(
-                int(self.metadata["wall_clock_ns"]), int(self.metadata["monotonic_ns"])
-            )
-        except (KeyError, ValueError):
-            anchor = ClockAnchor(self.source.contents.spans.bounds()[0], NS)
-        if not (0 <= anchor.wall_ns < _LATEST_WALL and 0 <= anchor.monotonic_ns < LATEST):
-            raise FileError(notice("session.start_time", path=self.path))
-        return anchor
-
-    @cached_property
-    def span_ns(self) -> tuple[int, int]:
-        """Log times of the first sensor message or estimate, and of the last message.
-
-        What describes a session may be stamped long before: as its recording once was at the start
-        of tracking. Where nothing was measured all messages count; (0, 0) if there are none.
-        """
-        first, last = self.source.contents.spans.bounds()
-        try:
-            measured = next(ordered(self.source, self._streams), None)
-        except FileError:  # a damaged start: `verify` speaks of it
-            measured = None
-        return (first if measured is None else measured.log_time), last
-
-    @property
-    def _streams(self) -> frozenset[str]:
-        channels = self.source.contents.channels.values()
-        return frozenset(c.topic for c in channels if self.source.type_of(c) in MEASURED)
-
-    @property
-    def duration(self) -> float:
-        """Seconds from the first message to the last; see `span_ns`."""
-        return (self.span_ns[1] - self.span_ns[0]) / NS
+        super().__init__(path, instead)
+        self._asked, self._origins, self._watch = side, dict(origins or {}), watch
 
     @cached_property
     def sides(self) -> tuple[str, ...]:

@@ -16,8 +16,9 @@ from tracker.session.edits import NAME, lines, masks
 from tracker.session.export.series import recorded_series
 from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
+from tracker.session.mcap_session import MEASURED
 from tracker.session.message_check import check_message
-from tracker.session.reader import MEASURED, SessionReader
+from tracker.session.reader import SessionReader
 from tracker.session.ros import sensors, topics
 from tracker.session.ros.cdr import CdrReader
 from tracker.session.silence import silences

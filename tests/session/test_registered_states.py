@@ -26,8 +26,8 @@ import sys
 from importlib import import_module
 for name in sys.argv[1:]:
     import_module(name)
-from tracker.session.engine_parts import register_all
-register_all()
+from tracker.session.mcap_session import register_states
+register_states()
 from tracker.base.records import RECORDS
 print(*RECORDS)
 """
