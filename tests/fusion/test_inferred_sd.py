@@ -12,8 +12,8 @@ import pytest
 from tests.fusion.test_late_data import Message, feed, starved
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
+from tracker.fusion.chain.confidence import MEASURED_SD
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.shown import MEASURED_SD
 from tracker.fusion.chain.state import initial_state
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.fusion.time.imu_buffer import Moment

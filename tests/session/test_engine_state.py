@@ -28,8 +28,8 @@ from tracker.engine.settings import Settings
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, CameraPose, Estimate, ImuSample
-from tracker.session.mcap_session import register_states
 from tracker.session.engine_state import MOST_BYTES, MOST_TEXT, VERSION, pack, unpack
+from tracker.session.mcap_session import register_states
 from tracker.session.state_check import mismatch
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation

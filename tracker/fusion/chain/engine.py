@@ -178,7 +178,7 @@ class ChainEngine(Engine):
         nothing is known of the hand."""
         if self.tracking == Tracking.SEARCHING:
             return float("nan")
-        return self._tracker.shown.heading_sd(self._tracker.state)
+        return self._tracker.confidence.heading_sd(self._tracker.state)
 
     @property
     def heading_drift_sd(self) -> float:

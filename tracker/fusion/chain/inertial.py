@@ -42,7 +42,7 @@ class InertialTracker(ChainTracker):
         self.filter.adopt(started)
         self.wearer.calibration.begin(started)
         self._judge.started_anywhere()
-        self.shown.held(started.t)  # its heading is zero by what it is counted from
+        self.confidence.held(started.t)  # its heading is zero by what it is counted from
         return True
 
     def forget(self) -> None:
@@ -60,7 +60,7 @@ class InertialTracker(ChainTracker):
         if self.filter.constrain(self.state.t):
             self.filter.stay()
         self.wearer.learn()
-        self.shown.drifted(self.state)
+        self.confidence.drifted(self.state)
         return True
 
 
@@ -117,7 +117,7 @@ class InertialEngine(ChainEngine):
         state = self._inertial.state
         angle = heading(state.R_GB[0]) or 0.0
         turn(state, -angle)
-        self._inertial.shown.held(state.t)
+        self._inertial.confidence.held(state.t)
         corrected = {"joints_deg": joints_deg, "heading_deg": abs(float(np.rad2deg(angle)))}
         return notice("pose_reset.done_heading", side=self._layout.hand.side, **corrected)
 

@@ -138,7 +138,7 @@ class KnownWearer:
         self.guided.put_on(profile.synergies)
         self.calibration.put_on(self._filter.state, profile)
         if not self.calibration.is_frozen:
-            self._shows.hand.worn(self._filter.state)
+            self._shows.hand.confidence.worn(self._filter.state)
         self.show()
         self.changed()
 

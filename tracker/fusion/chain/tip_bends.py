@@ -119,7 +119,7 @@ class TipBends:
         sides = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
         if not len(self._reach) or (sides == [None, None] and not len(self.kept.bend)):
             return False
-        lay, ends = self._layout, self._shown.ends
+        lay, ends = self._layout, self._shown.confidence.ends
         driven = ends.driven_ends._replace(length=self._reach)
         points, J, C, drive = driven_points(
             lay.skeleton, lay.R_rest, lay.blocks, state.body, driven, ends.own, state.p, state.P

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from tracker.base.records import record
 from tracker.fusion.chain.calibration.wearer import WearerKept
+from tracker.fusion.chain.confidence import ShownKept
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.filter import ChainFilter, FilterKept
 from tracker.fusion.chain.guided.learning import GuidedKept
@@ -15,7 +16,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.recognition import Recognised, Recognition, RecognitionKept, SeenImage
 from tracker.fusion.chain.second_look import SecondLook
-from tracker.fusion.chain.shown import ShownHand, ShownKept
+from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.start.mono_start import release_size
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
@@ -59,6 +60,7 @@ class ChainTracker:
         self._starter = Starter(layout, rig, params)
         distal = DistalSegments(layout, params.synergy)
         self.shown = ShownHand(layout, params.noise, distal)
+        self.confidence = self.shown.confidence
         self._tips = TipBends(layout, rig, distal, self.shown)
         shows = Shows(self.shown, self._recognition, self._tips)
         self.wearer = KnownWearer(layout, rig, params, self.filter, distal, shows)
@@ -77,18 +79,18 @@ class ChainTracker:
     # ---- packets
 
     def packet(self, sample: ImuSample) -> None:
-        returned = self.shown.returned(sample)
+        returned = self.confidence.returned(sample)
         self.filter.doubt(returned)
         if self._layout.imu_of[0] in returned:
-            self.shown.moved_unsensed(sample.t)
-        self.shown.packet(sample)
+            self.confidence.moved_unsensed(sample.t)
+        self.confidence.packet(sample)
 
     def step(self, way: Intervals, first: int) -> int:
         last_good = self._judge.kept.last_good
         end = self.filter.step(way, first, last_good, held=self.wearer.calibration.is_frozen)
         if self._tape is not None and self._buffer.is_packet(self.state.t):
-            sensed = self.shown.sensed(self.state.t, self.tracking)
-            self._tape.shown(self.state, sensed, self.shown.tip_sd)
+            sensed = self.confidence.sensed(self.state.t, self.tracking)
+            self._tape.shown(self.state, sensed, self.confidence.tip_sd)
         return end
 
     def carry(self, state: ChainState, t: float) -> None:
@@ -99,8 +101,8 @@ class ChainTracker:
         self._judge.judge(self.state.t, enough=False)
         self.filter.constrain(self.state.t)
         learned = self.wearer.learn()
-        self.shown.drifted(self.state)
-        self.shown.aged(self.state)
+        self.confidence.drifted(self.state)
+        self.confidence.aged(self.state)
         return learned
 
     # ---- images
@@ -126,13 +128,13 @@ class ChainTracker:
         self.wearer.learn()
         enough = self._judge.is_enough(found.tally)
         if enough:
-            self.shown.held(frame.t)
+            self.confidence.held(frame.t)
             self._look_for_tips(image)
         self._judge.judge(frame.t, enough)
         followed = image.is_mono or self._recognition.is_followed(image, found)
         likely = followed and self._recognition.is_likely(image, found, seen, self._judge.is_sure)
         sure = self._judge.support(frame.t, enough and likely)
-        self.shown.supported(frame.t, seen, sure)
+        self.confidence.supported(frame.t, seen, sure)
         another = self._judge.is_another(frame.t, followed or not enough)
         result = self._finish(image, found)
         if another:
@@ -208,9 +210,9 @@ class ChainTracker:
         self.wearer.show()
         self._judge.started(frame.t)
         self._judge.found(frame.t, started.p)
-        self.shown.started()
-        self.shown.kept.one_camera = image.is_mono
-        self.shown.held(frame.t)
+        self.confidence.started()
+        self.confidence.kept.one_camera = image.is_mono
+        self.confidence.held(frame.t)
         # 3. Correct it twice: the second pass matches and linearises at a better state.
         for _ in range(2):
             found = self._recognition.look(self.state, image)
@@ -221,16 +223,16 @@ class ChainTracker:
         if not image.is_mono:
             self._second.with_digits(image, there)
         self._judge.support(frame.t, seen.is_likely)
-        self.shown.supported(frame.t, seen, sure=False)
+        self.confidence.supported(frame.t, seen, sure=False)
         return self._finish(image, found)
 
     def _finish(self, image: SeenImage, found: Recognised) -> FrameResult:
         """What is shown follows the state that the image has corrected."""
-        self.shown.image(image.frame.t, found.match)
-        second_camera = self.shown.kept.one_camera and found.in_both
+        self.confidence.image(image.frame.t, found.match)
+        second_camera = self.confidence.kept.one_camera and found.in_both
         if second_camera:
-            self.shown.kept.one_camera = False
-        self.shown.unsure(self.state, image.pose, self.wearer.calibration.known_size_sd)
+            self.confidence.kept.one_camera = False
+        self.confidence.unsure(self.state, image.pose, self.wearer.calibration.known_size_sd)
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
         return self._recognition.finish(self.state, image, found, self.tracking)
@@ -238,7 +240,7 @@ class ChainTracker:
     @property
     def size_sd(self) -> float:
         """Share by which the hand's size is unknown for want of a second camera; 0 with one."""
-        return self.shown.size_sd(self.wearer.calibration.known_size_sd)
+        return self.confidence.size_sd(self.wearer.calibration.known_size_sd)
 
     # ---- saving
 
@@ -250,7 +252,7 @@ class ChainTracker:
             self._judge.kept,
             self._recognition.kept,
             self.wearer.calibration.kept,
-            self.shown.kept,
+            self.confidence.kept,
             self.wearer.guided.kept,
             self._tips.kept,
         )
@@ -262,4 +264,4 @@ class ChainTracker:
         self.wearer.calibration.kept, self.wearer.guided.kept = kept.wearer, kept.guided
         self._tips.kept = kept.tips
         self.wearer.show()
-        self.shown.restore(kept.shown, self.state)
+        self.confidence.restore(kept.shown, self.state)
