@@ -175,7 +175,7 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 THREADS = {
     "app/engines/demo.py": "finds how the simulated wearer touches his fingertips",
     "app/engines/replay/thread.py": "plays a session beside the window",
-    "tracker/simulation/rig_camera.py": "sends images as a device of its own does",
+    "tracker/simulation/rig_device.py": "sends images as a device of its own does",
     "app/platform/tasks.py": "jobs of the window",
     "app/wizards/glove/feed.py": "reads the glove that is being set up",
     "app/wizards/stereo/board_watcher.py": "looks for the board beside the window",
@@ -187,7 +187,7 @@ THREADS = {
     "tracker/live/threads.py": "devices, vision and engine",
     "tracker/offline/detection.py": "searches images ahead of the filter",
     "extensions/robot/process.py": "hears the robot, which is a process of its own",
-    "tracker/session/mcap/sync.py": "writing does not wait for the disk",
+    "tracker/session/mcap/container.py": "writing does not wait for the disk",
     "tracker/session/recording/child.py": "reads the pipe while it writes the file",
     "tracker/session/recording/compression.py": "images, beside the writer",
     "tracker/simulation/drawn_ahead.py": "packets are made before they are due",

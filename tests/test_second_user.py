@@ -15,7 +15,7 @@ import pytest
 from tracker.base.files import whole_file
 from tracker.base.shared_memory import forget_name, new_memory
 from tracker.kernels import kept
-from tracker.simulation.rig_camera import ImagePipe
+from tracker.simulation.rig_device import ImagePipe
 
 pytestmark = pytest.mark.skipif(
     not hasattr(os, "getuid") or os.getuid() != 0, reason="only root can be a second user"

@@ -17,8 +17,7 @@ from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking
 from tracker.session.engine_state import pack, unpack
-from tracker.simulation.meeting import Meeting
-from tracker.simulation.two_hands import Dressed, SidedMessage, TwoHandsSimulation
+from tracker.simulation.two_hands import Dressed, Meeting, SidedMessage, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s, from which on the wearers' sizes are known somewhat

@@ -12,8 +12,7 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.bundle import solver
 from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
-from tracker.fusion.chain.bundle.rows import KeyframeRows
-from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, adopt
+from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, KeyframeRows, adopt
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import BundleParams, ChainParams
 from tracker.fusion.chain.profile import profile_of

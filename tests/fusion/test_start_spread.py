@@ -8,7 +8,7 @@ import pytest
 from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.start.search import StereoPoints
-from tracker.fusion.chain.start.spread import BETTER, spread
+from tracker.fusion.chain.start.start import BETTER, spread
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from tracker.engine.pipeline import Pipeline
-from tracker.fusion.chain.calibration.still_bias import FLOOR, with_gyro_bias
 from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.worn import FLOOR, with_gyro_bias
 from tracker.vision.rig import ideal_rig
 
 

@@ -16,8 +16,7 @@ from tests.gui.gui_fakes import (
     with_glove,
 )
 from tracker.base.toml_reader import parse_toml
-from tracker.sensors.camera_controls import CameraReport, Control, Locks
-from tracker.sensors.v4l2 import Limits
+from tracker.sensors.camera_controls import CameraReport, Control, Limits, Locks
 
 RATE = "glove_right.rate_hz"
 

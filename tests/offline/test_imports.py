@@ -13,8 +13,7 @@ from scipy.spatial.transform import Rotation
 from tracker.base.errors import ConfigError, FileError
 from tracker.cli import main
 from tracker.messages import Estimate
-from tracker.offline.imports.run import ImportOptions, import_imus
-from tracker.offline.imports.together import at_instants
+from tracker.offline.imports.run import ImportOptions, at_instants, import_imus
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.export.run import export

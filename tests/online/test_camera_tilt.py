@@ -10,8 +10,8 @@ from tracker import GRAVITY
 from tracker.geometry import so3
 from tracker.messages import CameraImuSample, CameraPose
 from tracker.online.camera_tilt import CameraTilt
-from tracker.simulation.camera_imu import CameraImuParams, camera_imu_samples
 from tracker.simulation.head import MOVING, Head
+from tracker.simulation.scenario import CameraImuParams, camera_imu_samples
 from tracker.vision.rig import ideal_rig
 
 UP = np.array([0.0, 0.0, 1.0])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tracker.sensors.clock_map import ClockMap
+from tracker.sensors.packet_clock import ClockMap
 
 LATENCY = 0.0004  # s, the least: what no one-way stamp can see
 

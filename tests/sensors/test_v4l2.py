@@ -6,8 +6,7 @@ import struct
 
 import cv2
 
-from tracker.sensors.camera_controls import ControlledInput
-from tracker.sensors.v4l2 import QUERY, limits_of, serial_number
+from tracker.sensors.camera_controls import QUERY, ControlledInput, limits_of, serial_number
 
 
 def test_limits_are_those_of_the_driver_and_none_of_what_it_lacks():

@@ -12,9 +12,7 @@ from tracker.hand.model import HandModel
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.recorded import load_motion
-from tracker.simulation.recorded.bvh import read_bvh
-from tracker.simulation.recorded.leap import TARGETS
-from tracker.simulation.recorded.load import read_track
+from tracker.simulation.recorded.load import TARGETS, read_bvh, read_track
 from tracker.simulation.recorded.spline import SplineMotion
 from tracker.simulation.recorded.track import PointTrack, mirrored
 

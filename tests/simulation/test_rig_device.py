@@ -21,8 +21,13 @@ from tracker.simulation import rig_device
 from tracker.simulation.camera_device import NoSimulatedCamera
 from tracker.simulation.demo import DemoSpec, WornTexts
 from tracker.simulation.glove_process import GLOVE_IDS
-from tracker.simulation.rig_camera import HeldBoard, ImagePipe, RigCamera, smaller_right
-from tracker.simulation.rig_device import SimulatedRig
+from tracker.simulation.rig_device import (
+    HeldBoard,
+    ImagePipe,
+    RigCamera,
+    SimulatedRig,
+    smaller_right,
+)
 from tracker.vision.rig import ideal_rig
 
 WIDTH, HEIGHT = 320, 240

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+import numpy as np
 
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
-from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.engine import Engine
@@ -17,6 +19,25 @@ from tracker.messages import Array, Calibration
 
 if TYPE_CHECKING:
     from tracker.fusion.chain.known import KnownWearer
+
+FLOOR = np.deg2rad(0.1)
+"""rad/s: what a hand laid on a table still turns, and the bias drifts until it is used."""
+
+
+def with_gyro_bias(
+    profile: WearerProfile, layout: ChainLayout, bias: Array, sd: Array
+) -> WearerProfile:
+    """``profile`` with the biases (n, 3) rad/s and their deviations (n,) of each IMU; rows of NaN
+    leave an IMU as it was."""
+    known = np.flatnonzero(np.all(np.isfinite(bias), axis=1) & np.isfinite(sd))
+    bg, P = profile.bg.copy(), profile.P.copy()
+    for j in known:
+        rows = layout.blocks.bg - layout.n_dynamic + 3 * j + np.arange(3)
+        P[rows, :] = 0.0
+        P[:, rows] = 0.0
+        P[rows, rows] = float(np.hypot(sd[j], FLOOR)) ** 2
+        bg[j] = bias[j]
+    return replace(profile, bg=bg, P=P)
 
 
 @runtime_checkable

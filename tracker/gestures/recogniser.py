@@ -1,4 +1,9 @@
-"""When gestures begin and end: hysteresis, a short wait, nothing where the hand is lost."""
+"""Begin and end of gestures: hysteresis, a short delay, no gesture of a hand that is lost.
+
+The confidence of a gesture is that of the measurement, not the extent of the gesture. A finger
+without a sensor is inferred from the others, and its pinch cannot be distinguished from its
+neighbour's: the estimate's standard deviations quantify that.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +11,6 @@ import math
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from tracker.gestures.confidence import confidence
 from tracker.gestures.shape import GestureShape, ShapeReader
 from tracker.gestures.values import (
     BEGINS_AT,
@@ -20,6 +24,37 @@ from tracker.gestures.values import (
 )
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Event, Tracking
+
+LEAST_SD = 1e-4  # m
+
+
+def confidence(gesture: str, shape: GestureShape, params: GestureParams) -> float:
+    """0 to 1. Of a pinch: the probability that pads are within reach of one another, and that no
+    other finger's are nearer, as if the gaps' errors were normal and apart. Of the others: the
+    share of the fingers that sensors tell. 0 where a part is lost."""
+    if gesture in PINCHES:
+        return _of_pinch(PINCHES.index(gesture), shape, params)
+    known = [m and math.isfinite(b) for m, b in zip(shape.measured, shape.bend, strict=True)]
+    return sum(known) / len(known)
+
+
+def _of_pinch(finger: int, shape: GestureShape, params: GestureParams) -> float:
+    touching = params.touching
+    reach = touching.none + ENDS_AT * (touching.full - touching.none)
+    gap, sd = shape.gap, shape.gap_sd
+    if not (math.isfinite(gap[finger]) and math.isfinite(sd[finger])):
+        return 0.0
+    sure = _below(gap[finger] - reach, sd[finger])
+    for other in range(len(PINCHES)):
+        if other != finger and math.isfinite(gap[other]) and math.isfinite(sd[other]):
+            sure *= _below(gap[finger] - gap[other], math.hypot(sd[finger], sd[other]))
+    return sure
+
+
+def _below(mean: float, sd: float) -> float:
+    """Probability that a normal variable is below 0."""
+    return 0.5 * math.erfc(mean / (math.sqrt(2.0) * max(sd, LEAST_SD)))
+
 
 KIND = "gesture"
 WAIT = 0.03  # s that a value must last, to begin and to end: three packets
@@ -50,7 +85,7 @@ LARGEST_SD = 0.012  # m, of the gap of a pinch that is believed to begin
 
 class Phase(NamedTuple):
     """A gesture begins or ends; ``value`` 0 to 1 as it was then, ``confidence`` 0 to 1 of what is
-    measured and not inferred (`tracker.gestures.confidence`); 0 of a hand that is lost."""
+    measured and not inferred (`confidence`); 0 of a hand that is lost."""
 
     gesture: str
     begins: bool

@@ -16,8 +16,12 @@ from tracker.base.notices import notice
 from tracker.base.records import record
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.inertial.finger3d_plane import PlaneFinger, PlaneKept
-from tracker.inertial.finger3d_quaternion import QuaternionFinger, QuaternionKept
+from tracker.inertial.finger3d_estimators import (
+    PlaneFinger,
+    PlaneKept,
+    QuaternionFinger,
+    QuaternionKept,
+)
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry
 from tracker.inertial.madgwick import ADAPTIVE, MadgwickParams
 from tracker.messages import Array

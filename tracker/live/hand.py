@@ -14,8 +14,7 @@ from tracker.engine.pipeline import SILENCE, Pipeline
 from tracker.engine.side_watch import SideWatch
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
 from tracker.live.frame_results import FrameResults, ShownFrame
-from tracker.live.history import History
-from tracker.live.imu_history import ImuHistory
+from tracker.live.history import History, ImuHistory
 from tracker.live.journal import Journal
 from tracker.live.listeners import Listeners
 from tracker.live.telemetry import Telemetry

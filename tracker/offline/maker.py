@@ -2,28 +2,153 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import heapq
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 from tracker.base.errors import ConfigError
-from tracker.engine.hands import Hands
-from tracker.engine.pipeline import Pipeline
+from tracker.engine.hands import Hands, Sided, is_for
+from tracker.engine.pipeline import Pipeline, PipelineKept
 from tracker.engine.settings import Settings
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import measure, put_on
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import EngineState
+from tracker.messages import BlobFrame, CameraImuSample, EngineState, Estimate, Event, ImuSample
 from tracker.offline import by_side
 from tracker.offline.options import TrackOptions
 from tracker.offline.own_colours import OwnColours
-from tracker.offline.runs import LiveRun, Output, WordsAlone
-from tracker.offline.smooth import Smoother
-from tracker.offline.smooth_run import GivingPipeline, SmoothRun
+from tracker.offline.runs import Fed, LiveRun, Output, WordsAlone, arrival
+from tracker.offline.smooth import Message, Shelf, Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.session.description import SessionInfo
+from tracker.session.images import PackedFrame
 from tracker.vision.rig import StereoRig
+
+
+class GivingPipeline(Pipeline):
+    """A pipeline of two, which passes its share of each image on, and reports when it restarts."""
+
+    def __init__(
+        self,
+        smoother: Smoother,
+        hand: HandModel,
+        glove: GloveModel,
+        rig: StereoRig | None,
+        settings: Settings,
+    ) -> None:
+        super().__init__(hand, glove, rig, settings)
+        self._smoother = smoother
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        self._smoother.feed(frame)
+        super().feed_frame(frame)
+
+    def set_state(self, state: PipelineKept) -> None:
+        """It was found where the other hand is: so was what is smoothed."""
+        self._smoother.begin_anew()
+        super().set_state(state)
+
+
+class _Smoothed(NamedTuple):
+    """A message of a hand, and the estimate of a packet."""
+
+    side: str
+    message: Message
+    estimate: Estimate | None
+
+    @property
+    def order(self) -> tuple[float, bool]:
+        """Packets first of what arrives together."""
+        return arrival(self.message), not isinstance(self.message, ImuSample)
+
+
+class SmoothRun:
+    """Estimates that know the whole session; all are written at the end.
+
+    A live run may be the ``guide``: where images are searched, it decides the colours of later
+    ones. Of two hands it is always there, and its pipelines (`GivingPipeline`) pass their shares of
+    each image on to the ``smoothers``; a hand alone is fed directly.
+    """
+
+    def __init__(
+        self,
+        smoothers: Mapping[str, Smoother],
+        outputs: Mapping[str, Output],
+        main: str,
+        camera: CameraTilt,
+        guide: LiveRun | None = None,
+    ) -> None:
+        """All by side; ``main`` is the side whose output takes what is of no side."""
+        self._smoothers, self._outputs, self._guide = smoothers, outputs, guide
+        self._main, self._main_side, self._camera = outputs[main], main, camera
+        self._alone = smoothers[main] if len(smoothers) == 1 else None
+        self._frames, self._shares = Shelf(), dict.fromkeys(smoothers, 0.0)
+
+    @property
+    def engines(self) -> dict[str, Engine]:
+        return {side: smoother.engine for side, smoother in self._smoothers.items()}
+
+    def feed(self, message: Fed | Sided) -> None:
+        if isinstance(message, Sided):
+            self._smoothers[message.side].feed(message.sample)
+        elif isinstance(message, BlobFrame):
+            self._feed_frame(message)
+            return
+        else:
+            self._main.message(message)
+        if isinstance(message, CameraImuSample):
+            self._camera.feed(message)
+        elif isinstance(message, Event):
+            for side, smoother in self._smoothers.items():
+                if is_for(message, side):
+                    smoother.feed(message)
+        if self._guide is not None and not isinstance(message, PackedFrame):
+            self._guide.feed(message)
+
+    def _feed_frame(self, frame: BlobFrame) -> None:
+        pose = frame.pose or self._camera.pose(frame.t)
+        posed = frame if pose is frame.pose else replace(frame, pose=pose)
+        if self._alone is not None:
+            self._alone.feed(posed)
+        else:
+            self._frames.put(frame)
+        if self._guide is not None:
+            self._guide.feed(frame if self._alone is not None else posed)
+
+    def finish(self, progress: Callable[[float], None]) -> None:
+        calibrations = {side: s.calibration() for side, s in self._smoothers.items()}
+        parts = [self._results(side, progress) for side in self._smoothers]
+        frames = 0
+        for side, message, estimate in heapq.merge(*parts, key=lambda part: part.order):
+            if isinstance(message, ImuSample):
+                self._outputs[side].message(message)
+                if estimate is not None:
+                    self._outputs[side].estimate(message, estimate)
+            elif isinstance(message, BlobFrame) and side == self._main_side:
+                self._main.message(self._whole(frames, message))
+                frames += 1
+        for side, output in self._outputs.items():
+            if output.report.estimates:
+                output.calibration(calibrations[side])
+
+    def _whole(self, number: int, share: BlobFrame) -> BlobFrame:
+        """The image that the hands' shares are of, with the pose that they were fed with."""
+        if self._alone is not None:
+            return share
+        frame: BlobFrame = self._frames.get(number)
+        return replace(frame, pose=share.pose)
+
+    def _results(self, side: str, progress: Callable[[float], None]) -> Iterator[_Smoothed]:
+        def part(share: float) -> None:
+            self._shares[side] = share
+            progress(sum(self._shares.values()) / len(self._shares))
+
+        for message, estimate in self._smoothers[side].results(part):
+            yield _Smoothed(side, message, estimate)
+
 
 MakePipeline = Callable[[HandModel, GloveModel, StereoRig | None, Settings], Pipeline]
 Changes = Sequence[tuple[float, EngineState | StereoRig]]

@@ -8,6 +8,10 @@ motion explains what is seen. A jump is reported when
 - no instant nearby explains it by where the markers were or by how fast they move; and
 - the images that follow show the markers displaced by the same vector from the course that they
   were on, whatever the filter makes of it meanwhile.
+
+The time stamps of an overloaded computer are unreliable: it takes images from a camera late and
+unevenly, and stamps them late. At the speed of a hand, 50 ms displace all markers by dozens of
+pixels.
 """
 
 from __future__ import annotations
@@ -16,6 +20,7 @@ import itertools
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from statistics import median
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +28,77 @@ import numpy as np
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector
 from tracker.messages import Array, FrameResult, Tracking
-from tracker.online.stamp_trust import StampTrust
+
+
+@dataclass(frozen=True)
+class TrustParams:
+    """Times in s."""
+
+    packet_gap: float = 0.035  # without a packet
+    late: float = 0.05  # arrival after the instant, more than the least of late
+    uneven: tuple[float, float] = (0.5, 1.8)  # of the usual interval between images
+    images: int = 15  # over which that is taken
+    regain: float = 1.0  # without any of these, before stamps are trusted again
+
+
+class StampTrust:
+    """Fed with all packets and images; ``since`` is when (s) the stamps were last in doubt."""
+
+    def __init__(self, params: TrustParams | None = None) -> None:
+        self._params = params or TrustParams()
+        self._packet = self._image = float("nan")
+        self._intervals: deque[float] = deque(maxlen=self._params.images)
+        self._packet_lags, self._image_lags = _Lags(), _Lags()
+        self.since = float("-inf")
+
+    def packet(self, t: float, t_arrival: float) -> None:
+        """A packet of the instant ``t`` (s)."""
+        p = self._params
+        if t - self._packet > p.packet_gap or self._packet_lags.excess(t, t_arrival) > p.late:
+            self._doubt(t)
+        self._packet = t
+
+    def image(self, t: float, t_arrival: float) -> None:
+        """An image exposed at ``t`` (s)."""
+        interval, self._image = t - self._image, t
+        late = self._image_lags.excess(t, t_arrival) > self._params.late
+        if late or self._is_uneven(interval):
+            self._doubt(t)
+        if interval > 0:
+            self._intervals.append(interval)
+
+    def is_given(self, t: float) -> bool:
+        """Whether stamps have been right for a while at ``t`` (s)."""
+        return t - self.since >= self._params.regain
+
+    def _is_uneven(self, interval: float) -> bool:
+        if len(self._intervals) < 3:
+            return False
+        low, high = self._params.uneven
+        usual = median(self._intervals)
+        return not low * usual <= interval <= high * usual
+
+    def _doubt(self, t: float) -> None:
+        self.since = max(self.since, t)
+
+
+class _Lags:
+    """How much later than the least lag of the last seconds something arrives."""
+
+    KEPT = 3.0  # s
+
+    def __init__(self) -> None:
+        self._lags: deque[tuple[float, float]] = deque()  # rising lags
+
+    def excess(self, t: float, t_arrival: float) -> float:
+        lag = t_arrival - t
+        while self._lags and self._lags[-1][1] >= lag:
+            self._lags.pop()
+        self._lags.append((t, lag))
+        while self._lags[0][0] < t - self.KEPT:
+            self._lags.popleft()
+        return lag - self._lags[0][1]
+
 
 EXPECTED = 6  # images over which the markers' velocity is measured
 

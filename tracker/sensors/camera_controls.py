@@ -1,20 +1,88 @@
-"""Exposure, gain and white balance of cameras that are open, set from another thread.
+"""Exposure, gain and white balance of open cameras, set from another thread.
 
-A camera that exposes by itself changes the markers' colours with every move of the hand, so a lock
-belongs to the set-up. Values are in the driver's own units: no driver tells what they mean.
+A camera that adjusts its exposure changes the markers' colours with every movement of the hand, so
+locking it is part of the set-up. Values are in the driver's own units, which no driver documents.
+
+The limits of controls and the serial numbers come from Linux (Video for Linux API, ioctl
+VIDIOC_QUERYCTRL), since OpenCV does not read them. A file descriptor of its own is used for that;
+images go on meanwhile.
 """
 
 from __future__ import annotations
 
+import os
+import struct
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Protocol
+from pathlib import Path
+from typing import NamedTuple, Protocol
 
 import cv2
 
 from tracker.sensors.camera_systems import exposure_switch
 from tracker.sensors.image_input import ImageInput, Pair
-from tracker.sensors.v4l2 import Limits, limits_of, serial_number
+
+QUERY = 0xC0445624  # VIDIOC_QUERYCTRL of a struct of 68 bytes
+_CONTROL = struct.Struct("=II32siiiiI8x")
+DISABLED = 0x0001
+IDS = {
+    "exposure": 0x009A0902,  # V4L2_CID_EXPOSURE_ABSOLUTE
+    "gain": 0x00980913,
+    "white_balance": 0x0098091A,  # V4L2_CID_WHITE_BALANCE_TEMPERATURE
+}
+SYSTEM = Path("/sys/class/video4linux")
+Ioctl = Callable[[int, int, bytearray], int]
+
+
+class Limits(NamedTuple):
+    """Of a control, in the driver's own units."""
+
+    least: float
+    greatest: float
+    step: float
+    default: float
+
+
+def limits_of(path: str, name: str, ioctl: Ioctl | None = None) -> Limits | None:
+    """Returns the limits of a control of the camera at ``path``; None where the driver reports
+    none, and on other systems."""
+    ask = ioctl or _ioctl()
+    if ask is None or not path.startswith("/dev/"):
+        return None
+    try:
+        device = os.open(path, os.O_RDWR | os.O_NONBLOCK)
+    except OSError:
+        return None
+    asked = bytearray(_CONTROL.pack(IDS[name], 0, b"", 0, 0, 0, 0, 0))
+    try:
+        ask(device, QUERY, asked)
+    except OSError:  # EINVAL: the device has no such control
+        return None
+    finally:
+        os.close(device)
+    _, _, _, least, greatest, step, default, flags = _CONTROL.unpack(asked)
+    return None if flags & DISABLED else Limits(least, greatest, step, default)
+
+
+def serial_number(path: str, system: Path = SYSTEM) -> str:
+    """Returns the USB serial number of the camera at ``path``; empty where there is none."""
+    device = (system / Path(path).name / "device").resolve()
+    for folder in (device, *device.parents[:2]):  # the interface, then the device itself
+        try:
+            return (folder / "serial").read_text("utf-8").strip()
+        except OSError:
+            continue
+    return ""
+
+
+def _ioctl() -> Ioctl | None:
+    """The system's own, where there is one."""
+    try:
+        from fcntl import ioctl
+    except ImportError:
+        return None
+    return lambda device, request, data: ioctl(device, request, data, True)
 
 
 @dataclass(frozen=True)

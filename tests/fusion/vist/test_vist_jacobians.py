@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.vist.anatomy import Anatomy
+from tracker.fusion.vist.filter import Anatomy
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistConstraint, VistNoise
 from tracker.fusion.vist.points import in_joint_rows, jacobians, positions

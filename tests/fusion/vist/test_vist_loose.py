@@ -9,13 +9,13 @@ from tracker.fusion.ablations.segment_pose import by_segment, fit_pose
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import THETA, ChainLayout
-from tracker.fusion.chain.loose import LooseRows
 from tracker.fusion.chain.params import ChainParams, NoiseParams
 from tracker.fusion.chain.pixels import PixelModel, SeenBlobs
 from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.recognition import LooseRows
 from tracker.fusion.chain.state import initial_state, inject
+from tracker.fusion.vist.filter import loose_rows, pose_rows
 from tracker.fusion.vist.layout import VistLayout
-from tracker.fusion.vist.loose import loose_rows, pose_rows
 from tracker.fusion.vist.markers import Matched
 from tracker.fusion.vist.points import positions
 from tracker.geometry import so3

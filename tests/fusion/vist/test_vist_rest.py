@@ -5,7 +5,7 @@ import pytest
 
 from tracker.fusion.chain.params import MatchParams
 from tracker.fusion.vist.rest import is_still
-from tracker.fusion.vist.track import Track, is_better
+from tracker.fusion.vist.tracker import Track, is_better
 from tracker.messages import ImuSample, Tracking
 
 

@@ -1,18 +1,150 @@
-"""The mesh of a hand's surface, made of its file."""
+"""The mesh of a hand's surface, built from the hand file.
+
+Surface nets (S. Gibson, "Constrained elastic surface nets", 1998) make a closed mesh where a
+sampled field is zero: a point in each cell of the lattice that the surface crosses, a quad across
+each edge on which the sign changes.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS
-from tracker.hand.skin.field import BlendedSurface
-from tracker.hand.skin.form import HandForm, hand_form
-from tracker.hand.skin.polygons import is_closed, surface_net
-from tracker.hand.skin.weights import bone_weights
+from tracker.hand.skin.field import BlendedSurface, finger_distances, palm_distance
+from tracker.hand.skin.form import FABRIC, HandForm, hand_form
 from tracker.messages import Array, IntArray
+
+MOST = 4
+"""Segments that one point follows."""
+BEND = 0.85  # radii on either side of a joint over which the surface bends
+BEND_THUMB = 1.3  # the same of the thumb's root, which lies deep in the palm
+BETWEEN = 0.0025  # m of difference in distance over which two fingers share what lies between
+BESIDE = 0.006  # the same between thumb and palm
+
+
+def bone_weights(hand: HandModel, form: HandForm, x: Array) -> tuple[IntArray, Array]:
+    """Segments (P, `MOST`) and their shares (P, `MOST`), which sum to 1, of points x (P, 3)."""
+    dense = _dense(hand, form, x)
+    bones = np.argsort(-dense, axis=1, kind="stable")[:, :MOST]
+    share = np.take_along_axis(dense, bones, axis=1)
+    share[share < 1e-3] = 0.0
+    return bones, share / share.sum(axis=1, keepdims=True)
+
+
+def _dense(hand: HandModel, form: HandForm, x: Array) -> Array:
+    """(P, S) share of each segment."""
+    out = np.zeros((len(x), len(hand.segments)))
+    palm, near = palm_distance(form, x), finger_distances(form, x)
+    if near:
+        belongs = _shares(np.array(list(near.values())))
+        for name, share in zip(near, belongs, strict=True):
+            if name == "thumb":
+                share = share * _step((palm - near[name]) / BESIDE)
+            _hand_out(hand, form, name, share, x, out)
+    out[:, hand.root] += np.maximum(1.0 - out.sum(axis=1), 0.0)
+    return out
+
+
+def _shares(distances: Array) -> Array:
+    """(F, P) how much of each point belongs to each finger, by distances (F, P) m."""
+    nearer = np.clip(1.0 - (distances - distances.min(axis=0)) / BETWEEN, 0.0, 1.0) ** 2
+    return np.asarray(nearer / nearer.sum(axis=0))
+
+
+def _hand_out(
+    hand: HandModel, form: HandForm, finger: str, left: Array, x: Array, out: Array
+) -> None:
+    """Add a finger's share (P,) of each point to its segments, from the palm to the tip."""
+    chain = [hand.index[s] for s in CHAINS[finger] if s in hand.index]
+    for k, i in enumerate(chain):
+        radius = hand.segments[i].radius + FABRIC
+        width = radius * (BEND_THUMB if finger == "thumb" and k == 0 else BEND)
+        beyond = left * _step((x - form.p[i]) @ form.R[i, :, 0] / width)
+        if k > 0:
+            out[:, chain[k - 1]] += left - beyond
+        left = beyond
+    out[:, chain[-1]] += left
+
+
+def _step(x: Array) -> Array:
+    """From 0 at -1 to 1 at 1, level at both ends."""
+    t = np.clip(0.5 + 0.5 * x, 0.0, 1.0)
+    return np.asarray(t * t * (3 - 2 * t))
+
+
+BoolArray = NDArray[np.bool_]
+
+_CORNERS = np.array([[i, j, k] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+_EDGES = [
+    (a, b) for a in range(8) for b in range(a) if np.abs(_CORNERS[a] - _CORNERS[b]).sum() == 1
+]
+
+
+def surface_net(values: Array, origin: Array, step: float) -> tuple[Array, IntArray]:
+    """Points (V, 3) m and triangles (F, 3), counter-clockwise seen from outside, of a field.
+
+    values (X, Y, Z) on a lattice from ``origin`` (3,) ``step`` m apart; less than 0 inside, and
+    nowhere on the lattice's border.
+    """
+    inside = values < 0
+    cells = _cell_points(values, inside)
+    number = np.full(inside.shape, -1, np.int64)
+    rows = np.array(list(cells[0]))
+    number[tuple(rows.T)] = np.arange(len(rows))
+    faces = [_faces(inside, number, axis) for axis in range(3)]
+    return origin + step * cells[1], np.concatenate(faces)
+
+
+def is_closed(faces: IntArray) -> bool:
+    """Whether each edge of the triangles (F, 3) lies between two, which run along it in opposite
+    ways."""
+    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    many = int(faces.max()) + 1
+    there, back = ends[:, 0] * many + ends[:, 1], ends[:, 1] * many + ends[:, 0]
+    there.sort()
+    back.sort()
+    return bool((np.diff(there) > 0).all() and np.array_equal(there, back))
+
+
+def _cell_points(values: Array, inside: BoolArray) -> tuple[IntArray, Array]:
+    """Cells (C, 3) that the surface passes through, and the mean (C, 3) of where it crosses their
+    edges, in steps of the lattice."""
+    shape = tuple(n - 1 for n in values.shape)
+    count, total = np.zeros(shape), np.zeros((*shape, 3))
+    for a, b in _EDGES:
+        va, vb = _corner(values, a, shape), _corner(values, b, shape)
+        crosses = _corner(inside, a, shape) != _corner(inside, b, shape)
+        t = va[crosses] / (va[crosses] - vb[crosses])
+        total[crosses] += _CORNERS[a] + t[:, None] * (_CORNERS[b] - _CORNERS[a])
+        count += crosses
+    rows = np.argwhere(count > 0)
+    at = tuple(rows.T)
+    return rows, rows + total[at] / count[at][:, None]
+
+
+def _corner(values: NDArray[Any], corner: int, shape: tuple[int, ...]) -> NDArray[Any]:
+    i, j, k = _CORNERS[corner]
+    return values[i : i + shape[0], j : j + shape[1], k : k + shape[2]]
+
+
+def _faces(inside: BoolArray, number: IntArray, axis: int) -> IntArray:
+    """Two triangles for each edge along ``axis`` that changes sign, between its four cells."""
+    first = np.moveaxis(inside, axis, 0)
+    cell = np.moveaxis(number, axis, 0)
+    rows = np.argwhere(first[:-1] != first[1:])
+    leaves = first[tuple(rows.T)]  # inside before, outside after: the face looks along the axis
+    i, j, k = rows.T
+    ring = np.stack([cell[i, j - 1, k - 1], cell[i, j, k - 1], cell[i, j, k], cell[i, j - 1, k]])
+    # moving one axis to the front keeps x, y, z in order up to a turn, but for y
+    flip = leaves if axis != 1 else ~leaves
+    quad = np.where(flip, ring, ring[::-1]).T
+    return np.concatenate([quad[:, [0, 1, 2]], quad[:, [0, 2, 3]]])
+
 
 CELL = 0.0036
 """m of the lattice: on the thinnest finger a facet is then 0.25 mm from the round, half a pixel."""

@@ -1,7 +1,14 @@
-"""Writing an MCAP of profile ``ros2`` whose chunks close by size and by time."""
+"""Writing an MCAP of profile ``ros2`` whose chunks close by size and by time.
+
+A thread of its own synchronises the file with the disk, which takes milliseconds on a disk and
+tenths of a second on a memory card or a loaded one. Meanwhile the next chunks are written, and one
+synchronisation for all of them follows.
+"""
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -9,11 +16,47 @@ from mcap.writer import CompressionType, Writer
 
 from tracker import __version__
 from tracker.base.errors import FileError
+from tracker.base.files import DiskError
 from tracker.base.notices import notice
 from tracker.session.mcap.disk import WholeRecordFile
 from tracker.session.mcap.input import McapInput, RawMessage
-from tracker.session.mcap.sync import SyncBeside
 from tracker.session.ros.definitions import definition
+
+
+class SyncBeside:
+    """Calls ``sync``, which may raise DiskError, after `soon`; methods are for one thread."""
+
+    def __init__(self, sync: Callable[[], None]) -> None:
+        self._sync = sync
+        self._asked, self._ending = threading.Event(), False
+        self._error: DiskError | None = None
+        self._thread = threading.Thread(target=self._run, name="glovetrack-sync", daemon=True)
+        self._thread.start()
+
+    def soon(self) -> None:
+        """What is written by now goes down to the disk. Raises DiskError of an earlier time."""
+        if self._error is not None:
+            raise self._error
+        self._asked.set()
+
+    def _run(self) -> None:
+        while True:
+            self._asked.wait()
+            self._asked.clear()
+            if self._ending:
+                return
+            try:
+                self._sync()
+            except DiskError as error:
+                self._error = error
+                return
+
+    def end(self) -> None:
+        """Wait for the time that has begun; there is none after it."""
+        self._ending = True
+        self._asked.set()
+        self._thread.join()
+
 
 COMPRESSION = {
     "lz4": CompressionType.LZ4,

@@ -2,18 +2,206 @@
 
 from __future__ import annotations
 
+import re
+import zipfile
+import zlib
+from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
+
 from tracker.base.errors import FileError
+from tracker.base.files import check_regular
 from tracker.base.toml_reader import read_text
+from tracker.geometry import so3
 from tracker.hand.model import HandModel
-from tracker.messages import CameraPose
-from tracker.simulation.recorded.bvh import read_bvh
+from tracker.hand.names import FINGERS
+from tracker.messages import Array, CameraPose
 from tracker.simulation.recorded.fit import fit_hand
-from tracker.simulation.recorded.leap import read_leap
-from tracker.simulation.recorded.qualisys import read_qualisys
 from tracker.simulation.recorded.spline import SplineMotion, in_working_volume
 from tracker.simulation.recorded.track import PointTrack, mirrored, resampled
+
+_FINGER = {"thumb": "thumb", "index": "index", "middle": "middle", "mid": "middle",
+           "ring": "ring", "little": "little", "pinky": "little"}  # fmt: skip
+_PARTS = {"thumb": ("cmc", "mcp", "ip", "tip"), "": ("mcp", "pip", "dip", "tip")}
+
+
+@dataclass
+class _Joint:
+    name: str
+    parent: int
+    offset: Array
+    channels: list[str] = field(default_factory=list)
+
+
+def read_bvh(path: Path, text: str) -> PointTrack:
+    """All joints of one hand's fingers. The side comes from the names, else right."""
+    try:
+        joints, motion = _hierarchy(text)
+        t, values = _motion(motion)
+        positions = _positions(joints, values)
+    except (ValueError, IndexError) as error:
+        raise FileError(f"{path} is not a BVH file that can be read: {error}.") from error
+    side, rows = _hand_rows(joints)
+    if len(rows) < 6:
+        raise FileError(f"{path} names fewer than six joints of a hand's fingers.")
+    up = np.array([0.0, 1.0, 0.0])
+    return PointTrack(t, positions[:, list(rows.values())], tuple(rows), up, side, None)
+
+
+def _hierarchy(text: str) -> tuple[list[_Joint], str]:
+    """Joints parents first, End Sites as ``<parent>.end``, and the text of the MOTION part."""
+    head, found, motion = text.partition("MOTION")
+    if not found or not head.lstrip().startswith("HIERARCHY"):
+        raise ValueError("it has no HIERARCHY and MOTION")
+    words = iter(head.split())
+    joints: list[_Joint] = []
+    stack: list[int] = []
+    for word in words:
+        if word in ("ROOT", "JOINT"):
+            joints.append(_Joint(next(words), stack[-1] if stack else -1, np.zeros(3)))
+        elif word == "End":
+            next(words)
+            joints.append(_Joint(joints[stack[-1]].name + ".end", stack[-1], np.zeros(3)))
+        elif word == "{":
+            stack.append(len(joints) - 1)
+        elif word == "}":
+            stack.pop()
+        elif word == "OFFSET":
+            joints[stack[-1]].offset = np.array([float(next(words)) for _ in range(3)])
+        elif word == "CHANNELS":
+            joints[stack[-1]].channels = [next(words) for _ in range(int(next(words)))]
+    return joints, motion
+
+
+def _motion(text: str) -> tuple[Array, Array]:
+    match = re.match(r"\s*Frames:\s*(\d+)\s*Frame Time:\s*(\S+)\s", text)
+    if match is None:
+        raise ValueError("its MOTION part does not begin with Frames and Frame Time")
+    count, period = int(match[1]), float(match[2])
+    values: Array = np.array(text[match.end() :].split(), float).reshape(count, -1)
+    return period * np.arange(count, dtype=np.float64), values
+
+
+def _positions(joints: list[_Joint], values: Array) -> Array:
+    """(n, joints, 3) by forward kinematics; channels apply left to right, in degrees."""
+    n, column = len(values), 0
+    if values.shape[1] != sum(len(j.channels) for j in joints):
+        raise ValueError("it has not one number for each channel")
+    R = np.tile(np.eye(3), (len(joints), n, 1, 1))
+    p = np.zeros((len(joints), n, 3))
+    for i, joint in enumerate(joints):
+        shift, turn = np.tile(joint.offset, (n, 1)), np.tile(np.eye(3), (n, 1, 1))
+        moved = False
+        for channel in joint.channels:
+            axis, value = "XYZ".index(channel[0]), values[:, column]
+            column += 1
+            if channel.endswith("position"):
+                shift = shift if moved else np.zeros((n, 3))
+                moved, shift[:, axis] = True, value
+            else:
+                turn = turn @ so3.exp(np.outer(np.deg2rad(value), np.eye(3)[axis]))
+        if joint.parent < 0:
+            p[i], R[i] = shift, turn
+        else:
+            p[i] = p[joint.parent] + np.einsum("nij,nj->ni", R[joint.parent], shift)
+            R[i] = R[joint.parent] @ turn
+    return np.swapaxes(p, 0, 1)
+
+
+def _hand_rows(joints: list[_Joint]) -> tuple[str, dict[str, int]]:
+    """The side, and keypoint name to joint row; the right hand where a file has both."""
+    sides = [_side(j.name) for j in joints]
+    side = "left" if "left" in sides and "right" not in sides else "right"
+    chains: dict[str, list[int]] = {}
+    for i, joint in enumerate(joints):
+        finger = next((f for word, f in _FINGER.items() if word in joint.name.lower()), None)
+        if finger and sides[i] in (side, ""):
+            chains.setdefault(finger, []).append(i)
+    rows: dict[str, int] = {}
+    for finger, chain in chains.items():
+        parts = _PARTS.get(finger, _PARTS[""])
+        for part, row in zip(parts[::-1], chain[::-1], strict=False):
+            rows[f"{finger}_{part}"] = row
+    return side, rows
+
+
+def _side(name: str) -> str:
+    low = name.lower()
+    if "right" in low or re.search(r"(^r_|_r$|_r_|\.r$|\.r\.)", low):
+        return "right"
+    if "left" in low or re.search(r"(^l_|_l$|_l_|\.l$|\.l\.)", low):
+        return "left"
+    return ""
+
+
+_PLACE = {"tip": "tip", "middle": "pip"}
+
+
+def read_qualisys(path: Path, text: str) -> PointTrack:
+    """Markers <finger>_middle, <finger>_tip and hand_*; missing ones are 0 or empty."""
+    lines = text.splitlines()
+    header = {line.split("\t")[0]: line.split("\t")[1:] for line in lines[:12] if line}
+    if "MARKER_NAMES" not in header or "FREQUENCY" not in header:
+        raise FileError(f"{path} has no MARKER_NAMES or FREQUENCY line: not a Qualisys TSV file.")
+    names = header["MARKER_NAMES"]
+    rows = [line.split("\t") for line in lines[11:] if line and line[0].isdigit()]
+    try:
+        rate = float(header["FREQUENCY"][0])
+        table = np.array([[float(c or 0) for c in r] for r in rows])
+    except ValueError as error:
+        raise FileError(f"{path} holds something that is no number: {error}.") from error
+    columns = table.shape[1] - 3 * len(names) if table.ndim == 2 else -1
+    if columns not in (0, 2):
+        raise FileError(f"{path} does not hold three columns for each of its markers.")
+    points = table[:, columns:].reshape(len(table), len(names), 3)
+    points[np.all(points == 0, axis=2)] = np.nan
+    kept = {i: target for i, n in enumerate(names) if (target := _target(n))}
+    return PointTrack(
+        np.arange(len(table)) / rate, points[:, list(kept)], tuple(kept.values()),
+        np.array([0.0, 0, 1]), "right", 1e-3,
+    )  # fmt: skip
+
+
+def _target(name: str) -> str | None:
+    """Where on the hand a marker sits, None if elsewhere."""
+    finger, _, place = name.partition("_")
+    if finger == "hand":
+        return f"dorsum:{place}"
+    if finger in ("thumb", *FINGERS) and place in _PLACE:
+        part = "ip" if finger == "thumb" and place == "middle" else _PLACE[place]
+        return f"{finger}_{part}"
+    return None
+
+
+MOST_BYTES = 500_000_000
+"""Of a recording once unpacked; an hour at 120 Hz takes 220 MB."""
+UNPACKING = (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError)
+"""What damage to an archive raises; the last one where it says that a password is needed."""
+TARGETS = (
+    *(f"thumb_{part}" for part in ("cmc", "mcp", "ip", "tip")),
+    *(f"{f}_{part}" for f in FINGERS for part in ("mcp", "pip", "dip", "tip")),
+)
+
+
+def read_leap(path: Path) -> PointTrack:
+    """t (N,) s and joints (N, 5, 4, 3) mm: thumb to little finger, base to tip."""
+    try:
+        check_regular(path)
+        with zipfile.ZipFile(path) as archive:
+            if sum(part.file_size for part in archive.infolist()) > MOST_BYTES:
+                raise FileError(f"{path} contains more than {MOST_BYTES // 10**6} MB.")
+        with np.load(path, allow_pickle=False) as data:
+            t, joints, side = data["t"], data["joints"], str(np.ravel(data["hand"])[0])
+    except (OSError, ValueError, KeyError, EOFError, MemoryError, *UNPACKING) as error:
+        raise FileError(f"{path} is not a decoded Leap recording: {error}.") from error
+    if joints.shape != (len(t), 5, 4, 3) or side not in ("left", "right"):
+        raise FileError(f"{path} does not hold five fingers of four joints, of one hand.")
+    new = np.concatenate([[True], np.diff(t) > 1e-4])
+    points = joints[new].reshape(-1, 20, 3).astype(float)
+    up = np.array([0.0, 1.0, 0.0])
+    return PointTrack(t[new] - t[0], points, TARGETS, up, side, 1e-3)
+
 
 RATE_HZ = 50.0
 """Of the fit; with a cut-off of 7 Hz more would add nothing."""

@@ -1,4 +1,10 @@
-"""Starting from nothing and finding the hand again."""
+"""Starting from nothing and finding the hand again.
+
+Gravity shows how far each digit is raised, but not how the fingers are spread. The tips of fingers
+that are spread differently from the hand file are off by the distance of two patches, where a
+neighbour's patch of the same hue is as near. So each digit is turned about its base to where the
+points support it best, before blobs are matched with markers.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +13,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracker.fusion.chain.kinematics import marker_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.digits import SupportPoints, posture_scores
+from tracker.fusion.chain.kinematics import marker_positions, segment_positions
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.chain.prior import initial_covariance
@@ -26,12 +33,42 @@ from tracker.fusion.chain.start.search import (
     postures_from_gravity,
     vote,
 )
-from tracker.fusion.chain.start.spread import spread
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.time.imu_buffer import ImuBuffer
+from tracker.geometry import so3
 from tracker.messages import Array, CameraPose, ImuSample
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import all_pairs
+
+TURNS = np.deg2rad([0, -5, 5, -10, 10, -15, 15, -20, 20, -25, 25])  # about the palm's normal
+RADIUS = 0.010  # m, within which a point supports a marker: closer than two fingers are
+BETTER = 0.5  # markers by which a turned digit must be supported more
+
+
+def spread(state: ChainState, layout: ChainLayout, seen: StereoPoints) -> Array:
+    """R_GB (A, 3, 3) of ``state`` with each digit turned aside to where the points support it."""
+    digit, glove = digit_of(layout), layout.glove
+    origin, marker = segment_positions(state, layout), marker_positions(state, layout)
+    turns = so3.exp(TURNS[:, None] * state.R_GB[0][:, 2])
+    points = SupportPoints(seen.p_G, seen.hue, RADIUS)
+    out = state.R_GB.copy()
+    for d in range(int(digit.max(initial=-1)) + 1):
+        segments = np.flatnonzero(digit == d)
+        rows = np.flatnonzero(np.isin(layout.marker_segment, segments))
+        base = origin[segments[0]]
+        way = (seen.p_GC - base) / np.linalg.norm(seen.p_GC - base)
+        R = state.R_GB[layout.marker_segment[rows]]
+        normal = np.einsum("mij,mj->mi", R, glove.marker_normal[rows])
+        score = posture_scores(
+            np.ascontiguousarray(np.einsum("kij,mj->kmi", turns, marker[rows] - base)),
+            np.ascontiguousarray(np.einsum("kij,mj->kmi", turns, normal)),
+            np.eye(3), base, way, glove.marker_hue[rows], points,
+        )  # fmt: skip
+        best = int(np.argmax(score))
+        if score[best] >= score[0] + BETTER:
+            out[segments] = turns[best] @ out[segments]
+    return out
+
 
 LOOK_BACK = 0.3  # s of packets that are averaged for tilt
 STILL_GYRO = 0.05  # rad/s: sd below which the mean gyro reading is a bias
