@@ -20,8 +20,7 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.glove import library
 from tracker.hand.files import load_hand
 from tracker.offline.imports.run import import_imus
-from tracker.sensors.opencv_yaml import load_opencv_stereo
-from tracker.sensors.zed_files import load_zed
+from tracker.sensors.rig_files import load_opencv_stereo, load_zed
 from tracker.session.align import read_alignment
 from tracker.session.reader import SessionReader
 from tracker.simulation.recorded.load import read_track

@@ -8745,27 +8745,27 @@ change {}: {}</source>
       <translation>Der Akku des Handschuhs ist schwach ({} V): bald laden.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/opencv_yaml.py" />
+      <location filename="tracker/sensors/rig_files.py" />
       <source>{}: R is no rotation.</source>
       <translation>{}: R ist keine Drehung.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/opencv_yaml.py" />
+      <location filename="tracker/sensors/rig_files.py" />
       <source>{}: {} must be {} finite numbers.</source>
       <translation>{}: {} muss aus {} endlichen Zahlen bestehen.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/opencv_yaml.py" />
+      <location filename="tracker/sensors/rig_files.py" />
       <source>{}: the {} camera has {} distortion coefficients; only k1 k2 p1 p2 k3 are understood.</source>
       <translation>{}: die Kamera {} hat {} Verzeichnungskoeffizienten; verstanden werden nur k1 k2 p1 p2 k3.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/opencv_yaml.py" />
+      <location filename="tracker/sensors/rig_files.py" />
       <source>{} does not hold {} ({}).</source>
       <translation>{} enthält {} nicht ({}).</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/opencv_yaml.py" />
+      <location filename="tracker/sensors/rig_files.py" />
       <source>{} holds something that is no matrix.</source>
       <translation>{} enthält etwas, das keine Matrix ist.</translation>
     </message>

@@ -31,9 +31,8 @@ from tracker.offline.imports.table import read_table
 from tracker.sensors import cobs
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink
-from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.protocol import Hello, crc16, encode
-from tracker.sensors.zed_files import load_zed
+from tracker.sensors.rig_files import load_opencv_stereo, load_zed
 from tracker.session import engine_state
 from tracker.session.description import SessionInfo
 from tracker.session.mcap.container import McapOutput

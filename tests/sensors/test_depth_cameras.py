@@ -27,7 +27,7 @@ from tracker.sensors.image_input import CaptureFormat, Image, Pair
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.simulation.virtual_camera import VirtualCamera
+from tracker.simulation.virtual_devices import VirtualCamera
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig

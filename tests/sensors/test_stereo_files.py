@@ -10,8 +10,7 @@ import pytest
 
 from tests.notices import raises
 from tracker.base.errors import ConfigError, FileError
-from tracker.sensors.opencv_yaml import load_opencv_stereo
-from tracker.sensors.zed_files import find_zed_file, load_zed
+from tracker.sensors.rig_files import find_zed_file, load_opencv_stereo, load_zed
 from tracker.vision.rig import StereoRig
 
 ZED = """

@@ -14,9 +14,9 @@ from tracker.glove.files import load_glove
 from tracker.hand.files import load_hand
 from tracker.messages import Array, StereoFrame
 from tracker.session.reader import SessionReader
-from tracker.simulation.desk.arm import Forearm
 from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.random_postures import PostureParams, RandomPostures
+from tracker.simulation.rooms import Forearm
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector

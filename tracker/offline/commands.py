@@ -82,7 +82,7 @@ def _add_light(parser: argparse.ArgumentParser) -> None:
 
 
 def _light(args: argparse.Namespace) -> int:
-    from tracker.offline.light import session_light
+    from tracker.offline.colours import session_light
 
     check_json(args, [args.file])
     light = session_light(args.file, args.colours)

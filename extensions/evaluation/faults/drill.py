@@ -29,18 +29,21 @@ from tracker.messages import (
 from tracker.sensors.camera import CameraParams, StereoCamera
 from tracker.sensors.glove_link import GloveLink, LinkState
 from tracker.sensors.image_watch import SilenceWatch
-from tracker.simulation import virtual_camera, virtual_glove
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.simulation.virtual_camera import VirtualCamera
-from tracker.simulation.virtual_glove import VirtualGlove
+from tracker.simulation.virtual_devices import (
+    CAMERA_FAULTS,
+    GLOVE_FAULTS,
+    VirtualCamera,
+    VirtualGlove,
+)
 from tracker.vision.colours import parse_profile
 from tracker.vision.detector import Detector, detect_frame
 
 HOST_FAULTS = ("starved glove", "starved camera", "starved")
 """Faults of the computer: threads wait up to `LONGEST_WAIT` for the processor. Packets then arrive
 late and in bursts, and only the newest of several late images is used."""
-FAULTS = (*virtual_glove.FAULTS, *virtual_camera.FAULTS, *HOST_FAULTS)
+FAULTS = (*GLOVE_FAULTS, *CAMERA_FAULTS, *HOST_FAULTS)
 SHORTEST_WAIT, LONGEST_WAIT = 0.02, 0.3  # s
 FPS = 30.0
 MOTION_S = 120.0  # per wearer
@@ -140,7 +143,7 @@ class Bench:
             both = ("glove", "camera")
             self._wake = {d: self.now for d in both if kind in ("starved", f"starved {d}")}
         else:
-            (self.glove if kind in virtual_glove.FAULTS else self.camera).fail(kind)
+            (self.glove if kind in GLOVE_FAULTS else self.camera).fail(kind)
 
     def heal(self) -> None:
         """End the current fault."""

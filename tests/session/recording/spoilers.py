@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from tracker.session.mcap import disk
-from tracker.session.recording import compression
+from tracker.session.recording import child
 
 
 @dataclass(frozen=True)
@@ -80,10 +80,10 @@ class SlowEncoder:
     s: float
 
     def __call__(self) -> None:
-        encode: Callable[..., bytes] = compression.encode_image
+        encode: Callable[..., bytes] = child.encode_image
 
         def slow(*args: object) -> bytes:
             time.sleep(self.s)
             return encode(*args)
 
-        compression.encode_image = slow
+        child.encode_image = slow

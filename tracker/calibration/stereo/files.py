@@ -17,9 +17,8 @@ from tracker.base.files import write_kept
 from tracker.base.notices import notice
 from tracker.calibration.stereo.checks import require_plausible
 from tracker.messages import Array
-from tracker.sensors.opencv_yaml import load_opencv_stereo, opencv_text
+from tracker.sensors.rig_files import load_opencv_stereo, load_zed, opencv_text
 from tracker.sensors.stereo_calibration import Intrinsics
-from tracker.sensors.zed_files import load_zed
 from tracker.vision.rig import StereoRig
 
 ZED_SUFFIX = ".conf"

@@ -9,7 +9,9 @@ from __future__ import annotations
 import queue
 import signal
 import threading
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from enum import Enum, auto
 from functools import partial
@@ -19,8 +21,8 @@ from typing import Any
 import cv2
 
 from tracker.base.errors import FileError, GlovetrackError
-from tracker.session.recording.compression import ImageCompression
-from tracker.session.recording.image_slots import ImageInSlot, SlotReader, SlotsOpened
+from tracker.session.images import PackedFrame, encode_image
+from tracker.session.recording.image_slots import Image, ImageInSlot, SlotReader, SlotsOpened
 from tracker.session.recording.wire import (
     Begin,
     Begun,
@@ -32,7 +34,53 @@ from tracker.session.recording.wire import (
     PackedState,
     Sink,
 )
+from tracker.session.ros.sensors import ImageMessage
 from tracker.session.writer import SessionRecorder, load_describer
+
+THREADS = 2
+
+
+class ImageCompression:
+    """``done`` is called, in one of the threads, whenever a pair is ready to be taken."""
+
+    def __init__(self, kind: str, quality: int, done: Callable[[], None]) -> None:
+        self._kind, self._quality, self._done = kind, quality, done
+        self._pool = ThreadPoolExecutor(THREADS, "glovetrack-images")
+        self._waiting: deque[Future[PackedFrame]] = deque()
+
+    def put(self, reader: SlotReader, image: ImageInSlot) -> None:
+        """Begin with a pair; its place is free again once it is compressed."""
+        future = self._pool.submit(self._compressed, reader, image)
+        self._waiting.append(future)
+        future.add_done_callback(lambda _: self._done())
+
+    def _compressed(self, reader: SlotReader, image: ImageInSlot) -> PackedFrame:
+        try:
+            parts = {
+                camera: ImageMessage(0, "", self._kind, self._encoded(pixels))
+                for camera, pixels in reader.images(image).items()
+            }
+        finally:
+            reader.free(image)
+        return PackedFrame(image.t, image.t_arrival, parts, image.pose, image.exposure)
+
+    def _encoded(self, image: Image) -> bytes:
+        return encode_image(image, self._kind, self._quality)
+
+    def take(self) -> Iterator[PackedFrame]:
+        """Pairs that are ready, in the order in which they came."""
+        while self._waiting and self._waiting[0].done():
+            yield self._waiting.popleft().result()
+
+    def take_all(self) -> Iterator[PackedFrame]:
+        """The same, and those that are not ready yet."""
+        while self._waiting:
+            yield self._waiting.popleft().result()
+
+    def close(self) -> None:
+        """What was not begun is given up."""
+        self._pool.shutdown(cancel_futures=True)
+
 
 MOST_WAITING = 2000
 """Batches: more than a minute of them; a disk that takes longer holds the window's side back."""
