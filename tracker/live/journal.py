@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Protocol
 
 from tracker.base.channels import Fifo
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, Outbox
 from tracker.live.recording import Recorder, RecordingThread
 from tracker.messages import Event, Message
 
 EVENTS_KEPT = 2000  # until they are drained
+
+
+class Watch(Protocol):
+    """Watches messages and reports what it notices."""
+
+    @property
+    def notices(self) -> Outbox: ...
 
 
 class Journal:
@@ -23,6 +31,11 @@ class Journal:
     def report(self, kind: str, what: Notice) -> None:
         """A notice for the log and the recording, stamped now."""
         self.add(Event.of(self._clock(), kind, what))
+
+    def report_all(self, kind: str, watch: Watch | None) -> None:
+        """Reports what a watch has noticed since the last call; nothing for None."""
+        for found in watch.notices.drain() if watch is not None else ():
+            self.report(kind, found)
 
     def note(self, text: str, t: float | None, data: Mapping[str, object]) -> None:
         """A note of the user's, stamped ``t`` (s), or now where that is None."""

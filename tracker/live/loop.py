@@ -10,11 +10,10 @@ import threading
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from functools import partial
-from typing import Protocol
 
 from tracker.base.clock import nanoseconds, next_instant, seconds
 from tracker.base.errors import GlovetrackError
-from tracker.base.notices import Notice, Outbox, notice
+from tracker.base.notices import Notice, notice
 from tracker.engine.hands import Hands, Sided
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
@@ -44,13 +43,6 @@ BEST = (Tracking.SEARCHING, Tracking.LOST, Tracking.COASTING, Tracking.TRACKING)
 """The better known, the later."""
 
 SAID_BEFORE = 5.0  # s for which a notice of one hand is not repeated by the other
-
-
-class Watch(Protocol):
-    """Watches messages and reports what it notices."""
-
-    @property
-    def notices(self) -> Outbox: ...
 
 
 class ArrivalOrder:
@@ -228,14 +220,10 @@ class LiveLoop:
                     self.journal.report("device", found)
             hand = self.seen[side]
             hand.take(self.hands.take_results(side), pipeline)
-            self._report_all("error", hand.sides)
-        self._report_all("error", self._exchange)
-        self._report_all("tracking", self.colours)
-        self._report_all("load", self.load)
-
-    def _report_all(self, kind: str, watch: Watch | None) -> None:
-        for found in watch.notices.drain() if watch is not None else ():
-            self.journal.report(kind, found)
+            self.journal.report_all("error", hand.sides)
+        self.journal.report_all("error", self._exchange)
+        self.journal.report_all("tracking", self.colours)
+        self.journal.report_all("load", self.load)
 
     def _report(self) -> None:
         """Once a second: calibration and status, for the screen and the file."""
