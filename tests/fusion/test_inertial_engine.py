@@ -62,6 +62,18 @@ def test_no_place_is_claimed(estimates: list[Estimate]) -> None:
         assert np.isfinite(e.segment_R).all() and np.linalg.norm(e.segment_p, axis=1).max() < 0.3
 
 
+def test_segments_are_relative_to_the_imu_of_the_root(
+    sim: Simulation, estimates: list[Estimate]
+) -> None:
+    root = sim.hand.index["dorsum"]
+    reach = [
+        float(np.linalg.norm(e.segment_p[root]))
+        for e in estimates
+        if e.tracking != Tracking.SEARCHING
+    ]
+    assert np.ptp(reach) < 1e-6
+
+
 def test_after_a_silence_it_starts_from_gravity_again(sim: Simulation) -> None:
     pipeline = Pipeline(sim.hand, sim.glove, None, INERTIAL)
     samples = list(sim.imu_samples())

@@ -128,7 +128,7 @@ def _run(engine: ChainEngine, message: Message) -> Estimate | None:
         if is_reset(message):
             engine.reset_pose()
         elif isinstance(said, GuidedSaid):
-            engine.hear(said, message.t)
+            engine.wearer.hear(said, message.t)
         return None
     if isinstance(message, BlobFrame):
         engine.feed_frame(message)

@@ -16,7 +16,6 @@ from tracker.base.notices import Notice, notice, warning
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.calibration.size import as_unsure
-from tracker.fusion.chain.guided.events import GuidedSaid
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
@@ -54,6 +53,34 @@ class ChainKept:
     holds: list[Hold] = field(default_factory=list)
 
 
+class PoseReset:
+    """Aligns the joints with a flat hand that the wearer holds, fingers straight ahead."""
+
+    def __init__(self, tracker: ChainTracker, layout: ChainLayout) -> None:
+        self._tracker, self._layout = tracker, layout
+        self._side = layout.hand.side
+
+    def refusal(self) -> Notice | None:
+        """Returns why the hand cannot be in that pose; None where it can."""
+        if is_flat(self._tracker.state, self._layout):
+            return None
+        return warning("pose_reset.bent", side=self._side)
+
+    def align(self) -> Notice:
+        """Corrects the joints, and the heading where no camera measures it."""
+        bent = bends(self._tracker.state, self._layout)
+        self._straighten()
+        moved = np.linalg.norm(bends(self._tracker.state, self._layout) - bent, axis=1).max()
+        return self._align_heading(float(np.rad2deg(moved)))
+
+    def _straighten(self) -> None:
+        self._tracker.filter.straighten()
+
+    def _align_heading(self, joints_deg: float) -> Notice:
+        """The camera measures the heading."""
+        return notice("pose_reset.done", side=self._side, joints_deg=joints_deg)
+
+
 class ChainEngine(Engine):
     """Visual-inertial filter on a chain of segments; an `Engine`. One instance per hand.
 
@@ -63,6 +90,8 @@ class ChainEngine(Engine):
     ``tape``, if there is one, is told of all that the filter does. ``wearer`` is what is known of
     the wearer, and takes a user's commands about it.
     """
+
+    _tracker_type: type[ChainTracker] = ChainTracker
 
     def __init__(
         self,
@@ -74,61 +103,35 @@ class ChainEngine(Engine):
     ) -> None:
         check_variant(params.guide, params.coupling)
         self._layout = ChainLayout(hand, glove)
-        buffer = ImuBuffer(len(glove.imus))
-        self._buffer = buffer
-        self._tracker = self._make_tracker(rig, params, buffer, tape)
-        match = params.match
+        buffer, match = ImuBuffer(len(glove.imus)), params.match
+        self._tracker = self._tracker_type(self._layout, rig, params, buffer, tape)
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
         self.wearer = self._tracker.wearer
         self.wearer.changed = self._timeline.rebuild_head
-
-    def _make_tracker(
-        self, rig: StereoRig, params: ChainParams, buffer: ImuBuffer, tape: Tape | None
-    ) -> ChainTracker:
-        return ChainTracker(self._layout, rig, params, buffer, tape)
+        self._pose_reset = PoseReset(self._tracker, self._layout)
 
     # ---- messages
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
-        return self._of_packet(self._timeline.feed_imu(sample), sample.t)
+        state = self._timeline.feed_imu(sample)
+        return self._estimate(state, sample.t, self._timeline.packet_at(sample.t))
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen; processed once IMU data cover its exposure."""
         self._timeline.feed_frame(frame)
 
-    def hear(self, said: GuidedSaid, t: float) -> None:
-        """A guided pose begins or ends at ``t`` (s)."""
-        self.wearer.hear(said, t)
-
     def reset_pose(self) -> Notice:
         """The wearer holds the hand flat, the fingers straight ahead: align joints with that, and
         the heading where no camera measures it. Reports what was done."""
-        side, before = self._layout.hand.side, self._tracker.state
         if self.tracking == Tracking.SEARCHING:
-            return warning("pose_reset.searching", side=side)
-        refused = self._refuse_reset(before)
+            return warning("pose_reset.searching", side=self._layout.hand.side)
+        refused = self._pose_reset.refusal()
         if refused is not None:
             return refused
-        bent = bends(before, self._layout)
-        self._straighten()
-        moved = np.linalg.norm(bends(self._tracker.state, self._layout) - bent, axis=1).max()
-        done = self._reset_heading(float(np.rad2deg(moved)))
+        done = self._pose_reset.align()
         self._timeline.rebuild_head()
         return done
-
-    def _refuse_reset(self, state: ChainState) -> Notice | None:
-        """Why the pose cannot be the one that is asked for; None where it can."""
-        if is_flat(state, self._layout):
-            return None
-        return warning("pose_reset.bent", side=self._layout.hand.side)
-
-    def _straighten(self) -> None:
-        self._tracker.filter.straighten()
-
-    def _reset_heading(self, joints_deg: float) -> Notice:
-        """Reports the reset; here the camera measures the heading."""
-        return notice("pose_reset.done", side=self._layout.hand.side, joints_deg=joints_deg)
 
     def take_results(self) -> list[FrameResult]:
         """What was made of images since the last call, oldest first."""
@@ -151,13 +154,9 @@ class ChainEngine(Engine):
         past = self._timeline.past_at(t)
         return ExpectedHand(self._estimate(past, t), *self._tracker.shown.markers(past))
 
-    def _estimate(self, state: ChainState, t: float) -> Estimate:
-        return self._tracker.shown.estimate(state, t, self.tracking, self._tracker.state)
-
-    def _of_packet(self, state: ChainState, t: float) -> Estimate:
-        """As `_estimate`, with the motion where the packet of ``t`` was taken."""
-        newest, tracker = self._buffer.newest, self._tracker
-        packet = newest if newest is not None and newest.t == t else None
+    def _estimate(self, state: ChainState, t: float, packet: ImuSample | None = None) -> Estimate:
+        """The hand of a nominal state at ``t``; with motion where there is a packet of ``t``."""
+        tracker = self._tracker
         return tracker.shown.estimate(state, t, self.tracking, tracker.state, packet)
 
     # ---- what there is

@@ -13,17 +13,16 @@ from dataclasses import replace
 import numpy as np
 
 from tracker.base.notices import Notice, notice, warning
-from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.engine import ChainEngine, PoseReset
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pose_reset import doubt_drift, heading, turn
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracker import ChainTracker
-from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
+from tracker.fusion.time.imu_buffer import Intervals
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Tracking
-from tracker.vision.rig import StereoRig, ideal_rig
+from tracker.vision.rig import ideal_rig
 
 LAG = 0.03  # s behind the newest packet: angular accelerations need readings on both sides
 SILENCE = 1.0  # s without packets after which the hand may have turned anyhow
@@ -64,34 +63,55 @@ class InertialTracker(ChainTracker):
         return True
 
 
+class InertialPoseReset(PoseReset):
+    """Aligns the heading too, and allows for what segments have drifted about the vertical."""
+
+    def refusal(self) -> Notice | None:
+        if heading(self._tracker.state.R_GB[0]) is None:
+            return warning("pose_reset.steep", side=self._side)
+        return super().refusal()
+
+    def _straighten(self) -> None:
+        frozen = self._tracker.wearer.calibration.is_frozen
+        doubt_drift(self._tracker.state, self._layout, frozen)
+        super()._straighten()
+
+    def _align_heading(self, joints_deg: float) -> Notice:
+        """The fingers point straight ahead now."""
+        state = self._tracker.state
+        angle = heading(state.R_GB[0]) or 0.0
+        turn(state, -angle)
+        self._tracker.confidence.held(state.t)
+        corrected = {"joints_deg": joints_deg, "heading_deg": abs(float(np.rad2deg(angle)))}
+        return notice("pose_reset.done_heading", side=self._side, **corrected)
+
+
 class InertialEngine(ChainEngine):
     """An `Engine` that uses no image: its hand is LOST, articulated and turned as the IMUs say.
 
     ``segment_p`` of its estimates are relative to the root's IMU; keypoints have no position.
     """
 
+    _tracker_type = InertialTracker
+    _tracker: InertialTracker
+
     def __init__(self, hand: HandModel, glove: GloveModel, params: ChainParams) -> None:
         match = replace(params.match, max_frame_delay=LAG)
         # the camera that the chain asks for is never looked through
         super().__init__(hand, glove, ideal_rig(), replace(params, match=match))
+        self._pose_reset = InertialPoseReset(self._tracker, self._layout)
         self._results: list[FrameResult] = []
-
-    def _make_tracker(
-        self, rig: StereoRig, params: ChainParams, buffer: ImuBuffer, tape: Tape | None
-    ) -> ChainTracker:
-        self._inertial = InertialTracker(self._layout, rig, params, buffer, tape)
-        return self._inertial
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
         newest = self.newest
         if newest is not None and sample.t - newest > SILENCE:
-            self._inertial.forget()
+            self._tracker.forget()
         state = self._timeline.feed_imu(sample)
-        if self.tracking == Tracking.SEARCHING and self._inertial.begin():
+        if self.tracking == Tracking.SEARCHING and self._tracker.begin():
             self._timeline.rebuild_head()
             state = self._timeline.head_at(sample.t)
-        return self._of_packet(state, sample.t)
+        return self._estimate(state, sample.t, self._timeline.packet_at(sample.t))
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Nothing is made of an image."""
@@ -102,26 +122,7 @@ class InertialEngine(ChainEngine):
         out, self._results = self._results, []
         return out
 
-    def _refuse_reset(self, state: ChainState) -> Notice | None:
-        if heading(state.R_GB[0]) is None:
-            return warning("pose_reset.steep", side=self._layout.hand.side)
-        return super()._refuse_reset(state)
-
-    def _straighten(self) -> None:
-        frozen = self.wearer.calibration.is_frozen
-        doubt_drift(self._inertial.state, self._layout, frozen)
-        super()._straighten()
-
-    def _reset_heading(self, joints_deg: float) -> Notice:
-        """Straight ahead is where the fingers point now."""
-        state = self._inertial.state
-        angle = heading(state.R_GB[0]) or 0.0
-        turn(state, -angle)
-        self._inertial.confidence.held(state.t)
-        corrected = {"joints_deg": joints_deg, "heading_deg": abs(float(np.rad2deg(angle)))}
-        return notice("pose_reset.done_heading", side=self._layout.hand.side, **corrected)
-
-    def _estimate(self, state: ChainState, t: float) -> Estimate:
+    def _estimate(self, state: ChainState, t: float, packet: ImuSample | None = None) -> Estimate:
         relative = state.copy_nominal()
         relative.p = np.zeros(3)
-        return super()._estimate(relative, t)
+        return super()._estimate(relative, t, packet)

@@ -176,6 +176,11 @@ class Timeline(Generic[S]):
         newest = self._buffer.newest
         return None if newest is None else newest.t
 
+    def packet_at(self, t: float) -> ImuSample | None:
+        """Returns the newest packet that was taken, if it is of the instant ``t`` (s)."""
+        newest = self._buffer.newest
+        return newest if newest is not None and newest.t == t else None
+
     # ---- time
 
     @property
