@@ -103,19 +103,7 @@ def fill(
     if not chosen:
         raise FileError(_nothing(source, gaps, options))
     shapes = _smoothed(source, out, watch) if options.method == SMOOTH else {}
-    fills: dict[str, HandFill] = {}
-    begun = _READING + _TRACKING * (options.method == SMOOTH)
-
-    def filling(n: int, share: float) -> None:
-        watch(begun + (_WRITING - begun) * (n + share) / len(sides))
-
-    sides = sorted({gap.side for gap in chosen})
-    for n, side in enumerate(sides):
-        with SessionReader(source, side=side) as reader:
-            mine = [gap for gap in chosen if gap.side == side]
-            hand = recorded_series(reader, segments=False)
-            shape = shapes.get(side)
-            fills[side] = fill_hand(reader, hand, mine, options.method, shape, partial(filling, n))
+    fills = _fill_hands(source, chosen, options.method, shapes, watch)
     filled = tuple(f for fill in fills.values() for f in fill.filled)
     left = [*left, *(each for fill in fills.values() for each in fill.left)]
     if not filled:
@@ -125,6 +113,30 @@ def fill(
         write_filled(reader, part, fills, edit)
     watch(1.0)
     return FillReport(out, options.method, filled, tuple(left))
+
+
+def _fill_hands(
+    source: Path,
+    chosen: Sequence[Gap],
+    method: str,
+    shapes: Mapping[str, EstimateSeries],
+    watch: Watch,
+) -> dict[str, HandFill]:
+    """The values for the ``chosen`` gaps of each hand, by its side."""
+    begun = _READING + _TRACKING * (method == SMOOTH)
+    sides = sorted({gap.side for gap in chosen})
+
+    def filling(n: int, share: float) -> None:
+        watch(begun + (_WRITING - begun) * (n + share) / len(sides))
+
+    fills = {}
+    for n, side in enumerate(sides):
+        with SessionReader(source, side=side) as reader:
+            mine = [gap for gap in chosen if gap.side == side]
+            hand = recorded_series(reader, segments=False)
+            shape = shapes.get(side)
+            fills[side] = fill_hand(reader, hand, mine, method, shape, partial(filling, n))
+    return fills
 
 
 def _check(options: FillOptions) -> None:

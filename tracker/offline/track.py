@@ -86,44 +86,64 @@ def track(
     texts = {name: replacement.text for name, replacement in instead.items()}
     origins = {name: replacement.origin for name, replacement in instead.items()}
     with SessionReader(source, texts, origins=origins) as reader:
-        settings = _settings(reader, options)
-        info = replace(reader.info, rig=_rig(reader, settings))
-        colours = _own_colours(reader, info, options)
-        repeats = Repeats()
-        messages = repeats.without(
-            _messages(reader, info, options, threads or usable_cores(), colours)
+        report = _track_session(
+            reader, out, options, kept, progress, threads or usable_cores(), force
         )
-        described = _output_info(info, settings, source, options)
-        unused = (*_unused_edits(reader), *_unused_of_version(reader, options))
-        start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
-        if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
-            described = replace(described, moving_camera=True)  # by what its IMU tells
-        with new_session(out, described, force, [source]) as recorder:
-            checks = {hand.side: _truth_check(reader, hand) for hand in info.hands}
-            outputs = {
-                side: Output(recorder, options.with_sensors, check, side)
-                for side, check in checks.items()
-            }
-            run = _run(reader, info, settings, outputs, options, colours)
-            for what in unused:
-                outputs[info.side].say(Event.of(start, "tracking", what))
-            forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
-            for message in messages:
-                run.feed(message)
-                progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
-            run.finish(lambda share: progress(forward + (1 - forward) * share))
-            _report_repeats(repeats, outputs, start + span)
-            by_side.keep(run.engines, kept)
-        for side, check in checks.items():
-            if check is not None:
-                report = outputs[side].report
-                report.error_mm, report.error_deg = check.against(_truth(reader, side))
-        reports = {side: output.report for side, output in outputs.items()}
-        report = TrackReport.of_hands(reports)
-        report.unused = unused
-        report.left_out = reader.source.left_out.by_topic()
     report.wall_s = time.perf_counter() - started
     return report
+
+
+def _track_session(
+    reader: SessionReader,
+    out: Path,
+    options: TrackOptions,
+    kept: Mapping[str, Path],
+    progress: Callable[[float], None],
+    threads: int,
+    force: bool,
+) -> TrackReport:
+    """Tracks an open session; ``kept``: by side, where the wearers' profiles are written."""
+    settings = _settings(reader, options)
+    info = replace(reader.info, rig=_rig(reader, settings))
+    colours = _own_colours(reader, info, options)
+    repeats = Repeats()
+    messages = repeats.without(_messages(reader, info, options, threads, colours))
+    described = _output_info(info, settings, reader, options)
+    unused = (*_unused_edits(reader), *_unused_of_version(reader, options))
+    start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
+    with new_session(out, described, force, [reader.path]) as recorder:
+        checks = {hand.side: _truth_check(reader, hand) for hand in info.hands}
+        outputs = {
+            side: Output(recorder, options.with_sensors, check, side)
+            for side, check in checks.items()
+        }
+        run = _run(reader, info, settings, outputs, options, colours)
+        for what in unused:
+            outputs[info.side].say(Event.of(start, "tracking", what))
+        forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
+        for message in messages:
+            run.feed(message)
+            progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
+        run.finish(lambda share: progress(forward + (1 - forward) * share))
+        _report_repeats(repeats, outputs, start + span)
+        by_side.keep(run.engines, kept)
+    _compare_with_truth(reader, checks, outputs)
+    report = TrackReport.of_hands({side: output.report for side, output in outputs.items()})
+    report.unused = unused
+    report.left_out = reader.source.left_out.by_topic()
+    return report
+
+
+def _compare_with_truth(
+    reader: SessionReader,
+    checks: Mapping[str, TruthCheck | None],
+    outputs: Mapping[str, Output],
+) -> None:
+    """Enters the errors of a simulated session into the reports of its hands."""
+    for side, check in checks.items():
+        if check is not None:
+            report = outputs[side].report
+            report.error_mm, report.error_deg = check.against(_truth(reader, side))
 
 
 def _report_repeats(repeats: Repeats, outputs: Mapping[str, Output], t: float) -> None:
@@ -296,14 +316,17 @@ def _unused_of_version(reader: SessionReader, options: TrackOptions) -> list[Not
 
 
 def _output_info(
-    info: SessionInfo, settings: Settings, source: Path, options: TrackOptions
+    info: SessionInfo, settings: Settings, reader: SessionReader, options: TrackOptions
 ) -> SessionInfo:
+    """The description of the new session. Where the camera's IMU is not copied, its poses are."""
     extra = {k: v for k, v in info.extra.items() if k != "smoothed"}
-    extra |= {"source": source.name, "source_sha256": sha256(source)}
+    extra |= {"source": reader.path.name, "source_sha256": sha256(reader.path)}
     if options.smooth:
         extra["smoothed"] = "true"
+    by_imu = topics.CAMERA_IMU in reader.topic_names and not options.with_sensors
     return replace(
         info,
+        moving_camera=info.moving_camera or by_imu,
         engine=settings.engine,
         settings_text=settings_text(settings),
         arithmetic=arithmetic(),

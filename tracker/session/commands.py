@@ -62,7 +62,7 @@ def _add_compare(command: argparse.ArgumentParser) -> None:
 
 def _add_export(command: argparse.ArgumentParser) -> None:
     from tracker.session.export.formats import FORMATS
-    from tracker.session.export.options import AXES_NAMES, HIDEABLE, PERSONAL, UNITS, VIEWS
+    from tracker.session.export.options import AXES_NAMES, UNITS
 
     command.add_argument(
         "files",
@@ -78,6 +78,15 @@ def _add_export(command: argparse.ArgumentParser) -> None:
     command.add_argument("--rate", type=float, metavar="HZ", help="resample to this rate")
     command.add_argument("--axes", choices=AXES_NAMES, help="coordinate axes")
     command.add_argument("--units", choices=UNITS, help="unit of length")
+    _add_selection(command)
+    _add_dataset(command)
+    add_json(command)
+
+
+def _add_selection(command: argparse.ArgumentParser) -> None:
+    """Adds the options that select what of a session is exported."""
+    from tracker.session.export.options import HIDEABLE, PERSONAL, VIEWS
+
     command.add_argument(
         "--start", type=float, metavar="S", help="start, in seconds after the first estimate"
     )
@@ -110,8 +119,6 @@ def _add_export(command: argparse.ArgumentParser) -> None:
         help=f"omit {' and '.join(PERSONAL)}, or only the given fields out of "
         f"{', '.join(HIDEABLE)}",
     )
-    _add_dataset(command)
-    add_json(command)
 
 
 def _add_dataset(command: argparse.ArgumentParser) -> None:
