@@ -11,21 +11,24 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import NamedTuple
 
 import numpy as np
 import serial
 
-from tracker import GRAVITY
-from tracker.base.clock import nanoseconds, seconds
 from tracker.base.notices import Notice, notice, warning
 from tracker.messages import Event, ImuSample
-from tracker.sensors.accel_range import RangeFromRest
 from tracker.sensors.decoder import FrameDecoder
+from tracker.sensors.glove_messages import (
+    RangeFromRest,
+    Ranges,
+    pulse_event,
+    range_at_rest,
+    si_sample,
+)
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.glove_report import GloveReport
-from tracker.sensors.link_figures import LinkFigures, LowBattery
-from tracker.sensors.packet_clock import SEQ_BITS, PacketClock, PacketTime
+from tracker.sensors.link_figures import Announcements, LinkFigures, LowBattery
+from tracker.sensors.packet_clock import SEQ_BITS, PacketClock
 from tracker.sensors.protocol import (
     BAUD,
     BITS_PER_BYTE,
@@ -47,10 +50,8 @@ from tracker.sensors.serial_line import Port as Port
 from tracker.sensors.serial_line import WiredPort, read_waiting, reason, write_now
 from tracker.sensors.serial_line import serial_port as serial_port
 
-DEGREE = np.pi / 180
 LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
 SLOW_MOST_HZ = 100  # packets a second that 115200 baud carry
-USUAL_GYRO_DPS = 2000  # where the glove has not said it
 ANSWER_WITHIN = 1.0  # s that a HELLO may be under way after it was asked for
 MOMENT = 0.002  # s that a motor command waits for another frame to be written
 LOST_AT_MOST = 200  # packets, while a HELLO is answered
@@ -88,42 +89,6 @@ class LinkParams:
 def rates_at(baud: int) -> tuple[int, ...]:
     """Returns the packets a second that a line of ``baud`` carries."""
     return RATES_HZ if baud >= BAUD else tuple(r for r in RATES_HZ if r <= SLOW_MOST_HZ)
-
-
-class Ranges(NamedTuple):
-    """What a raw value of 32768 is."""
-
-    accel_g: float
-    gyro_dps: float
-
-
-class Announcements:
-    """Events of the link until they are drained. ``clock`` gives s. For the thread that polls."""
-
-    def __init__(self, clock: Callable[[], float]) -> None:
-        self._clock = clock
-        self._events: list[Event] = []
-        self.topics: set[str] = set()
-        """What `once` has reported on."""
-
-    def report(self, what: Notice) -> None:
-        """Add an event of now."""
-        self._events.append(Event.of(self._clock(), "device", what))
-
-    def once(self, topic: str, what: Notice) -> None:
-        """Report it unless ``topic`` has been reported on."""
-        if topic not in self.topics:
-            self.topics.add(topic)
-            self.report(what)
-
-    def add(self, event: Event) -> None:
-        """Add an event with a time of its own."""
-        self._events.append(event)
-
-    def drain(self) -> list[Event]:
-        """All since the last call, oldest first."""
-        events, self._events = self._events, []
-        return events
 
 
 class GloveLink:
@@ -394,7 +359,7 @@ class GloveLink:
         if now - self._rate_asked > RATE_WITHIN:
             _judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._events)
         if self._ranges is None:
-            self._ranges = _range_at_rest(frame, time_of.t_device, self._at_rest, self._events)
+            self._ranges = range_at_rest(frame, time_of.t_device, self._at_rest, self._events)
         return [si_sample(frame, time_of, now, self._ranges, self._imu_ok)]
 
     def _status(self, status: GloveStatus) -> None:
@@ -435,53 +400,6 @@ def _stranger(place: GlovePort, glove_id: int | None) -> Notice:
     return warning("glove.stranger", port=place.path, found=glove_id, glove_id=place.glove_id)
 
 
-def pulse_event(pulse: Pulse, clock: PacketClock, now: float) -> Event:
-    """Of the instant that the glove's clock tells; before its first packet that of arrival, ``now``
-    (s), without ``t_device``."""
-    known = clock.instant(pulse.t_us)
-    t_device, t = (None, now) if known is None else known
-    data: dict[str, object] = {"number": pulse.number, "t_device": t_device}
-    what = notice("glove.pulse", number=pulse.number)
-    return Event.of(seconds(nanoseconds(t)), "pulse", what, data)
-
-
-def si_sample(
-    frame: Samples, time_of: PacketTime, now: float, ranges: Ranges | None, imu_ok: int
-) -> ImuSample:
-    """In SI units, arrived at ``now`` (s); bit j of ``imu_ok`` is set where IMU j answers.
-
-    Nothing is valid while the ``ranges`` are unknown.
-    """
-    known = ranges or Ranges(np.nan, np.nan)
-    raw = frame.raw.astype(float) / 32768.0
-    valid = np.array([ranges is not None and bool(imu_ok >> j & 1) for j in range(len(raw))])
-    accel = raw[:, :3] * (known.accel_g * GRAVITY)
-    gyro = raw[:, 3:] * (known.gyro_dps * DEGREE)
-    accel[~valid], gyro[~valid] = np.nan, np.nan
-    return ImuSample(
-        t=seconds(nanoseconds(time_of.t)),
-        t_arrival=seconds(nanoseconds(now)),
-        t_device=time_of.t_device,
-        seq=time_of.seq,
-        accel=accel,
-        gyro=gyro,
-        valid=valid,
-    )
-
-
 def _judge_rate(rate_hz: float | None, asked_hz: int, events: Announcements) -> None:
     if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
         events.once("rate", warning("glove.other_rate", rate_hz=rate_hz, asked_hz=asked_hz))
-
-
-def _range_at_rest(
-    frame: Samples, t: float, at_rest: RangeFromRest, events: Announcements
-) -> Ranges | None:
-    """Of a glove that has not said its ranges: gravity shows the accelerometers'."""
-    events.once("ranges", warning("glove.ranges_unknown"))
-    accel_g = at_rest.look(frame.raw[:, :3].astype(float), t)
-    if accel_g is None:
-        return None
-    found = warning("glove.range_from_rest", accel_g=accel_g, gyro_dps=USUAL_GYRO_DPS)
-    events.once("range", found)
-    return Ranges(accel_g, USUAL_GYRO_DPS)

@@ -1,10 +1,12 @@
-"""How the glove's link is doing, in figures for the status and the screen."""
+"""Figures and events of a glove's link, for the status, the screen and the log."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from tracker.base.notices import Notice, warning
+from tracker.messages import Event
 from tracker.sensors.decoder import LinkCounters
 
 LOW_BATTERY_MV = 3500  # of a lithium cell: some tenth of its charge is left
@@ -52,6 +54,35 @@ class LinkFigures:
             "glove_skew_ppm": self.skew_ppm,
         }
         return {key: float(value) for key, value in known.items() if value is not None}
+
+
+class Announcements:
+    """Events of the link until they are drained. ``clock`` gives s. For the thread that polls."""
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock = clock
+        self._events: list[Event] = []
+        self.topics: set[str] = set()
+        """What `once` has reported on."""
+
+    def report(self, what: Notice) -> None:
+        """Add an event of now."""
+        self._events.append(Event.of(self._clock(), "device", what))
+
+    def once(self, topic: str, what: Notice) -> None:
+        """Report it unless ``topic`` has been reported on."""
+        if topic not in self.topics:
+            self.topics.add(topic)
+            self.report(what)
+
+    def add(self, event: Event) -> None:
+        """Add an event with a time of its own."""
+        self._events.append(event)
+
+    def drain(self) -> list[Event]:
+        """All since the last call, oldest first."""
+        events, self._events = self._events, []
+        return events
 
 
 class LowBattery:
