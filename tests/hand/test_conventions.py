@@ -7,9 +7,9 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.spatial.transform import Rotation
 
+from glovetrack.conventions import MANO, MEDIAPIPE, to_mano, to_mediapipe, to_operator
 from tests.fixtures import RESOURCES
 from tracker.geometry import so3
-from tracker.hand.conventions import MANO, MEDIAPIPE, to_mano, to_mediapipe, to_operator
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
 

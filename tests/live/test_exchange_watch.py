@@ -8,9 +8,9 @@ import pytest
 
 from tracker.engine.hands import Hands
 from tracker.engine.pipeline import Pipeline
+from tracker.engine.side_watch import ExchangeWatch
 from tracker.glove import library
 from tracker.hand.names import SIDES
-from tracker.live.exchange_watch import ExchangeWatch
 from tracker.messages import BlobFrame, ImuSample
 from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 

@@ -13,8 +13,7 @@ from tracker.engine.settings import Settings
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, IntArray
 from tracker.offline import smooth
 from tracker.offline.simulate import SimulateOptions, build
-from tracker.offline.smooth import Smoother
-from tracker.offline.smooth_chain import Forgotten, SmootherStep, Update
+from tracker.offline.smooth import Forgotten, Smoother, SmootherStep, Update
 from tracker.session.description import SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.simulation.scenario import Simulation

@@ -11,8 +11,13 @@ from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.recorded import load_motion
-from tracker.simulation.recorded.load import TARGETS, SplineMotion, read_bvh, read_track
+from tracker.simulation.recorded.load import (
+    TARGETS,
+    SplineMotion,
+    load_motion,
+    read_bvh,
+    read_track,
+)
 from tracker.simulation.recorded.track import PointTrack, mirrored
 
 G_FROM_LEAP = np.array([[0.0, 0, -1], [-1, 0, 0], [0, 1, 0]])  # x right, y up, z to the user

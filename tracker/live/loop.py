@@ -15,9 +15,9 @@ from tracker.base.clock import nanoseconds, next_instant, seconds
 from tracker.base.errors import GlovetrackError
 from tracker.base.notices import Notice, notice
 from tracker.engine.hands import Hands, Sided
+from tracker.engine.side_watch import ExchangeWatch
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.fusion.chain.pose_reset import reset_event
-from tracker.live.exchange_watch import ExchangeWatch
 from tracker.live.hand import LiveHand, camera_figures
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item, ResetCommand
 from tracker.live.journal import Journal

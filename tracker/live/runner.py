@@ -19,7 +19,6 @@ from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.engine import Engine
 from tracker.live.colours import FollowedColours
-from tracker.live.devices import CameraReader, GloveReader
 from tracker.live.frame_results import ShownFrame
 from tracker.live.hand import Follower
 from tracker.live.history import SearchedImage
@@ -30,7 +29,7 @@ from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
 from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
-from tracker.live.threads import ThreadGroup
+from tracker.live.threads import CameraReader, GloveReader, ThreadGroup
 from tracker.live.vision import Vision
 from tracker.messages import (
     Calibration,

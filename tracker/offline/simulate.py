@@ -102,7 +102,7 @@ def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
     if options.motion.startswith(WORD):
         wearer = Wearer.random(info.hand, info.glove, options.seed)
         return show(options.motion, info.hand, wearer)
-    from tracker.simulation.recorded import load_motion
+    from tracker.simulation.recorded.load import load_motion
 
     return load_motion(Path(options.motion), info.hand)
 

@@ -124,7 +124,7 @@ def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
 
 def _told(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
     """Imported when asked for: what these need brings all of scipy, and the demo starts first."""
-    from tracker.simulation.recorded import load_motion
+    from tracker.simulation.recorded.load import load_motion
     from tracker.simulation.scripted import show
 
     if spec.motion.startswith(WORD):

@@ -15,7 +15,7 @@ from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Faster, Motion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.recorded import load_motion
+from tracker.simulation.recorded.load import load_motion
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.scene import Extra
