@@ -2,8 +2,11 @@
 
 Topics, per hand:
 
-    /glovetrack/right         the JSON of `payload`, with its schema
-    /glovetrack/right/scene   foxglove.SceneUpdate in the frame ``world``; see `foxglove_scene`
+    /glovetrack/right                     the JSON of `payload`, with its schema
+    /glovetrack/right/scene               foxglove.SceneUpdate in the frame ``world``; see `scene`
+    /glovetrack/right/transforms          foxglove.FrameTransforms of the segments in ``world``
+    /glovetrack/right/joint_states        sensor_msgs/JointState
+    /glovetrack/right/robot_description   std_msgs/String with the hand's URDF, once for each client
 
 A client that reads slowly misses the oldest of `client_queue.BACKLOG` waiting messages, which are
 counted. Pages of other sites than
@@ -15,12 +18,13 @@ from __future__ import annotations
 import asyncio
 import json
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
 
 from websockets.asyncio.server import ServerConnection
 from websockets.typing import Origin, Subprotocol
 
+from extensions.foxglove import robot
 from extensions.foxglove.protocol import (
     SUBPROTOCOLS,
     Channel,
@@ -33,13 +37,16 @@ from extensions.foxglove.protocol import (
 )
 from extensions.foxglove.scene import FoxgloveScene, estimate_schema, scene_schema
 from tracker.messages import Estimate
+from tracker.session.ros import motion
+from tracker.session.ros.definitions import definition
 from tracker.streaming.client_queue import ClientQueue
-from tracker.streaming.payload import LATEST, to_json
+from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 MAX_SAID = 2**16  # bytes of a client's message
-ESTIMATE, SCENE = 1, 2  # channels of the first hand; those of the next are 3 and 4
+ESTIMATE, SCENE, TRANSFORMS, JOINTS, DESCRIPTION = 1, 2, 3, 4, 5
+"""Channels of the first hand; those of the next hand are 6 to 10."""
 FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
 
 
@@ -62,7 +69,7 @@ class FoxglovePublisher:
         ``origins``: further sites whose pages may connect, such as ``https://viz.example.org``.
         """
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
-        self._hands = [_HandChannels(n, 2 * i) for i, n in enumerate((names, *others))]
+        self._hands = [_HandChannels(n, DESCRIPTION * i) for i, n in enumerate((names, *others))]
         self._greeting = _greeting(self._hands, session_id=str(time.time_ns()))
         self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed
         self._missed = 0  # by clients that have left
@@ -102,7 +109,7 @@ class FoxglovePublisher:
         stamp_ns = round((estimate.t + self._wall) * 1e9)
         wanted = {channel for c in self._clients for channel in tuple(c.wants.by_channel)}
         for channel in sorted(wanted & hand.encoders.keys()):
-            payload = hand.encoders[channel](estimate, stamp_ns).encode()
+            payload = hand.encoders[channel](estimate, stamp_ns)
             self._server.call(self._hand_out, channel, stamp_ns, payload)
 
     def close(self) -> None:
@@ -118,8 +125,9 @@ class FoxglovePublisher:
     async def _serve(self, connection: ServerConnection) -> None:
         for text in self._greeting:
             await connection.send(text)
-        channels = {channel for hand in self._hands for channel in hand.encoders}
-        client = _Client(connection, channels)
+        channels = {channel.id for hand in self._hands for channel in hand.channels()}
+        once = {c: text for hand in self._hands for c, text in hand.once.items()}
+        client = _Client(connection, channels, once)
         self._clients += (client,)
         sending = asyncio.create_task(client.queue.send())
         try:
@@ -131,30 +139,59 @@ class FoxglovePublisher:
 
 
 class _HandChannels:
-    """What is told of one hand; ``first`` is added to the numbers of the first hand's channels."""
+    """The channels of one hand; ``first`` is added to the numbers of the first hand's channels.
+
+    ``once`` has the messages that a client gets when it subscribes, by channel.
+    """
 
     def __init__(self, names: Names, first: int) -> None:
-        self.names, self._estimate, self._scene = names, ESTIMATE + first, SCENE + first
+        self.names, self._first = names, first
         scene, gestures = FoxgloveScene(names), names.recogniser()
-        self.encoders: dict[int, Callable[[Estimate, int], str]] = {
-            self._estimate: lambda e, _: to_json(e, names, gestures, LATEST),
-            self._scene: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),
+        self.encoders: dict[int, Callable[[Estimate, int], bytes]] = {
+            ESTIMATE + first: lambda e, _: to_json(e, names, gestures).encode(),
+            SCENE + first: lambda e, stamp_ns: _json(scene.update(e, stamp_ns)),
+            JOINTS + first: partial(robot.joint_states, names),
         }
+        self.once: dict[int, bytes] = {}
+        if names.hand is not None:
+            self.encoders[TRANSFORMS + first] = lambda e, stamp_ns: _json(
+                robot.frame_transforms(names, e, stamp_ns)
+            )
+        if names.glove is not None:
+            self.once[DESCRIPTION + first] = robot.description(names)
 
-    def channels(self) -> tuple[Channel, Channel]:
-        """As they are advertised."""
-        names, topic = self.names, f"/glovetrack/{self.names.side}"
-        return (
-            Channel(self._estimate, topic, "glovetrack.Estimate", estimate_schema(names)),
-            Channel(self._scene, f"{topic}/scene", "foxglove.SceneUpdate", scene_schema()),
+    def channels(self) -> list[Channel]:
+        """As they are advertised; without a hand there are no frames, without a glove no model."""
+        topic, first = f"/glovetrack/{self.names.side}", self._first
+        schema, scene = json.dumps(estimate_schema(self.names)), json.dumps(scene_schema())
+        frames = json.dumps(robot.transforms_schema())
+        every = (
+            Channel(ESTIMATE + first, topic, "glovetrack.Estimate", schema),
+            Channel(SCENE + first, f"{topic}/scene", "foxglove.SceneUpdate", scene),
+            Channel(TRANSFORMS + first, f"{topic}/transforms", "foxglove.FrameTransforms", frames),
+            _ros_channel(JOINTS + first, f"{topic}/joint_states", motion.JOINTS),
+            _ros_channel(DESCRIPTION + first, f"{topic}/robot_description", motion.STRING),
         )
+        known = self.encoders.keys() | self.once.keys()
+        return [channel for channel in every if channel.id in known]
+
+
+def _json(message: object) -> bytes:
+    return json.dumps(message, allow_nan=False).encode()
+
+
+def _ros_channel(number: int, topic: str, name: str) -> Channel:
+    return Channel(number, topic, name, definition(name), "cdr", "ros2msg")
 
 
 class _Client:
     """One connection: what it wants, and what waits to be sent."""
 
-    def __init__(self, connection: ServerConnection, channels: set[int]) -> None:
-        self._connection = connection
+    def __init__(
+        self, connection: ServerConnection, channels: set[int], once: Mapping[int, bytes]
+    ) -> None:
+        """``once``: messages for a client that subscribes, by channel."""
+        self._connection, self._once = connection, once
         self.wants = Subscriptions(channels)
         self.queue = ClientQueue(connection)
 
@@ -167,10 +204,13 @@ class _Client:
     async def listen(self) -> None:
         """Hear the client until it leaves."""
         async for text in self._connection:
+            before = set(self.wants.by_channel)
             try:
                 self.wants.hear(text)
             except ProtocolError as trouble:
                 await self._connection.send(error(str(trouble)))
+            for channel in self.wants.by_channel.keys() & self._once.keys() - before:
+                self.offer(channel, time.time_ns(), self._once[channel])
 
 
 def _greeting(hands: Sequence[_HandChannels], session_id: str) -> tuple[str, str]:

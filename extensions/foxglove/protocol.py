@@ -11,7 +11,6 @@ import json
 import struct
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from typing import Any
 
 SUBPROTOCOLS = ("foxglove.sdk.v1", "foxglove.websocket.v1")
 MESSAGE_DATA = 1
@@ -25,12 +24,15 @@ class ProtocolError(Exception):
 
 @dataclass(frozen=True)
 class Channel:
-    """A topic whose messages are JSON. ``schema`` is the JSON schema of one."""
+    """A topic. ``schema`` describes one message: its JSON schema, or for messages of ROS 2
+    (``encoding`` cdr, ``schema_encoding`` ros2msg) its definition."""
 
     id: int
     topic: str
     schema_name: str
-    schema: dict[str, Any]
+    schema: str
+    encoding: str = "json"
+    schema_encoding: str = "jsonschema"
 
 
 def server_info(name: str, session_id: str) -> str:
@@ -46,10 +48,10 @@ def advertise(channels: Iterable[Channel]) -> str:
         {
             "id": c.id,
             "topic": c.topic,
-            "encoding": "json",
+            "encoding": c.encoding,
             "schemaName": c.schema_name,
-            "schemaEncoding": "jsonschema",
-            "schema": json.dumps(c.schema),
+            "schemaEncoding": c.schema_encoding,
+            "schema": c.schema,
         }
         for c in channels
     ]

@@ -65,7 +65,7 @@ class FoxgloveScene:
         out = []
         for state, size in SIZE_M.items():
             ends = [
-                _xyz(points[i])
+                xyz(points[i])
                 for bone in self._bones
                 if min(states[bone[0]], states[bone[1]]) == state
                 for i in bone
@@ -83,11 +83,11 @@ def _spheres(points: Array, states: list[Validity]) -> list[Json]:
         if state == Validity.LOST or not np.isfinite(p).all():
             continue
         size = dict.fromkeys("xyz", SIZE_M[state])
-        out.append({"pose": {"position": _xyz(p)}, "size": size, "color": COLOURS[state]})
+        out.append({"pose": {"position": xyz(p)}, "size": size, "color": COLOURS[state]})
     return out
 
 
-def _xyz(p: Array) -> dict[str, float]:
+def xyz(p: Array) -> dict[str, float]:
     return {axis: round(v, DECIMALS) for axis, v in zip("xyz", p.tolist(), strict=True)}
 
 
@@ -96,12 +96,12 @@ STRING = {"type": "string"}
 INTEGER = {"type": "integer"}
 
 
-def _object(title: str = "", /, **properties: Json) -> Json:
+def object_of(title: str = "", /, **properties: Json) -> Json:
     out = {"type": "object", "properties": properties}
     return {"title": title, **out} if title else out
 
 
-def _array(items: Json) -> Json:
+def array_of(items: Json) -> Json:
     return {"type": "array", "items": items}
 
 
@@ -110,17 +110,17 @@ def estimate_schema(names: Names) -> Json:
 
     What is lost is null in a message, whatever its type here.
     """
-    numbers = _array(NUMBER)
-    point = _object(state=STRING, position=numbers, orientation_xyzw=numbers, sd=NUMBER)
-    angle = _object(state=STRING, value=NUMBER, sd=NUMBER, rate=NUMBER, rate_sd=NUMBER)
-    of_each = _object(**dict.fromkeys(GESTURES, NUMBER))
-    velocity = _object(linear=numbers, angular=numbers, sd=NUMBER, angular_sd=NUMBER)
-    joint = _object(state=STRING, position=numbers, orientation_xyzw=numbers, radius=NUMBER)
+    numbers = array_of(NUMBER)
+    point = object_of(state=STRING, position=numbers, orientation_xyzw=numbers, sd=NUMBER)
+    angle = object_of(state=STRING, value=NUMBER, sd=NUMBER, rate=NUMBER, rate_sd=NUMBER)
+    of_each = object_of(**dict.fromkeys(GESTURES, NUMBER))
+    velocity = object_of(linear=numbers, angular=numbers, sd=NUMBER, angular_sd=NUMBER)
+    joint = object_of(state=STRING, position=numbers, orientation_xyzw=numbers, radius=NUMBER)
     if names.openxr:
-        points = {"joints": _object(**dict.fromkeys(JOINTS, joint))}
+        points = {"joints": object_of(**dict.fromkeys(JOINTS, joint))}
     else:
-        points = {"keypoints": _object(**dict.fromkeys(names.keypoints, point))}
-    return _object(
+        points = {"keypoints": object_of(**dict.fromkeys(names.keypoints, point))}
+    return object_of(
         "glovetrack.Estimate",
         schema=INTEGER,
         side=STRING,
@@ -129,41 +129,43 @@ def estimate_schema(names: Names) -> Json:
         t=NUMBER,
         tracking=STRING,
         **points,
-        velocity=_object(**dict.fromkeys(JOINTS if names.openxr else names.keypoints, velocity)),
-        angles=_object(**dict.fromkeys(names.angles, angle)),
-        gestures=_object(shown=_array(STRING), values=of_each, confidence=of_each),
+        velocity=object_of(**dict.fromkeys(JOINTS if names.openxr else names.keypoints, velocity)),
+        angles=object_of(**dict.fromkeys(names.angles, angle)),
+        gestures=object_of(shown=array_of(STRING), values=of_each, confidence=of_each),
     )
 
 
 def scene_schema() -> Json:
     """JSON schema of what `FoxgloveScene.update` says of foxglove.SceneUpdate."""
     stamp = {"sec": INTEGER, "nsec": INTEGER}
-    xyz = dict.fromkeys("xyz", NUMBER)
-    vector, colour = _object("foxglove.Vector3", **xyz), dict.fromkeys("rgba", NUMBER)
-    look = {"color": _object("foxglove.Color", **colour)}
-    sphere = _object(
+    axes = dict.fromkeys("xyz", NUMBER)
+    vector, colour = object_of("foxglove.Vector3", **axes), dict.fromkeys("rgba", NUMBER)
+    look = {"color": object_of("foxglove.Color", **colour)}
+    sphere = object_of(
         "foxglove.SpherePrimitive",
-        pose=_object("foxglove.Pose", position=vector),
+        pose=object_of("foxglove.Pose", position=vector),
         size=vector,
         **look,
     )
     line_type = {"oneOf": [{"title": "LINE_LIST", "const": LINE_LIST}]}
-    points = _array(_object("foxglove.Point3", **xyz))
-    line = _object(
+    points = array_of(object_of("foxglove.Point3", **axes))
+    line = object_of(
         "foxglove.LinePrimitive", type=line_type, thickness=NUMBER, points=points, **look
     )
-    entity = _object(
+    entity = object_of(
         "foxglove.SceneEntity",
-        timestamp=_object("time", **stamp),
+        timestamp=object_of("time", **stamp),
         frame_id=STRING,
         id=STRING,
-        lifetime=_object("duration", **stamp),
+        lifetime=object_of("duration", **stamp),
         frame_locked={"type": "boolean"},
-        metadata=_array(_object("foxglove.KeyValuePair", key=STRING, value=STRING)),
-        spheres=_array(sphere),
-        lines=_array(line),
+        metadata=array_of(object_of("foxglove.KeyValuePair", key=STRING, value=STRING)),
+        spheres=array_of(sphere),
+        lines=array_of(line),
     )
-    deletion = _object(
-        "foxglove.SceneEntityDeletion", timestamp=_object("time", **stamp), id=STRING
+    deletion = object_of(
+        "foxglove.SceneEntityDeletion", timestamp=object_of("time", **stamp), id=STRING
     )
-    return _object("foxglove.SceneUpdate", deletions=_array(deletion), entities=_array(entity))
+    return object_of(
+        "foxglove.SceneUpdate", deletions=array_of(deletion), entities=array_of(entity)
+    )

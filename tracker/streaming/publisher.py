@@ -70,6 +70,7 @@ class Names:
     radii: tuple[float, ...] = ()  # of OpenXR's joints, m, where messages are to carry these
     hand: HandModel | None = field(default=None, compare=False, repr=False)
     anchor: ClockAnchor | None = field(default=None, compare=False, repr=False)
+    glove: GloveModel | None = field(default=None, compare=False, repr=False)
 
     def wall_ns(self, t: float) -> int | None:
         """ns since 1970 at ``t`` (s) by the session's anchor; None for names without one."""
@@ -95,7 +96,8 @@ class Names:
         """
         if joints not in JOINT_SETS:
             raise StreamError(notice("stream.joints", known=JOINT_SETS, value=joints))
-        names = Names(hand.side, glove.keypoint_names(hand), hand.joint_names, (), hand, anchor)
+        keypoints = glove.keypoint_names(hand)
+        names = Names(hand.side, keypoints, hand.joint_names, (), hand, anchor, glove)
         return names.with_openxr() if joints == OPENXR else names
 
     def with_openxr(self) -> Names:

@@ -12,12 +12,17 @@ import struct
 import time
 from collections.abc import Iterator
 from dataclasses import replace
+from io import BytesIO
+from typing import Any
 
 import numpy as np
 import pytest
 
 pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
 import jsonschema
+import yourdfpy
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from scipy.spatial.transform import Rotation
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
@@ -63,11 +68,23 @@ class Client:
 
     def message(self, number: int = 7) -> tuple[int, dict]:
         """Time in ns and content of the next message."""
+        stamp, data = self.bytes(number)
+        return stamp, json.loads(data)
+
+    def ros(self, topic: str, number: int = 7) -> Any:
+        """The next message of ROS 2, read by ``rosbags`` with the definition that is advertised."""
+        channel, store = self.channels[topic], get_typestore(Stores.EMPTY)
+        assert (channel["encoding"], channel["schemaEncoding"]) == ("cdr", "ros2msg")
+        store.register(get_types_from_msg(channel["schema"], channel["schemaName"]))
+        return store.deserialize_cdr(self.bytes(number)[1], channel["schemaName"])
+
+    def bytes(self, number: int) -> tuple[int, bytes]:
+        """Time in ns and payload of the next message."""
         data = self.connection.recv(timeout=2)
         assert isinstance(data, bytes)
         opcode, subscription, stamp = struct.unpack_from("<BIQ", data)
         assert (opcode, subscription) == (MESSAGE_DATA, number)
-        return stamp, json.loads(data[13:])
+        return stamp, data[13:]
 
 
 @contextlib.contextmanager
@@ -86,8 +103,10 @@ def client(server: FoxglovePublisher) -> Iterator[Client]:
 def test_what_is_advertised(client: Client, names: Names) -> None:
     assert client.info["name"] == "Glovetrack"
     assert client.info["capabilities"] == []
-    assert {c["encoding"] for c in client.channels.values()} == {"json"}
-    assert {c["schemaEncoding"] for c in client.channels.values()} == {"jsonschema"}
+    assert {(c["encoding"], c["schemaEncoding"]) for c in client.channels.values()} == {
+        ("json", "jsonschema"),
+        ("cdr", "ros2msg"),
+    }
     schema = json.loads(client.channels[TOPIC]["schema"])
     assert tuple(schema["properties"]["keypoints"]["properties"]) == names.keypoints
     assert client.channels[f"{TOPIC}/scene"]["schemaName"] == "foxglove.SceneUpdate"
@@ -111,6 +130,8 @@ def unreadable(schema: dict, where: str = "") -> Iterator[str]:
 def test_foxglove_can_read_the_schemas(client: Client) -> None:
     assert list(unreadable({"properties": {"x": {"type": ["number", "null"]}}})) == [".x"]
     for channel in client.channels.values():
+        if channel["encoding"] != "json":
+            continue
         schema = json.loads(channel["schema"])
         assert schema["type"] == "object"
         assert list(unreadable(schema)) == []
@@ -166,6 +187,66 @@ def test_an_inferred_joint_looks_otherwise(client, server, make_estimate, names,
     assert pale["color"] not in [s["color"] for s in entity["spheres"]]
     measured, inferred = entity["lines"]
     assert len(inferred["points"]) == 2 < len(measured["points"])
+
+
+def test_joint_states_are_read_by_rosbags(client, server, make_estimate, names, wait_for) -> None:
+    """Angles that are lost are left out, as in recordings."""
+    client.subscribe(f"{TOPIC}/joint_states")
+    wait_for(lambda: server.clients == 1)
+    estimate = make_estimate(2.5)
+    state = estimate.angle_state.copy()
+    state[3] = int(Validity.LOST)
+    server.send(replace(estimate, angle_state=state))
+    read = client.ros(f"{TOPIC}/joint_states")
+    assert (read.header.stamp.sec, read.header.stamp.nanosec) == (1002, 500_000_000)
+    kept = [i for i in range(len(names.angles)) if i != 3]
+    assert read.name == [names.angles[i] for i in kept]
+    np.testing.assert_array_equal(read.position, estimate.angles[kept])
+
+
+def test_frames_and_joints_move_the_model(client, server, make_estimate, names, wait_for) -> None:
+    """The URDF, read by ``yourdfpy``, has a link for each frame and a joint for each state."""
+    client.subscribe(f"{TOPIC}/robot_description", number=1)
+    text = client.ros(f"{TOPIC}/robot_description", number=1).data
+    model = yourdfpy.URDF.load(BytesIO(text.encode()), load_meshes=False, build_scene_graph=False)
+    client.subscribe(f"{TOPIC}/transforms", number=2)
+    wait_for(lambda: server.clients == 1 and client_has(server, 2))
+    estimate = make_estimate(2.5)
+    server.send(estimate)
+    _, read = client.message(number=2)
+    jsonschema.validate(read, json.loads(client.channels[f"{TOPIC}/transforms"]["schema"]))
+    frames = {t["child_frame_id"]: t for t in read["transforms"]}
+    assert {t["parent_frame_id"] for t in read["transforms"]} == {"world"}
+    assert frames.keys() <= model.link_map.keys() and len(frames) == len(names.model.segments)
+    assert set(names.angles) <= model.joint_map.keys()
+    for i, segment in enumerate(names.model.segment_names):
+        place, turn = (frames[f"right_{segment}"][part] for part in ("translation", "rotation"))
+        assert np.allclose([place[a] for a in "xyz"], estimate.segment_p[i], atol=1e-6)
+        away = Rotation.from_quat([turn[a] for a in "xyzw"]).as_matrix().T @ estimate.segment_R[i]
+        assert Rotation.from_matrix(away).magnitude() < 1e-5
+
+
+def client_has(server: FoxglovePublisher, count: int) -> bool:
+    """Whether the only client has that many subscriptions."""
+    return [len(c.wants.by_channel) for c in server._clients] == [count]
+
+
+def test_each_client_gets_the_model_once_for_each_subscription(server, make_estimate) -> None:
+    for _ in range(2):
+        with connected(server) as client:
+            client.subscribe(f"{TOPIC}/robot_description", number=4)
+            assert client.ros(f"{TOPIC}/robot_description", number=4).data.startswith("<?xml")
+            server.send(make_estimate())
+            client.say("no such thing")
+            client.text("status")  # the answer is the next message: the model is not sent again
+
+
+def test_names_without_a_glove_have_no_model(make_estimate, names: Names, wait_for) -> None:
+    server = FoxglovePublisher(replace(names, glove=None), port=0)
+    with connected(server) as client:
+        assert f"{TOPIC}/robot_description" not in client.channels
+        assert f"{TOPIC}/joint_states" in client.channels
+    server.close()
 
 
 def test_foxglove_of_yesterday_is_understood(server, make_estimate, wait_for) -> None:
