@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from glovetrack.conventions import MEDIAPIPE
 from tracker.geometry import so3
-from tracker.hand.conventions import MEDIAPIPE
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.publisher import Names
 

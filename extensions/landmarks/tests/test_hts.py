@@ -27,10 +27,10 @@ from hand_tracking_sdk.transport import (
 )
 
 from extensions.landmarks.hts import hts_lines
+from glovetrack.conventions import MEDIAPIPE
 from tests.streaming.posed_hand import posed_estimate, side_names
 from tests.streaming.recorded_hand import recorded_hand
 from tracker.base.clock import ClockAnchor
-from tracker.hand.conventions import MEDIAPIPE
 from tracker.messages import Estimate, Tracking
 from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError

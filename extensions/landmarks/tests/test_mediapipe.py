@@ -11,7 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from extensions.landmarks.mediapipe import View, hand_result
-from tracker.hand.conventions import MEDIAPIPE
+from glovetrack.conventions import MEDIAPIPE
 from tracker.streaming.connection import LOOPBACK
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.registry import StreamSettings, open_streams, with_streams
