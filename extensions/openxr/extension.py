@@ -21,7 +21,7 @@ class OpenXrOptions:
     y: float = option(-0.45, "m up")
     z: float = option(-0.25, "m backwards")
     yaw: float = option(0.0, "how far Glovetrack's forward direction is turned to the left, deg")
-    ahead_ms: int = option(40, "how far poses are predicted beyond the newest sample at most, ms")
+    ahead_ms: int = option(50, "how far poses are predicted beyond the newest sample at most, ms")
 
 
 def _make(options: OpenXrOptions, hands: Sequence[Names]) -> Iterator[Publisher]:

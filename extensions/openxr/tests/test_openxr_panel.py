@@ -12,11 +12,13 @@ import pytest
 
 from app.viewmodels.states import BAD, GOOD, WARN
 from app.window.main_window import MainWindow
-from extensions.openxr.layout import HEADER, READER, READERS_AT
+from extensions.openxr.layout import HEADER, READER, READERS_AT, Space
 from extensions.openxr.library import LIBRARY_NAME
 from extensions.openxr.memory import ELSEWHERE
+from extensions.openxr.publisher import Placement
 from extensions.openxr.readers import Link, Reader, read_link
 from extensions.openxr.registration import Registered, Registration
+from extensions.openxr.tests.scene import world_in
 from extensions.openxr.window.panel import OpenXrPanel
 from extensions.openxr.window.view_model import stream_text, test_result
 from tests.gui.gui_fakes import ScriptedEngine, scripted_setup
@@ -125,6 +127,27 @@ def test_the_test_reports_an_application_that_reads(
     assert "read by &lt;Viewer&gt;" in panel.stream.text()
     panel.box.click()
     qtbot.waitUntil(lambda: not memory.exists())
+
+
+def test_a_button_places_the_hand_in_front_of_the_headset(
+    panel: OpenXrPanel, window: MainWindow
+) -> None:
+    reported: list[str] = []
+    window.host.error.connect(reported.append)
+    panel.in_front.click()
+    assert "not tracked" in reported[0]
+    engine = ScriptedEngine()
+    setup = scripted_setup(engine)
+    window.host.adopt(setup)
+    panel.numbers["yaw"].setValue(90)
+    estimate = setup.tracked.latest_estimate()
+    assert estimate is not None
+    panel.in_front.click()
+    wrist = estimate.keypoints[setup.hand.keypoint_names.index("wrist")]
+    there = Placement(Space.LOCAL, tuple(panel.numbers[n].value() for n in "xyz"), 90.0, 0.05)
+    R, p = world_in("local", there, 0.0)
+    found = R.apply([-wrist[1], wrist[2], -wrist[0]]) + p
+    assert found.tolist() == pytest.approx([0.0, -0.3, -0.4], abs=0.01)
 
 
 def test_the_verdict_follows_the_counts() -> None:

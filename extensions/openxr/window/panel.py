@@ -28,8 +28,15 @@ from app.widgets.measures import NEAR
 from extensions.openxr.extension import STREAM
 from extensions.openxr.readers import read_link
 from extensions.openxr.registration import Registered, Registration, user_registration
-from extensions.openxr.window.view_model import StateText, layer_text, stream_text, test_result
+from extensions.openxr.window.view_model import (
+    StateText,
+    layer_text,
+    origin_for,
+    stream_text,
+    test_result,
+)
 from tracker.base.errors import FileError
+from tracker.messages import Validity
 
 TEST_S = 1.0
 REACH = 10.0  # m
@@ -111,6 +118,12 @@ class OpenXrPanel(Panel):
             number.setKeyboardTracking(False)
             number.valueChanged.connect(partial(self._set, option))
             form.addRow(label, number)
+        self.in_front = QPushButton(self.tr("Place the hand in front of the headset"))
+        self.in_front.setToolTip(
+            self.tr("Hold your hand in front of you, then press: it appears there in applications")
+        )
+        self.in_front.clicked.connect(self._place_in_front)
+        form.addRow(self.in_front)
         return form
 
     def _test(self) -> QHBoxLayout:
@@ -135,6 +148,21 @@ class OpenXrPanel(Panel):
 
     def _set(self, option: str, value: object) -> None:
         self._outputs.set_option(STREAM.name, option, value)
+
+    def _place_in_front(self) -> None:
+        setup = self.host.setup
+        estimate = setup.tracked.latest_estimate() if setup is not None else None
+        row = setup.hand.keypoint_names.index("wrist") if setup is not None else 0
+        if estimate is None or estimate.keypoint_state[row] == Validity.LOST:
+            self.host.error.emit(
+                self.tr("The hand is not tracked, so its position is unknown. Track it first.")
+            )
+            return
+        options = self._outputs.settings.options(STREAM)
+        origin = origin_for(estimate.keypoints[row], options.space, options.yaw)
+        for option, value in zip("xyz", origin, strict=True):
+            self._set(option, round(value, 3))
+        self._show()
 
     def _begin_test(self) -> None:
         before, began = read_link(), time.monotonic()

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from app.words import mark, tr
 from extensions.openxr.readers import Link, Reader
 from extensions.openxr.registration import Registered
+from tracker.geometry import so3
+from tracker.hand.openxr import R_BX
+from tracker.messages import Array
 
 LAYER_TEXTS = {
     Registered.NO: mark("The layer is not registered. Applications do not find the hand."),
@@ -23,12 +28,23 @@ LAYER_LOOKS = {
 }
 
 
+IN_FRONT = {"local": np.array([0.0, -0.3, -0.4]), "stage": np.array([0.0, 1.1, -0.4])}
+"""m, where a wrist is in front of the wearer, by the reference space."""
+
+
 @dataclass(frozen=True)
 class StateText:
     """A sign with its colour, and a sentence."""
 
     look: StateLook
     text: str
+
+
+def origin_for(wrist_G: Array, space: str, yaw_deg: float) -> tuple[float, float, float]:
+    """Position (m) of Glovetrack's origin with which a wrist (3,) m is `IN_FRONT`."""
+    wrist = so3.ry(np.deg2rad(yaw_deg)) @ (wrist_G @ R_BX)
+    x, y, z = (IN_FRONT.get(space, IN_FRONT["local"]) - wrist).tolist()
+    return x, y, z
 
 
 def layer_text(found: Registered) -> StateText:
