@@ -16,7 +16,9 @@ MOST_AHEAD_MS = 100
 class OpenXrOptions:
     """The default puts a table, on which G's origin is, below and in front of a seated user."""
 
-    space: str = option("local", "reference space of the placement: local or stage")
+    space: str = option(
+        "local", "reference space of the placement: local or stage", ("local", "stage")
+    )
     x: float = option(0.0, "position of Glovetrack's origin in that space, m to the right")
     y: float = option(-0.45, "m up")
     z: float = option(-0.25, "m backwards")
