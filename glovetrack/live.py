@@ -205,7 +205,7 @@ class LiveTracker:
 
     def take_events(self) -> tuple[RecordedEvent, ...]:
         """What happened since the last call, at s of the monotonic clock."""
-        return tuple(RecordedEvent.of(e, e.t) for e in self._tracker.take_events())
+        return tuple(RecordedEvent.of(e, e.t) for e in self._tracker.drain_events())
 
     def publish(
         self,

@@ -234,7 +234,7 @@ class EngineHost(QObject):
         if setup is None:
             return None
         setup = self._follow_colours(setup)
-        for event in setup.engine.take_events():
+        for event in setup.engine.drain_events():
             self.happened.emit(event)
         live = setup.live
         if self.running and live is not None and live.engine.failure:

@@ -187,7 +187,7 @@ class ScriptedEngine:
 
     failure = None
 
-    def take_events(self) -> list[Event]:
+    def drain_events(self) -> list[Event]:
         events, self.events = self.events, []
         return events
 

@@ -250,7 +250,7 @@ def test_a_replay_leaves_out_damaged_messages_and_says_how_many(sessions, frames
         told: list[str] = []
 
         def has_told_all() -> bool:
-            told.extend(e.text for e in engine.take_events() if e.kind == "error")
+            told.extend(e.text for e in engine.drain_events() if e.kind == "error")
             return bool(told) and all(f"1 on {topic}" in told[-1] for topic in topics)
 
         qtbot.waitUntil(has_told_all, timeout=20_000)

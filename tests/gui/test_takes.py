@@ -73,7 +73,7 @@ class Nothing:
 
     failure = None
 
-    def take_events(self):
+    def drain_events(self):
         return []
 
     def close(self) -> None:

@@ -56,7 +56,7 @@ def test_what_was_learned_is_searched_with_and_recorded() -> None:
     colours.used.put(USED)
     colours.step()
     assert vision.profile is WARM
-    (event,) = journal.take_events()
+    (event,) = journal.drain_events()
     assert (event.kind, event.t) == (KIND, 10.0)
     assert parse_profile(str(event.data["colours"])).hues == WARM.hues
 
@@ -71,7 +71,7 @@ def test_the_user_has_the_last_word() -> None:
     colours.used.put(USED)
     colours.step()
     assert vision.profile is USERS
-    assert journal.take_events() == []
+    assert journal.drain_events() == []
     follower.answer = None
     colours.used.put(USED)
     colours.step()
@@ -121,7 +121,7 @@ def test_colours_that_someone_sets_are_recorded_once_they_stand() -> None:
     (event,) = recorder.messages
     assert (event.kind, event.t, event.text) == (KIND, pytest.approx(10.2), "")
     assert parse_profile(str(event.data["colours"])).hues == USERS.hues
-    assert KIND not in [said.kind for said in journal.take_events()]
+    assert KIND not in [said.kind for said in journal.drain_events()]
 
 
 def test_it_ends_when_images_do() -> None:

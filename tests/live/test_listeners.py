@@ -109,7 +109,7 @@ def test_a_listener_that_fails_is_removed_and_reported_while_others_go_on(
     assert isinstance(failing, Failing) and isinstance(notebook, Notebook)
     assert len(failing.estimates) == 1 and failing.closed == 1
     assert len(notebook.estimates) > 20
-    errors = [e.notice for e in loop.journal.take_events() if e.kind == "error"]
+    errors = [e.notice for e in loop.journal.drain_events() if e.kind == "error"]
     assert [(n.code, n.values["name"], str(n.values["why"])) for n in errors if n is not None] == [
         ("listener.failed", "unmade", "no paper"),
         ("listener.failed", "failing", "no ink"),

@@ -199,11 +199,11 @@ def test_without_a_packet_no_hand_is_looked_for(sim):
     loop, clock = loop_on(sim)
     messages = messages_of(sim)
     feed(loop, clock, [m for m in messages if isinstance(m, BlobFrame)][:20])
-    assert loop.journal.take_events() == []
+    assert loop.journal.drain_events() == []
     loop, clock = loop_on(sim)
     first = next(m for m in messages if isinstance(m, BlobFrame))
     feed(loop, clock, [first, *(m for m in messages if m.t < 1.0)])
-    codes = [e.code for e in loop.journal.take_events() if e.kind == "tracking"]
+    codes = [e.code for e in loop.journal.drain_events() if e.kind == "tracking"]
     assert codes[:2] == ["tracking.searching", "tracking.tracked"]
 
 

@@ -69,7 +69,7 @@ def test_the_same_bits_of_a_recording_begun_in_the_middle(
     finally:
         tracker.stop()
         processes.close()
-    assert not [e.text for e in tracker.take_events() if e.kind == "error"]
+    assert not [e.text for e in tracker.drain_events() if e.kind == "error"]
     assert is_ok(verify(recorded))
     with SessionReader(recorded) as reader:
         kinds = [type(m) for m in reader.messages()]

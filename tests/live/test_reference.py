@@ -73,6 +73,6 @@ def test_a_command_is_obeyed_in_the_engines_thread_and_its_errors_are_told(sim, 
 
     tracker.hand("right").command(refuse)
     tracker.start()
-    assert wait_until(lambda: any("That cannot be done." in e.text for e in tracker.take_events()))
+    assert wait_until(lambda: any("That cannot be done." in e.text for e in tracker.drain_events()))
     assert isinstance(seen[0], ChainEngine)
     tracker.stop()

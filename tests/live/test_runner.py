@@ -74,7 +74,7 @@ class Camera:
     def read(self, timeout: float) -> StereoFrame | None:
         return self._stream.take(StereoFrame, timeout)
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         return []
 
     def close(self) -> None:
@@ -186,7 +186,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_tracking(
     tape = Tape(limit=50)
     tracker, stream = live(sim, profile, tape)
     run_to_the_end(tracker, stream)
-    events = tracker.take_events()
+    events = tracker.drain_events()
     estimate = tracker.hand("right").latest_estimate()
     tracker.stop()
     assert tape.closed and estimate is not None and estimate.t > 1.5
@@ -218,7 +218,7 @@ def test_the_end_of_a_recording_is_not_waited_for_long(
     slow.let_go.set()
     tracker.stop()  # waits to the end
     assert slow.closed
-    codes = [e.code for e in tracker.take_events() if e.kind == "recording"]
+    codes = [e.code for e in tracker.drain_events() if e.kind == "recording"]
     assert codes[-1] == "recording.finished"
 
 
@@ -246,11 +246,11 @@ def test_devices_are_free_though_the_disk_is_behind(
 def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:
     tracker, _ = live(sim, profile, None, camera=BrokenCamera)
     tracker.start()
-    reported, deadline = list(tracker.take_events()), time.monotonic() + 30
+    reported, deadline = list(tracker.drain_events()), time.monotonic() + 30
     while "thread.failed" not in [e.code for e in reported]:
         assert time.monotonic() < deadline
         time.sleep(0.01)
-        reported += tracker.take_events()
+        reported += tracker.drain_events()
     tracker.stop()
 
 
@@ -264,7 +264,7 @@ def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: Colou
     while not stream.done and time.monotonic() < deadline:
         time.sleep(0.01)
     time.sleep(0.3)
-    estimate, events = tracker.hand("right").latest_estimate(), tracker.take_events()
+    estimate, events = tracker.hand("right").latest_estimate(), tracker.drain_events()
     tracker.stop()
     assert tracker.settings.engine == "madgwick"
     assert notice("engine.changed", engine="madgwick") in [e.notice for e in events]

@@ -107,7 +107,7 @@ class Devices:
     def image_waits(self) -> bool:
         return bool(self.images) and self.images[0].t_arrival <= self._scheduler.now
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         return []
 
     def close(self) -> None:

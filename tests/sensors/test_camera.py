@@ -70,7 +70,7 @@ class Bench:
     def read(self) -> object:
         self.t += 0.1
         frame = self.camera.read(0.05)
-        self.notices += [e.notice for e in self.camera.take_events()]
+        self.notices += [e.notice for e in self.camera.drain_events()]
         return frame
 
 
@@ -172,7 +172,7 @@ def test_video_file_is_paced_and_ends(tmp_path: Path) -> None:
     assert [f.right.mean() for f in frames] == pytest.approx([200] * 5, abs=4)
     assert np.diff([f.t for f in frames]) == pytest.approx([0.05] * 4, abs=1e-6)
     assert all(camera.read(0.02) is None for _ in range(5))
-    assert camera.take_events()[-1].code == "camera.file_end"
+    assert camera.drain_events()[-1].code == "camera.file_end"
 
 
 def test_two_captures_stay_apart(tmp_path: Path) -> None:

@@ -63,7 +63,7 @@ def test_its_camera_is_among_all_and_gives_images(folder: Path) -> None:
     assert len(frames) == 3
     left, right = np.load(folder / "1.npy")
     assert np.array_equal(frames[1].left, left) and np.array_equal(frames[1].right, right)
-    assert stereo.take_events()[-1].code == "camera.file_end"
+    assert stereo.drain_events()[-1].code == "camera.file_end"
 
 
 @pytest.mark.parametrize("by_name", [True, False])

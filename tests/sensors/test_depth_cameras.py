@@ -101,8 +101,8 @@ class PluggedIn(Camera):
             source, rig, CameraParams(delay=0.0), lambda: self._now, sleep=lambda _dt: None
         )
 
-    def take_events(self) -> Sequence[Event]:
-        self.told += (events := self._camera.take_events())
+    def drain_events(self) -> Sequence[Event]:
+        self.told += (events := self._camera.drain_events())
         return events
 
     def read(self, timeout: float) -> StereoFrame | None:
@@ -150,7 +150,7 @@ def tracked(
         tape,
     )
     run_to_the_end(tracker, stream)
-    codes = [event.code for event in tracker.take_events()]
+    codes = [event.code for event in tracker.drain_events()]
     tracker.stop()
     late = [m for m in tape.messages if isinstance(m, Estimate) and m.t > sim.duration - 0.5]
     assert all(e.tracking == Tracking.TRACKING for e in late)

@@ -33,7 +33,7 @@ def test_images_come_in_time_and_are_those_of_the_simulation(drawn: int) -> None
                 assert time.monotonic() >= frame.t_arrival - 1e-3
                 frames.append(frame)
         if drawn:
-            while not camera.take_events() and time.monotonic() < deadline:
+            while not camera.drain_events() and time.monotonic() < deadline:
                 assert camera.read(0.2) is None  # it had no more
     finally:
         camera.close()
@@ -57,6 +57,6 @@ def test_a_camera_whose_process_dies_says_so() -> None:
     events = []
     while not events and time.monotonic() < deadline:
         camera.read(0.2)
-        events = list(camera.take_events())
+        events = list(camera.drain_events())
     assert "simulation.camera_ended" in [e.code for e in events]
     assert camera.read(0.0) is None

@@ -46,7 +46,7 @@ class Journal:
         self._events.put(event)
         self.record(event)
 
-    def take_events(self) -> list[Event]:
+    def drain_events(self) -> list[Event]:
         """The events since the last call, oldest first."""
         return self._events.drain()
 

@@ -190,9 +190,9 @@ class LiveTracker:
         """
         self._journal.note(text, t, data or {})
 
-    def take_events(self) -> list[Event]:
+    def drain_events(self) -> list[Event]:
         """What happened since the last call."""
-        return self._journal.take_events()
+        return self._journal.drain_events()
 
     def hand(self, side: str) -> HandOfTracker:
         """What may be seen and asked of one hand."""

@@ -44,7 +44,8 @@ class GloveReader:
 
     def _of_side(self, event: Event) -> Event:
         what = event.notice or plain(event.text)
-        named = replace(notice("glove.of_side", side=self._side, what=what), severity=what.severity)
+        left, right = notice("glove.of_left", what=what), notice("glove.of_right", what=what)
+        named = (left if self._side == "left" else right).with_severity(what.severity)
         return replace(event, text=str(named), notice=named)
 
     def figures(self) -> dict[str, float]:
@@ -68,7 +69,7 @@ class CameraReader:
     def step(self) -> None:
         """Take the next image pair."""
         frame = self._camera.read(WAIT)
-        for event in self._camera.take_events():
+        for event in self._camera.drain_events():
             self._journal.add(event)
         if frame is not None:
             self._telemetry.tick("frame", frame.t_arrival)

@@ -101,7 +101,7 @@ class StereoCamera:
             return None
         return self._frame(pair)
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         """The events since the last call, oldest first."""
         out = list(self._events)
         self._events.clear()

@@ -33,7 +33,7 @@ class CameraSource(Protocol):
     def read(self, timeout: float) -> StereoFrame | None:
         """The next image pair; None if none came within ``timeout`` s."""
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         """What happened to the device since the last call."""
 
     def close(self) -> None:
@@ -64,7 +64,7 @@ class NoCamera:
         self._closed.wait(timeout)
         return None
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         return ()
 
     def close(self) -> None:

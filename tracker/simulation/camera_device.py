@@ -125,7 +125,7 @@ class SimulatedCamera:
             )
             self.close()
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         out, self._events = self._events, []
         return out
 
@@ -159,7 +159,7 @@ class NoSimulatedCamera(NoCamera):
         """As `SimulatedCamera.ask`, for the recording alone."""
         self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
 
-    def take_events(self) -> Sequence[Event]:
+    def drain_events(self) -> Sequence[Event]:
         out, self._events = self._events, []
         return out
 

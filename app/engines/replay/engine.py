@@ -91,8 +91,8 @@ class ReplayEngine:
         self.stop()
         self.hands.close()
 
-    def take_events(self) -> list[Event]:
-        return self.hands.take_events()
+    def drain_events(self) -> list[Event]:
+        return self.hands.drain_events()
 
     @property
     def profile(self) -> ColourProfile:

@@ -300,7 +300,7 @@ class HandsInFile:
             for what in reports(found):
                 self.tell(Event.of(0.0, "error", what))
 
-    def take_events(self) -> list[Event]:
+    def drain_events(self) -> list[Event]:
         """What was told since the last call."""
         events = []
         while self._events:

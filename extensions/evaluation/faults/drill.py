@@ -218,7 +218,7 @@ class Bench:
         for result in self.pipeline.take_results():
             if int(np.sum(result.match_left >= 0)) >= MATCHED:
                 self._matched = result.t
-        self._notices += [e.notice or plain(e.text) for e in self.images.take_events()]
+        self._notices += [e.notice or plain(e.text) for e in self.images.drain_events()]
         self._notices += self.pipeline.drain_notices() + self._load.notices.drain()
 
     # ---- truth

@@ -110,7 +110,8 @@ TEXTS = {
         " For rotation {gyro_dps} deg/s is assumed and may be wrong."
     ),
     "glove.battery_low": "The glove's battery is low ({volts:.2f} V). Charge it soon.",
-    "glove.of_side": "{side:word} glove: {what}",
+    "glove.of_left": "Left glove: {what}",
+    "glove.of_right": "Right glove: {what}",
     "glove.stranger": (
         "The glove at {port} is number {found}, but number {glove_id} is expected. To use"
         " another glove, choose it under Set-up, Glove."
