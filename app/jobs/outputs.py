@@ -106,8 +106,9 @@ class Outputs(Connections[StreamKind[Any], StreamSettings]):
         for name in asked.on:
             kind = self.kinds[name]
             options = asked.options(kind)
-            given = [option for option in ("port", "file") if kind.has(option)]
-            changes = {key_of(name, option): getattr(options, option) for option in given}
+            always = [option for option in ("port", "file") if kind.has(option)]
+            asked_for = [o for o in kind.fields if o != HOST and key_of(name, o) in asked.table]
+            changes = {key_of(name, o): getattr(options, o) for o in (*always, *asked_for)}
             self.settings = self.settings.changed(**{name: True, **changes})
         for key in (HOST, JOINTS):
             if key in asked.table:

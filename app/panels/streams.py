@@ -104,8 +104,8 @@ class StreamsPanel(Panel):
         column.addLayout(self._address())
         self.tests: dict[str, QPushButton] = {}
         self.options: dict[str, QPushButton] = {}
-        column.addLayout(self._table())
         column.addWidget(self._result())
+        column.addLayout(self._table())
         column.addWidget(self._reach())
         column.addWidget(self._haptics())
         column.addWidget(self.remote)
@@ -203,10 +203,8 @@ class StreamsPanel(Panel):
         row.setSpacing(NEAR)
         row.addWidget(test)
         if options_of(self._outputs.kinds[name]):
-            options = self.options[name] = QPushButton("…")
-            options.setFixedWidth(options.sizeHint().height())
-            options.setToolTip(self.tr("Options of {}…").format(title))
-            options.setAccessibleName(self.tr("Options of {}…").format(title))
+            options = self.options[name] = QPushButton(self.tr("Options…"))
+            options.setAccessibleName(self.tr("Options of {}").format(title))
             options.clicked.connect(partial(self._edit_options, name))
             row.addWidget(options)
         row.addStretch(1)
@@ -324,6 +322,7 @@ class StreamsPanel(Panel):
                 self._outputs.problems.get(name, ""),
             )
             self._show_row(name, row)
+            self.table.show_wanted(name, self._outputs.is_on(name), self._outputs.port(name))
         for button in (*self.motors, self.place):
             button.setEnabled(self._outputs.can_vibrate)
         self.contact.setText(self._contact_text())

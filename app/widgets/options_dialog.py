@@ -49,7 +49,8 @@ class OptionsDialog(QDialog):
             self.fields[each.name] = widget
             label = tr(each.metadata["help"])
             widget.setAccessibleName(label)
-            form.addRow(label[:1].upper() + label[1:], widget)
+            is_unit = label[1:2] == " "  # "m up"
+            form.addRow(label if is_unit else label[:1].upper() + label[1:], widget)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
         )

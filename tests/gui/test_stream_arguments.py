@@ -25,17 +25,18 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
         listener.bind(("127.0.0.1", 0))
         listener.setblocking(False)
         port = listener.getsockname()[1]
-        window.outputs.use(with_streams(StreamSettings(), f"udp:{port}"))
+        window.outputs.use(with_streams(StreamSettings(), f"udp:{port}?schema=1"))
         assert window.store.value.streams == {}, "the next start is as it was"
         window.host.adopt(scripted_setup(ScriptedEngine()))
 
         def heard() -> bool:
             try:
-                return "keypoints" in json.loads(listener.recv(65536))
+                return json.loads(listener.recv(65536))["schema"] == 1
             except BlockingIOError:
                 return False
 
         qtbot.waitUntil(heard, timeout=10_000)
+        assert window.panels["streams"].boxes["udp"].isChecked()
 
 
 @pytest.mark.timeout(180)

@@ -6,6 +6,7 @@ import contextlib
 import socket
 import threading
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from extensions.vr.skeleton import HELD
 from extensions.vr.tests.openvr_reader import messages, received, skeleton
 from extensions.vr.vmt import VmtDevice, VmtPublisher, driver_version
 from tests.streaming.posed_hand import posed_estimate, side_names
+from tests.streaming.recorded_hand import recorded_hand
 from tracker.hand.names import FINGERS
 from tracker.messages import Tracking
 from tracker.simulation.scripted import Key
@@ -203,3 +205,23 @@ def test_without_a_driver_the_port_is_judged(names: Names, make_estimate, client
         assert out.probe().code == "stream.test_udp"
         client.close()
         assert out.probe().code == "stream.test_refused"
+
+
+def test_a_recording_reaches_steamvr(tmp_path: Path) -> None:
+    """Every tracked estimate of a session: joints within 0.1 mm, the wrist within 0.1°."""
+    names, estimates = recorded_hand(tmp_path)
+    assert len(estimates) > 30
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.bind((LOOPBACK, 0))
+        client.settimeout(2)
+        out = opened(client, names)
+        with contextlib.closing(out):
+            for e in estimates:
+                out.send(e)
+                world = skeleton(received(client), 57)
+                for bone, keypoint in KEYPOINT.items():
+                    k = names.keypoints.index(keypoint)
+                    assert_allclose(world[bone][0], OPENVR_OF_G @ e.keypoints[k], atol=1e-4)
+                G = OPENVR_OF_G @ Rotation.from_quat(e.keypoint_q[0]).as_matrix()
+                to_tip = world[1][1].as_matrix()[:, 2]
+                assert np.arccos(min(to_tip @ G[:, 0], 1.0)) < np.deg2rad(0.1)
