@@ -7,12 +7,15 @@ import math
 import runpy
 import sys
 import threading
+import time
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
 import pytest
 from numpy.testing import assert_allclose
 
+from tests.streaming.moving_hand import turning
+from tracker.base.clock import ClockAnchor
 from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import OPENXR, Names
@@ -42,6 +45,14 @@ def test_the_node_has_every_pose_in_order_and_nothing_for_what_is_lost(
     assert "thumb_ip_flexion" not in angles and angles["index_pip_flexion"] == 0.7
 
 
+def test_a_stream_of_schema_1_has_no_velocities(make_estimate, hand, glove) -> None:
+    node = runpy.run_path(str(NODE))
+    names = Names.of(hand, glove, OPENXR)
+    estimate = json.loads(to_json(make_estimate(), names))
+    assert node["rates"](estimate) == []
+    assert abs(node["stamp"](estimate)[0] - time.time()) < 5
+
+
 class Message:
     """Any ROS message: its fields come to be as they are named."""
 
@@ -67,9 +78,6 @@ class Node:
 
         return SimpleNamespace(publish=publish)
 
-    def get_clock(self) -> SimpleNamespace:
-        return SimpleNamespace(now=lambda: SimpleNamespace(to_msg=lambda: "now"))
-
 
 def test_the_node_publishes_what_the_stream_tells(
     make_estimate, hand, glove, monkeypatch: pytest.MonkeyPatch
@@ -89,8 +97,9 @@ def test_the_node_publishes_what_the_stream_tells(
         module = ModuleType(name)
         module.__dict__.update(content)
         monkeypatch.setitem(sys.modules, name, module)
-    server = WebSocketPublisher(Names.of(hand, glove, OPENXR), port=0)
-    e = make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7})
+    names = Names.of(hand, glove, OPENXR, ClockAnchor(1_732_538_096_500_000_000, 0))
+    server = WebSocketPublisher(names, port=0)
+    e = turning(make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7}), names)
 
     def send() -> None:
         while not node.ending.wait(0.02):
@@ -104,12 +113,17 @@ def test_the_node_publishes_what_the_stream_tells(
     state = node.heard["/hand/right/joint_states"][0]
     told = dict(zip(state.name, state.position, strict=True))
     assert told["index_pip_flexion"] == pytest.approx(0.7) and len(told) == len(hand.joint_names)
+    assert e.motion is not None
+    assert_allclose(state.velocity, e.motion.angle_rate, atol=1e-6)
+    stamp = state.header.stamp  # of the pose, not of its publication
+    assert (stamp.sec, stamp.nanosec) == (1_732_538_097, 750_000_000)
     array = node.heard["/hand/right/openxr"][0]
+    assert array.header.stamp is stamp
     assert len(array.poses) == len(JOINTS) and array.header.frame_id == "openxr"
     wanted = to_openxr(e, glove.keypoint_names(hand), joint_radii(hand))
     tip = JOINTS.index("index_tip")
     assert math.isnan(array.poses[tip].position.x)
     assert array.poses[1].position.x == pytest.approx(wanted.position[1, 0], abs=1e-6)
     assert array.poses[1].orientation.w == pytest.approx(wanted.orientation[1, 3], abs=1e-6)
-    names = {frame.child_frame_id for frame in frames}
-    assert "right_wrist" in names and "right_index_tip" not in names
+    shown = {frame.child_frame_id for frame in frames}
+    assert "right_wrist" in shown and "right_index_tip" not in shown

@@ -13,7 +13,6 @@ second process hears it in a test; ROS 2 itself was not at hand.
 import json
 import os
 import sys
-import time
 from typing import Any
 
 from cyclonedds.core import Policy, Qos
@@ -23,7 +22,7 @@ from cyclonedds.idl.annotations import final
 from cyclonedds.idl.types import float64, int32, sequence, uint32
 from cyclonedds.pub import DataWriter
 from cyclonedds.topic import Topic
-from glovetrack_node import joint_states, poses
+from glovetrack_node import joint_states, poses, rates, stamp
 
 LOOPBACK = (
     "<CycloneDDS><Domain><General><Interfaces><NetworkInterface name='lo'/></Interfaces>"
@@ -74,12 +73,12 @@ class Publisher:
 
     def publish(self, estimate: dict[str, Any]) -> None:
         side = estimate["side"]
-        now = Time_(*divmod(time.time_ns(), 10**9))
+        at = Time_(*stamp(estimate))
         names, angles = joint_states(estimate)
-        state = JointState_(Header_(now, ""), names, angles, [], [])
+        state = JointState_(Header_(at, ""), names, angles, rates(estimate), [])
         self._write(f"hand/{side}/joint_states", state)
         found = poses(estimate)
-        header = Header_(now, "openxr")
+        header = Header_(at, "openxr")
         array = [Pose_(Point_(*place), Quaternion_(*turn)) for _, place, turn in found]
         self._write(f"hand/{side}/openxr", PoseArray_(header, array))
         frames = [

@@ -3,7 +3,7 @@
     glovetrack devices --stream websocket --stream-joints openxr
     python glovetrack_node.py ws://127.0.0.1:9751/
 
-Topics, of the side that the stream tells: /hand/<side>/joint_states (JointState),
+Topics, of the side that a message names: /hand/<side>/joint_states (JointState with velocities),
 /hand/<side>/openxr (PoseArray, 26 poses in the order of XrHandJointEXT, NaN where lost)
 and /tf, a frame `<side>_<joint>` under `openxr` for each joint that is not lost. It needs rclpy and
 `websockets`. It is tested with stand-ins for rclpy, and has not been run with rclpy itself.
@@ -14,6 +14,7 @@ from __future__ import annotations
 import json
 import math
 import sys
+import time
 from typing import Any
 
 LOST = [math.nan] * 3, [math.nan] * 4
@@ -23,6 +24,20 @@ def joint_states(estimate: dict[str, Any]) -> tuple[list[str], list[float]]:
     """Names and angles (rad) of what is known: a JointState has no word for what is lost."""
     known = {n: a["value"] for n, a in estimate["angles"].items() if a["value"] is not None}
     return list(known), list(known.values())
+
+
+def rates(estimate: dict[str, Any]) -> list[float]:
+    """rad/s of the angles of `joint_states`, NaN where unknown; none of a stream of schema 1."""
+    known = [a for a in estimate["angles"].values() if a["value"] is not None]
+    if not all("rate" in a for a in known):
+        return []
+    return [math.nan if a["rate"] is None else a["rate"] for a in known]
+
+
+def stamp(estimate: dict[str, Any]) -> tuple[int, int]:
+    """s and ns since 1970 of the instant of the pose; of now for a stream of schema 1."""
+    at = estimate.get("t_unix_ns")
+    return divmod(time.time_ns() if at is None else at, 10**9)
 
 
 def poses(estimate: dict[str, Any]) -> list[tuple[str, list[float], list[float]]]:
@@ -56,13 +71,14 @@ def run(url: str) -> None:
     with connect(url) as stream:
         for text in stream:
             estimate = json.loads(text)
-            side, stamp = estimate["side"], node.get_clock().now().to_msg()
+            side = estimate["side"]
             state = JointState()
-            state.header.stamp = stamp
+            state.header.stamp.sec, state.header.stamp.nanosec = stamp(estimate)
             state.name, state.position = joint_states(estimate)
+            state.velocity = rates(estimate)
             publisher(JointState, f"/hand/{side}/joint_states").publish(state)
             array = PoseArray()
-            array.header.stamp, array.header.frame_id = stamp, "openxr"
+            array.header.stamp, array.header.frame_id = state.header.stamp, "openxr"
             for name, place, turn in poses(estimate):
                 pose = Pose()
                 pose.position.x, pose.position.y, pose.position.z = place
