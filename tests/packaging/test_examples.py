@@ -164,7 +164,7 @@ except StreamError as error:
 print(list(open_streams(StreamSettings({"udp": True, "vmc": True}), hands)))
 """
     sentence, names = run(site, code).splitlines()
-    assert sentence.startswith("The websocket stream needs a package that is not installed")
+    assert sentence.startswith("The websocket stream requires a package that is not installed")
     assert sentence.endswith('Run: pip install "glovetrack[streams]"')
     assert names == "['udp']"
 
