@@ -21,6 +21,7 @@ OPTIONS = (
     *("-std=c++17", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-pthread"),
     *("-Wall", "-Wextra", "-Werror", "-Wno-missing-field-initializers"),
     *("-static-libstdc++", "-static-libgcc", "-ffunction-sections", "-Wl,--gc-sections"),
+    f"-Wl,--version-script={SOURCES / 'exports.map'}",  # nothing of ours meets the application's
 )
 HEADER = "#include <openxr/openxr.h>\n"
 
