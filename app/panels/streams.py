@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 from html import escape
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -33,12 +34,10 @@ from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
 from app.panels.panel import Panel
 from app.panels.remote import RemoteBox
-from app.viewmodels.states import BAD, GOOD, WARN
-from app.viewmodels.streams import MOTORS, OPENXR, OWN, StreamRow, stream_row
+from app.viewmodels.streams import MOTORS, OPENXR, OWN, StreamRow, option_fields, stream_row, tested
 from app.widgets.measures import NEAR
-from app.widgets.options_dialog import OptionsDialog, options_of
-from app.words import notice_text, tr
-from tracker.base.notices import Notice, Severity
+from app.widgets.options_dialog import OptionsDialog
+from app.words import tr
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
@@ -46,9 +45,6 @@ MOST, USUAL = 255, 200  # amplitude
 
 WIDTH = 90
 """px, width of a file name."""
-
-TEST_LOOKS = {Severity.INFO: GOOD, Severity.WARNING: WARN, Severity.ERROR: BAD}
-"""Received; unknown; not received."""
 
 
 class RecordFile(QPushButton):
@@ -202,7 +198,7 @@ class StreamsPanel(Panel):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(NEAR)
         row.addWidget(test)
-        if options_of(self._outputs.kinds[name]):
+        if option_fields(self._outputs.kinds[name]):
             options = self.options[name] = QPushButton(self.tr("Options…"))
             options.setAccessibleName(self.tr("Options of {}").format(title))
             options.clicked.connect(partial(self._edit_options, name))
@@ -212,15 +208,16 @@ class StreamsPanel(Panel):
 
     def _edit_options(self, name: str) -> None:
         kind = self._outputs.kinds[name]
-        dialog = OptionsDialog(kind, self._outputs.settings.options(kind), self)
+        fields = option_fields(kind, self._outputs.settings.options(kind))
+        dialog = OptionsDialog(tr(kind.title), fields, self)
         if dialog.exec() == QDialog.DialogCode.Accepted:
             for option, value in dialog.changed().items():
                 self._outputs.set_option(name, option, value)
 
-    def _show_test(self, _name: str, found: Notice) -> None:
-        colour = TEST_LOOKS[found.severity].colour
-        sign = f'<span style="color:{colour}">{TEST_LOOKS[found.severity].sign}</span>'
-        self.result.setText(f"{sign} {escape(notice_text(found))}")
+    def _show_test(self, _name: str, found: Any) -> None:
+        look, text = tested(found)
+        sign = f'<span style="color:{look.colour}">{look.sign}</span>'
+        self.result.setText(f"{sign} {escape(text)}")
         self.result.show()
 
     def _result(self) -> QLabel:

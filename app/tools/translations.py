@@ -16,6 +16,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from app.platform.translation import CONTEXT, place
+from app.viewmodels.streams import option_fields
 from tracker.base.catalogue import WORDS
 from tracker.base.notices import GROUP as NOTICES
 from tracker.base.notices import all_templates
@@ -86,7 +87,8 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
         for text in filter(None, (engine.title, engine.short)):
             found.setdefault(text, ENGINES.group)
     for kind in stream_kinds().values():
-        for text in filter(None, (kind.title, kind.note)):
+        helps = (each.help for each in option_fields(kind))
+        for text in filter(None, (kind.title, kind.note, *helps)):
             found.setdefault(text, STREAMS.group)
     for door in door_kinds().values():
         found.setdefault(door.title, DOORS.group)

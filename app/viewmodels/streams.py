@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import Any
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
-from app.words import tr
+from app.words import notice_text, tr
+from tracker.base.notices import Notice, Severity
 from tracker.hand.names import CHAINS
+from tracker.streaming.connection import HOST, ConnectionKind
 from tracker.streaming.publisher import OPENXR as OPENXR
 from tracker.streaming.publisher import OWN as OWN
 from tracker.streaming.remote.doors import is_loopback as is_loopback
@@ -81,3 +84,42 @@ def door_row(on: bool, counts: DoorCounts | None, problem: str) -> StreamRow:
     requests = [tr("{}, {} s ago").format(peer, f"{ago:.0f}") for peer, ago in reversed(lately)]
     tip = "\n".join([counts.name, *requests[:8]])
     return StreamRow(GOOD, state, str(clients), str(counts.asked), str(counts.refused), tip)
+
+
+ELSEWHERE = (HOST, "port", "file")
+"""Options that the row of a connection has, or all connections share."""
+
+
+@dataclass(frozen=True)
+class OptionField:
+    """One option of a connection in a form: its value, and the values it can have if these are
+    few. ``help`` is a text to be translated."""
+
+    name: str
+    help: str
+    value: Any
+    choices: tuple[Any, ...] = ()
+
+
+def option_fields(kind: ConnectionKind[Any], options: Any = None) -> list[OptionField]:
+    """What a form has of ``options``; by default of the defaults."""
+    values = kind.options() if options is None else options
+    return [
+        OptionField(
+            each.name,
+            each.metadata.get("help", ""),
+            getattr(values, each.name),
+            each.metadata.get("choices", ()),
+        )
+        for each in fields(kind.options)
+        if each.name not in ELSEWHERE
+    ]
+
+
+TEST_LOOKS = {Severity.INFO: GOOD, Severity.WARNING: WARN, Severity.ERROR: BAD}
+"""Received; unknown; not received."""
+
+
+def tested(found: Notice) -> tuple[StateLook, str]:
+    """Of a test whether a program receives a stream."""
+    return TEST_LOOKS[found.severity], notice_text(found)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import Field, fields
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
 
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -19,35 +18,43 @@ from PySide6.QtWidgets import (
 )
 
 from app.words import tr
-from tracker.streaming.connection import HOST, ConnectionKind
 
 MOST = 1_000_000
 DECIMALS = 3
-ELSEWHERE = (HOST, "port", "file")
-"""Options that the row of a connection has, or all connections share."""
 
 
-def options_of(kind: ConnectionKind[Any]) -> list[Field[Any]]:
-    """Those that a form shows."""
-    return [each for each in fields(kind.options) if each.name not in ELSEWHERE]
+class FormField(Protocol):
+    """One option: its value, and the values it can have if these are few."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def help(self) -> str: ...
+
+    @property
+    def value(self) -> Any: ...
+
+    @property
+    def choices(self) -> tuple[Any, ...]: ...
 
 
 class OptionsDialog(QDialog):
     """One field for each option; `changed` has those that the user changed."""
 
     def __init__(
-        self, kind: ConnectionKind[Any], options: Any, parent: QWidget | None = None
+        self, title: str, options: Sequence[FormField], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Options: {}").format(tr(kind.title)))
-        self._before = {each.name: getattr(options, each.name) for each in options_of(kind)}
+        self.setWindowTitle(self.tr("Options: {}").format(title))
+        self._before = {each.name: each.value for each in options}
         self._read: dict[str, Callable[[], Any]] = {}
         self.fields: dict[str, QWidget] = {}
         form = QFormLayout(self)
-        for each in options_of(kind):
-            widget, self._read[each.name] = _field(self._before[each.name], each)
+        for each in options:
+            widget, self._read[each.name] = _field(each.value, each.choices)
             self.fields[each.name] = widget
-            label = tr(each.metadata["help"])
+            label = tr(each.help)
             widget.setAccessibleName(label)
             is_unit = label[1:2] == " "  # "m up"
             form.addRow(label if is_unit else label[:1].upper() + label[1:], widget)
@@ -64,9 +71,8 @@ class OptionsDialog(QDialog):
         return {name: value for name, value in now.items() if value != self._before[name]}
 
 
-def _field(value: Any, option: Field[Any]) -> tuple[QWidget, Callable[[], Any]]:
+def _field(value: Any, choices: Sequence[Any]) -> tuple[QWidget, Callable[[], Any]]:
     """A widget with the value, and what reads it."""
-    choices = option.metadata.get("choices", ())
     if choices:
         combo = QComboBox()
         for choice in choices:

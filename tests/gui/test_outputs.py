@@ -12,7 +12,8 @@ from PySide6.QtCore import Qt
 from app.jobs.connections import remembered
 from app.jobs.outputs import HAPTICS, HapticRule
 from app.storage.settings import SettingsStore
-from app.widgets.options_dialog import OptionsDialog, options_of
+from app.viewmodels.streams import option_fields
+from app.widgets.options_dialog import OptionsDialog
 from app.window.main_window import MainWindow
 from extensions.conformance.isaac.reader import read_records
 from tests.gui.gui_fakes import ScriptedEngine, ScriptedGlove, scripted_setup, with_glove
@@ -256,7 +257,8 @@ def test_the_test_button_says_whether_a_program_receives(panel, window, listener
 
 def test_options_are_set_in_a_form_and_remembered(panel, window, store, qtbot):
     kind = window.outputs.kinds["vmt"]
-    dialog = OptionsDialog(kind, window.outputs.settings.options(kind), panel)
+    options = option_fields(kind, window.outputs.settings.options(kind))
+    dialog = OptionsDialog(kind.title, options, panel)
     qtbot.addWidget(dialog)
     assert list(dialog.fields) == ["right", "left", "controller", "trigger", "grip", "a", "b"]
     assert dialog.changed() == {}
@@ -268,6 +270,6 @@ def test_options_are_set_in_a_form_and_remembered(panel, window, store, qtbot):
         window.outputs.set_option("vmt", name, value)
     assert SettingsStore(store.path).value.streams["vmt_right"] == 4
     assert set(panel.options) == {
-        name for name, kind in window.outputs.kinds.items() if options_of(kind)
+        name for name, kind in window.outputs.kinds.items() if option_fields(kind)
     }
     assert "udp" in panel.options and "isaac" not in panel.options
