@@ -224,7 +224,7 @@ CLOCKS = {
     "tracker/offline/rig_command.py": "ends in time",
     "tracker/simulation/rig_device.py": "begins now",
     "app/window/message_bar.py": "the time of a line in the log",
-    "app/window/takes.py": "how long ago a session was used",
+    "app/window/recordings.py": "how long ago a session was used",
     "app/window/ticker.py": "when panels and the window were last drawn",
     "app/wizards/glove/feed.py": "waits for packets",
     "app/wizards/stereo/result.py": "the date of a calibration",

@@ -1,10 +1,10 @@
-"""Which camera the user chose, as the settings hold it, and how it is opened.
+"""The camera that the user chose, as the settings store it, and how it is opened.
 
 ``""`` the first camera; ``name:NAME`` a camera by its name, so that it is found on another port;
 ``pair:LEFT|RIGHT`` two cameras by name, or two addresses; a number an index; ``driver://id`` a
 plug-in's camera;
-anything else a file or an address. ``one:`` before it says that its images are one camera's,
-``two:`` that they are two side by side; else the calibration tells, or their shape.
+anything else a file or an address. The prefix ``one:`` states that its images are of one camera,
+``two:`` that they are two side by side; else the calibration decides, or their shape.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ ONE, TWO = "one:", "two:"
 
 @dataclass(frozen=True)
 class ChosenCamera:
-    """An image input that is not open yet; ``title`` for people; ``controls`` of devices only."""
+    """An image input that is not open yet; ``title`` is shown; ``controls`` only of devices."""
 
     source: ImageInput
     title: str
@@ -40,7 +40,7 @@ class ChosenCamera:
 
 
 class Exchanged:
-    """An image input whose left and right images change places."""
+    """An image input whose left and right images are exchanged."""
 
     def __init__(self, inner: ImageInput) -> None:
         self._inner = inner
@@ -48,12 +48,12 @@ class Exchanged:
 
     def open(self) -> None:
         self._inner.open()
-        self.fps = self._inner.fps  # some devices know it only now
+        self.fps = self._inner.fps  # known only now for some devices
 
     def read(self) -> Pair | None:
         pair = self._inner.read()
         if pair is None or pair[1] is None:
-            return pair  # one camera alone has nothing to exchange
+            return pair  # a single camera has nothing to exchange
         return pair[1], pair[0]
 
     def close(self) -> None:
@@ -66,20 +66,20 @@ def by_name(camera: CameraName) -> str:
 
 
 def by_names(left: CameraName, right: CameraName) -> str:
-    """The settings' text for two; cameras of one model are told apart by their index."""
+    """The settings' text for two; cameras of the same model are distinguished by index."""
     if left.name == right.name:
         return f"{PAIR}{left.index}|{right.index}"
     return f"{PAIR}{left.name}|{right.name}"
 
 
 def is_address(text: str) -> bool:
-    """Whether it is a file or a stream, and no camera's name or number."""
+    """Whether it is a file or a stream, not the name or number of a camera."""
     return "://" in text or Path(text).is_absolute()
 
 
-def told_count(camera: str) -> tuple[int, str]:
-    """How many cameras' images the settings' text says that there are, 0 where it says nothing,
-    and the text without that."""
+def stated_count(camera: str) -> tuple[int, str]:
+    """The number of cameras that the prefix of the settings' text states (0 without one), and
+    the text without it."""
     for count, prefix in ((1, ONE), (2, TWO)):
         if camera.startswith(prefix):
             return count, camera.removeprefix(prefix)
@@ -95,17 +95,17 @@ def choose(
     count: int = 0,
     right_size: tuple[int, int] | None = None,
 ) -> ChosenCamera:
-    """The camera that the settings name, for images of ``width`` by ``height`` px each; of two
-    separate ones the right one's of ``right_size``, where that is another.
+    """The camera that the settings name, for images of ``width`` by ``height`` px each; the right
+    one of two devices may have another ``right_size``.
 
-    ``count`` is how many cameras its calibration is for, 0 where there is none. Raises DeviceError
-    where it is not there.
+    ``count`` is the number of cameras of its calibration, 0 without one. Raises DeviceError
+    if it is not connected.
     """
     known = all_cameras() if cameras is None else cameras
-    told, chosen = told_count(settings.camera)
+    stated, chosen = stated_count(settings.camera)
     each = CaptureFormat(width, height, fps)
     right = replace(each, width=right_size[0], height=right_size[1]) if right_size else each
-    wanted = _Wanted(each, told or count, right)
+    wanted = _Wanted(each, stated or count, right)
     found = _choose(chosen, wanted, locks_from(settings.camera_locks), known)
     if not settings.camera_exchanged:
         return found
@@ -114,17 +114,17 @@ def choose(
 
 @dataclass(frozen=True)
 class _Wanted:
-    """The format of one camera's image, how many cameras' images come: 0 for unknown; and the
-    format of a right camera's that is a device of its own."""
+    """The format of one camera's image, the number of cameras (0: unknown), and the format of a
+    right camera that is a device of its own."""
 
     each: CaptureFormat
     count: int
     right: CaptureFormat
 
     def stream(self, source: int | str, backend: int = 0, live: bool = True) -> StreamInput:
-        """The input of a stream that holds them."""
-        beside = 1 if self.count == 1 else 2
-        want = replace(self.each, width=beside * self.each.width, backend=backend)
+        """The input of a stream that contains them."""
+        columns = 1 if self.count == 1 else 2
+        want = replace(self.each, width=columns * self.each.width, backend=backend)
         return StreamInput(source, want, live, self.count)
 
 
@@ -156,7 +156,7 @@ def _choose(chosen: str, wanted: _Wanted, locks: Locks, known: list[CameraName])
 
 
 def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
-    """By name or index; the first of all for an empty wish."""
+    """Find a camera by name or index; the first one for an empty text."""
     if wanted.isdigit():
         index = int(wanted)
         named = (c for c in cameras if c.index == index)

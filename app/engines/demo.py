@@ -1,4 +1,4 @@
-"""The demo: a simulated wearer or two, gloves and a camera, tracked by the real engine."""
+"""The demo: one or two simulated wearers, gloves and a camera, tracked by the real engine."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
 
-LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
-START_TIMEOUT = 120.0  # s, for a process that is just starting on a busy machine
+LEAD = 0.25  # s until the devices begin: a recording begun at once is complete
+START_TIMEOUT = 120.0  # s, for a process that starts on a loaded machine
 CAMERA = "simulated camera"
-TURNING = 6.0  # s in which the wrist turns from one side to the other and back
+TURNING = 6.0  # s per turn of the wrist from side to side
 
 
 class DemoGlove:
-    """The glove of one simulated hand at the line ``path``, and the link to it."""
+    """The glove of one simulated hand on the serial line ``path``, and the link to it."""
 
     def __init__(self, simulation: Simulation, path: str) -> None:
         self.simulation = simulation
@@ -63,24 +63,28 @@ def demo_setup(
     choice: DemoChoice,
     camera: DemoCamera | None = None,
 ) -> EngineSetup:
-    """Build everything; takes a minute or so the first time where no kernel is compiled.
+    """Build the demo; takes about a minute if no kernel is compiled yet.
 
-    ``camera``: one that was started before, for the same seed and choice.
+    ``camera`` was started already, for the same seed and choice.
     """
     progress(0.1, tr("a simulated wearer and camera"))
     spec = demo_spec(seed, choice)
-    camera = camera or start_camera(seed, choice)  # its own process gets ready beside us
-    worn = GloveProcess(spec)  # and so do the gloves
+    camera = camera or start_camera(seed, choice)  # starts in a process of its own
+    glove_process = GloveProcess(spec)  # and so do the gloves
     try:
-        return _setup_with(progress, spec, choice.has_camera, camera, worn)
-    except BaseException:  # Ctrl+C too must not leave processes behind
+        return _setup_with(progress, spec, choice.has_camera, camera, glove_process)
+    except BaseException:  # also after Ctrl+C no process may remain
         camera.close()
-        worn.close()
+        glove_process.close()
         raise
 
 
 def _setup_with(
-    progress: JobProgress, spec: DemoSpec, has_camera: bool, camera: DemoCamera, worn: GloveProcess
+    progress: JobProgress,
+    spec: DemoSpec,
+    has_camera: bool,
+    camera: DemoCamera,
+    glove_process: GloveProcess,
 ) -> EngineSetup:
     wearers = hands_of(build_scene(spec))
     first = next(iter(wearers.values()))
@@ -95,10 +99,10 @@ def _setup_with(
     progress(0.9, tr("devices"))
     if not camera.wait_ready(START_TIMEOUT):
         raise DeviceError(tr("The simulated camera did not start."))
-    gloves = _gloves(wearers, worn)
+    gloves = _gloves(wearers, glove_process)
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)
-    worn.begin(t_0)
+    glove_process.begin(t_0)
     links = {side: glove.link for side, glove in gloves.items()}
     tracker = LiveTracker(_hands(wearers, has_camera), profile, make_detector, links, camera)
     info = _info(spec, spec.rig if has_camera else None, colours_text, tracker.settings)
@@ -106,12 +110,12 @@ def _setup_with(
     recorders.warm()
     wearer = None
     if len(wearers) == 1:  # two wearers follow no guidance
-        wearer = GuidedWearer(first, (camera, worn), lambda: time.monotonic() - t_0)
+        wearer = GuidedWearer(first, (camera, glove_process), lambda: time.monotonic() - t_0)
 
     def close() -> None:
         if wearer is not None:
             wearer.close()
-        worn.close()
+        glove_process.close()
         recorders.close()
 
     def record(path: Path, about: SessionInfo) -> Recorder:
@@ -134,8 +138,8 @@ def _setup_with(
     )
 
 
-def _gloves(wearers: Mapping[str, Simulation], worn: GloveProcess) -> dict[str, DemoGlove]:
-    paths = worn.paths(START_TIMEOUT)
+def _gloves(wearers: Mapping[str, Simulation], glove_process: GloveProcess) -> dict[str, DemoGlove]:
+    paths = glove_process.paths(START_TIMEOUT)
     return {side: DemoGlove(simulation, paths[side]) for side, simulation in wearers.items()}
 
 
@@ -148,7 +152,7 @@ def _seen_from(
 ) -> EngineSetup:
     simulation = glove.simulation
     hand = tracker.hand(simulation.glove.side)
-    alone = tr("The hand is shown by its IMUs alone, without a place.")
+    alone = tr("The hand is tracked by its IMUs alone, so its position is unknown.")
     return EngineSetup(
         name="demo",
         engine=tracker,
@@ -203,7 +207,7 @@ def _hands(wearers: Mapping[str, Simulation], has_camera: bool) -> Hands:
 def _info(
     spec: DemoSpec, rig: StereoRig | None, colours_text: str, settings: Settings
 ) -> SessionInfo:
-    """What a recording of the demo is about."""
+    """The description of a recording of the demo."""
     anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
     infos = [
         describe(
@@ -234,7 +238,7 @@ class GuidedWearer:
         clock: Callable[[], float],
     ) -> None:
         self._simulation, self._clock = simulation, clock
-        self._camera, self._worn = devices
+        self._camera, self._glove_process = devices
         rng = rng_for(simulation.seed, "postures asked for")
         self._held = HeldHand(simulation.wearer, HoldParams(), rng)
         self._gestures: dict[str, tuple[float, ...]] = {}
@@ -271,7 +275,7 @@ class GuidedWearer:
 
     def _send(self, asked: Asked, pose: str) -> None:
         ask(self._simulation, asked)
-        self._worn.ask(asked)
+        self._glove_process.ask(asked)
         self._camera.ask(asked, pose)
 
     def close(self) -> None:

@@ -1,6 +1,6 @@
-"""The demo's camera, which is a process: started first, it gets ready while the window does.
+"""The demo's camera, a process that is started before the window is loaded.
 
-The simulator is imported when it is asked for: a window without a demo does not wait for it.
+The simulator is imported by the functions that need it: a window without a demo does not load it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from tracker.simulation.demo import DemoSpec
 
 DURATION = 900.0
-"""s of motion; the hand then rests where it is."""
+"""s of motion; the hand then stays at rest."""
 FILES = {
     "right": ("reference-right", "vist-small"),
     "left": ("reference-left", "vist-small-left"),
@@ -26,8 +26,8 @@ FILES = {
 SEED, FPS = 1, 30.0
 LIGHT = "led"  # over the desk, of `tracker.simulation.desk.lights.LIGHTS`
 DESK_FPS, DESK_CORES = 30.0, 4
-"""There is a desk by itself up to so many images a second and from so many cores on: it takes twice
-as long to draw as a wall, and on two cores half the images were missing (15 a second of 30)."""
+"""By default there is a desk up to this frame rate and from this number of cores on: it takes twice
+as long to render as a wall, and on two cores half of 30 images per second were missing."""
 SCENES = ("auto", "desk", "plain")
 HANDS = ("right", "left", "both")
 LENSES = ("both", "one", "none")
@@ -35,9 +35,9 @@ LENSES = ("both", "one", "none")
 
 @dataclass(frozen=True)
 class DemoChoice:
-    """Images a second of the simulated camera, which hands of `HANDS` it sees, what one hand does,
-    see `DemoSpec.motion`, whether the camera has both lenses, one or none, as `LENSES`, and what is
-    behind one hand, of `SCENES`."""
+    """Images per second of the simulated camera, the hands in view (of `HANDS`), the motion of one
+    hand (see `DemoSpec.motion`), the lenses of the camera (of `LENSES`), and the scene behind one
+    hand (of `SCENES`)."""
 
     fps: float = FPS
     hands: str = "right"
@@ -46,7 +46,7 @@ class DemoChoice:
     scene: str = "auto"
 
     def has_desk(self, cores: int) -> bool:
-        """Whether the hand is over a desk; ``cores`` of this computer tell where nobody did."""
+        """Whether the hand is over a desk; ``cores`` of this computer decide for "auto"."""
         if self.hands == "both" or self.scene != "auto":
             return self.hands != "both" and self.scene == "desk"
         return self.fps <= DESK_FPS and cores >= DESK_CORES
@@ -57,7 +57,7 @@ class DemoChoice:
 
     @property
     def uses_application(self) -> bool:
-        """Whether the simulated wearer does what one of the applications is for."""
+        """Whether the simulated wearer uses one of the applications."""
         return self.motion.startswith(WORD)
 
 
@@ -90,8 +90,10 @@ def start_camera(seed: int = SEED, choice: DemoChoice | None = None, drawn: int 
 
     ``drawn``: see `SimulatedCamera`.
     """
-    # deferred: the simulator
-    from tracker.simulation.camera_device import NoSimulatedCamera, SimulatedCamera
+    from tracker.simulation.camera_device import (  # deferred: loads the simulator
+        NoSimulatedCamera,
+        SimulatedCamera,
+    )
 
     choice = choice or DemoChoice()
     if not choice.has_camera:

@@ -1,7 +1,6 @@
-"""The one object between the window and the engine.
+"""The only object between the window and the engine.
 
-Panels never touch the engine: they read a `Snapshot` and call this object, and it tells them of
-events by signal.
+Panels never access the engine: they read a `Snapshot` and call this object, which emits signals.
 """
 
 from __future__ import annotations
@@ -25,18 +24,18 @@ from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
 SetupFactory = Callable[[JobProgress], EngineSetup]
-CLOSING = 0.3  # s that the end of a file is waited for; a slow disk finishes it while one goes on
+CLOSING = 0.3  # s to wait for the end of a file; with a slow disk it is finished in the background
 
 
 class EngineHost(QObject):
-    """Owns the engine, the recording and the jobs that make and end them."""
+    """Owns the engine, the recording and the jobs that open and close them."""
 
     opened = Signal(object)  # EngineSetup
     hand_changed = Signal(object)  # EngineSetup: the same engine, seen from its other hand
     closed = Signal()
     running_changed = Signal(bool)
     profile_changed = Signal(object)  # ColourProfile
-    profile_followed = Signal()  # the engine has changed it by itself; ``setup`` has it
+    profile_followed = Signal()  # the engine has adapted it; ``setup`` has it
     engine_changed = Signal(str)
     happened = Signal(object)  # Event
     error = Signal(str)
@@ -47,7 +46,7 @@ class EngineHost(QObject):
         self._setup: EngineSetup | None = None
         self.recording = Recording(self)
         self.recording.failed.connect(self.error)
-        self.notes = Notes(self._tell_note, self)
+        self.notes = Notes(self._write_note, self)
         self.recording.begun.connect(self.notes.begin)
         self.recording.finished.connect(lambda _path: self.notes.end())
         self._looks = Looks()
@@ -68,8 +67,8 @@ class EngineHost(QObject):
     ) -> None:
         """Build an engine in the background (it compiles, opens ports) and start it.
 
-        ``keep``: what is open goes on until the new one is there, if that cannot be built, and if a
-        recording has begun meanwhile.
+        ``keep``: the present engine runs until the new one is ready, and remains if that cannot be
+        built or a recording has begun meanwhile.
         """
         if self.opening:
             return
@@ -87,11 +86,11 @@ class EngineHost(QObject):
         self._tasks.run(title, factory, built, self._opening_ended)
 
     def _refuse(self, title: str, setup: EngineSetup) -> None:
-        """Let a built engine go: it would end a recording that nobody has ended."""
+        """Close a built engine that would interrupt a recording."""
         self.opening = False
         setup.engine.stop()
         setup.close()
-        self.error.emit(self.tr("{}: not now, a recording has begun meanwhile.").format(title))
+        self.error.emit(self.tr("{} was not opened, because a recording has begun.").format(title))
 
     def _opening_ended(self) -> None:
         self.opening = False
@@ -112,7 +111,7 @@ class EngineHost(QObject):
             self.start()
 
     def start(self) -> None:
-        """Start the engine; one that was stopped before is built anew."""
+        """Start the engine; one that was stopped before is built again."""
         if self._setup is None or self.running:
             return
         if self._spent and self._factory is not None:
@@ -137,7 +136,7 @@ class EngineHost(QObject):
         self.running_changed.emit(False)
 
     def _end_failed(self, why: Notice) -> None:
-        """One of its threads has failed: nothing that looks alive is left."""
+        """Stop after a thread of the engine has failed, and show why."""
         self.stop()
         self.error.emit(
             self.tr("Tracking has stopped. {} Start it again.").format(notice_text(why))
@@ -151,15 +150,15 @@ class EngineHost(QObject):
         setup, self._setup = self._setup, None
         self.recording.set_engine(None)
         if not self._spent:
-            setup.engine.stop()  # one that never ran holds its devices too
+            setup.engine.stop()  # it has its devices open even if it never ran
         self._looks = Looks()
         setup.close()
         self.closed.emit()
 
     def end(self) -> None:
-        """Shut down for good: an engine still being built is freed when it comes.
+        """Shut down at the end of the program: an engine still being built is closed when ready.
 
-        Waits for the disk, where a file is not whole yet.
+        Waits until the file is complete.
         """
         self._ended = True
         self.shut_down()
@@ -167,19 +166,19 @@ class EngineHost(QObject):
 
     # --- what the user asks
 
-    def _tell_note(self, text: str, t: float, data: Mapping[str, object]) -> None:
+    def _write_note(self, text: str, t: float, data: Mapping[str, object]) -> None:
         if self._setup is not None:
             self._setup.engine.note(text, t, data)
 
     def set_profile(self, profile: ColourProfile) -> None:
-        """Look for these colours from now on."""
+        """Search these colours from now on."""
         if self._setup is not None:
             self._setup.engine.set_profile(profile)
             self._setup = self._setup.with_profile(profile)
         self.profile_changed.emit(profile)
 
     def _follow_colours(self, setup: EngineSetup) -> EngineSetup:
-        """Take over colours that the engine has changed by itself."""
+        """Use colours that the engine has adapted."""
         profile = setup.engine.profile
         if profile == setup.profile:
             return setup
@@ -194,21 +193,21 @@ class EngineHost(QObject):
             return
         try:
             self._setup.live.engine.set_engine(name)
-        except GlovetrackError as error:  # half a rig does not serve every engine
+        except GlovetrackError as error:  # incomplete devices do not support every engine
             self.error.emit(error_text(error))
             return
         self.engine_changed.emit(name)
 
     def show_hand(self, side: str) -> None:
-        """Panels of one hand show this one from now on, where there are two."""
+        """Show the hand of this side in the panels, if there are two."""
         if self._setup is not None and self._setup.seen_from(side) is not self._setup:
             self._setup = self._setup.seen_from(side)
             self.recording.set_engine(self._setup.live)
             self.hand_changed.emit(self._setup)
 
     def command(self, work: Callable[[Engine], None], side: str = "") -> bool:
-        """Do something to the engine in its own thread, of the hand shown or of another ``side``;
-        False where there is none to take it."""
+        """Run ``work`` on the thread of the engine, for the hand shown or of ``side``; returns
+        False without a live engine."""
         setup = self._setup
         if setup is not None and side:
             setup = setup.seen_from(side)
@@ -228,7 +227,7 @@ class EngineHost(QObject):
         return sorted(found, key=lambda m: getattr(m, "t_arrival", m.t))
 
     def snapshot(self) -> Snapshot | None:
-        """The latest of everything, and the events since the last call by signal."""
+        """The latest data of all streams; emits the events since the last call."""
         self.recording.look()
         setup = self._setup
         if setup is None:
@@ -240,5 +239,5 @@ class EngineHost(QObject):
         if self.running and live is not None and live.engine.failure:
             self._end_failed(live.engine.failure)
         if self._spent and live is not None:
-            return Snapshot(setup=setup, running=False)  # what was live is no more
+            return Snapshot(setup=setup, running=False)  # live data are not valid any more
         return self._looks.look(setup, self.running)

@@ -1,4 +1,4 @@
-"""The gloves that are plugged in, and whose each is: of one hand or of both."""
+"""Finds the connected gloves, and the hand of each."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from tracker.sensors.protocol import BAUD, BAUDS
 
 
 @dataclass(frozen=True)
-class WornGlove:
-    """A glove, there (``report``) or expected, by its files' names; ``glove_id`` None where it told
-    no number."""
+class HandGlove:
+    """A glove, connected (``report``) or expected, with the names of its files; ``glove_id`` is
+    None if it reported no number."""
 
     glove_name: str
     hand_name: str
@@ -30,59 +30,59 @@ class WornGlove:
     glove: GloveModel
     report: PortReport | None
     glove_id: int | None
-    port: str = ""  # where one that is not there was found, if that is on no list
+    port: str = ""  # where it was connected last, if that is not a USB port
 
     @property
     def side(self) -> str:
         return self.glove.side
 
     def link(self, rate_hz: int = 100) -> GloveLink:
-        """To where it is; one that is not there is looked for until it comes.
+        """The link to it; a glove that is not connected is searched until it is.
 
-        ``rate_hz`` is asked of it where its line carries so much.
+        ``rate_hz`` is requested if the baud rate is sufficient.
         """
         path, baud = (self.report.path, self.report.baud) if self.report else (self.port, BAUD)
-        place = GlovePort(path, baud, glove_id=self.glove_id)
+        port = GlovePort(path, baud, glove_id=self.glove_id)
         rate = rate_hz if rate_hz in rates_at(baud) else LinkParams.rate_hz
-        return GloveLink(place, len(self.glove.imus), LinkParams(rate, baud=baud))
+        return GloveLink(port, len(self.glove.imus), LinkParams(rate, baud=baud))
 
 
 @dataclass(frozen=True)
 class GlovesFound:
-    """At most one for each side, those that are there first; ``words`` say what is not as usual."""
+    """At most one for each side, connected ones first; ``remarks`` are sentences for the user."""
 
-    gloves: tuple[WornGlove, ...]
-    words: tuple[str, ...]
+    gloves: tuple[HandGlove, ...]
+    remarks: tuple[str, ...]
 
 
-def find_worn(progress: JobProgress, settings: AppSettings) -> GlovesFound:
-    """Look for the gloves. Where both hands' were set up both are looked for, else the first one
-    that answers does. Raises DeviceError if none is there."""
+def find_hand_gloves(progress: JobProgress, settings: AppSettings) -> GlovesFound:
+    """Search for gloves: for both if both hands' gloves were set up, else for the first that
+    answers. Raises DeviceError if there is none."""
     both = settings.both_hands or len(set(bound_sides(settings))) > 1
     named = [port for port in (settings.port, *(ports_of(settings) if both else ())) if port]
-    reports, troubles = ask_ports(progress, named, settings.baud, not both)
+    reports, troubles = probe_ports(progress, named, settings.baud, not both)
     if not reports:
         raise DeviceError(_none(troubles))
-    found, words = _worn(settings, reports)
+    found, remarks = _assigned(settings, reports)
     if settings.both_hands:
         found += _expected(settings, found)
-    return GlovesFound(tuple(found), tuple(words))
+    return GlovesFound(tuple(found), tuple(remarks))
 
 
 def bound_sides(settings: AppSettings) -> list[str]:
-    """Of all gloves that were set up."""
+    """The sides of all gloves that were set up."""
     known = (bound(settings, int(number)) for number in settings.gloves if number.isdecimal())
     return [glove.side for glove in known if glove is not None]
 
 
-def ask_ports(
+def probe_ports(
     progress: JobProgress, named: Sequence[str], baud: int = 0, first_only: bool = True
 ) -> tuple[list[PortReport], list[str]]:
-    """Ports with a glove behind them, the ``named`` ones first; and why others have none.
+    """Returns the ports with a glove, the ``named`` ones first, and the problems of the others.
 
-    They are asked at ``baud``, or at all that a glove may speak.
+    They are probed at ``baud``, or at each baud rate that gloves use.
     """
-    # those that are not on USB are on no list, and were chosen by hand
+    # ports that are not on USB are not listed; the user entered them
     ports = list(dict.fromkeys((*named, *serial_ports())))
     reports: list[PortReport] = []
     troubles: list[str] = []
@@ -100,35 +100,35 @@ def ask_ports(
 
 def _none(troubles: Sequence[str]) -> str:
     if not troubles:
-        return tr("No glove was found: no USB serial port is there. Is it plugged in?")
+        return tr("No glove was found on any USB serial port. Plug it in, then try again.")
     return tr("No glove was found. {}").format(" ".join(troubles))
 
 
-def _worn(
+def _assigned(
     settings: AppSettings, reports: Sequence[PortReport]
-) -> tuple[list[WornGlove], list[str]]:
-    """A glove for each side, and sentences about files that were recalled and gloves too many."""
-    found: list[WornGlove] = []
-    words: list[str] = []
+) -> tuple[list[HandGlove], list[str]]:
+    """A glove for each side, and remarks about stored files that are used and surplus gloves."""
+    found: list[HandGlove] = []
+    remarks: list[str] = []
     for report in reports:
         number = report.hello.glove_id if report.hello else None
         if found and bound(settings, number) is None:
-            text = tr("Glove {} at {} is new: choose its hand under Set-up, Glove.")
-            words.append(text.format("–" if number is None else number, report.path))
+            text = tr("Glove {} at {} is new. Choose its hand under Set-up, Glove.")
+            remarks.append(text.format("–" if number is None else number, report.path))
             continue
         own, recalled = as_bound(settings, number)
         glove = _loaded(own.glove, own.hand, report, number)
         if glove.side in {other.side for other in found}:
-            text = tr("Glove {} at {} is of the {} hand too, of which there is one already.")
-            words.append(text.format(number, report.path, _side(glove.side)))
+            text = tr("Glove {} at {} is not used: there is already a glove for the {} hand.")
+            remarks.append(text.format(number, report.path, _side(glove.side)))
             continue
         found.append(glove)
-        words += [recalled] if recalled and len(reports) == 1 else []
-    return found, words
+        remarks += [recalled] if recalled and len(reports) == 1 else []
+    return found, remarks
 
 
-def _expected(settings: AppSettings, found: Sequence[WornGlove]) -> list[WornGlove]:
-    """The glove of the other hand, which is not there yet."""
+def _expected(settings: AppSettings, found: Sequence[HandGlove]) -> list[HandGlove]:
+    """The glove of the other hand, which is not connected yet."""
     if len(found) != 1:
         return []
     other = "left" if found[0].side == "right" else "right"
@@ -141,9 +141,9 @@ def _expected(settings: AppSettings, found: Sequence[WornGlove]) -> list[WornGlo
 
 def _loaded(
     glove_name: str, hand_name: str, report: PortReport | None, number: int | None
-) -> WornGlove:
+) -> HandGlove:
     hand, glove = library.load(glove_name, hand_name)
-    return WornGlove(glove_name, hand_name, hand, glove, report, number)
+    return HandGlove(glove_name, hand_name, hand, glove, report, number)
 
 
 def _side(side: str) -> str:

@@ -1,4 +1,4 @@
-"""The real devices: gloves on serial ports, a camera or two, or what there is of them."""
+"""The real devices: gloves on serial ports, one or two cameras, or a part of these."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from app.engines.engine import (
     LivePart,
     seen_from_main,
 )
-from app.engines.found_gloves import WornGlove, find_worn
+from app.engines.found_gloves import HandGlove, find_hand_gloves
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -50,9 +50,9 @@ INERTIAL = Settings(engine=WITHOUT_CAMERA)
 
 @dataclass(frozen=True)
 class Found:
-    """What there is of a rig; ``missing`` says what is not there, and why."""
+    """The devices that were found; ``missing`` says which are not there, and why."""
 
-    gloves: tuple[WornGlove, ...]
+    gloves: tuple[HandGlove, ...]
     camera: ChosenCamera | None
     rig: StereoRig | None
     missing: tuple[str, ...]
@@ -69,56 +69,46 @@ class Found:
     def whole(self) -> bool:
         return bool(self.gloves and self.camera is not None and self.rig is not None)
 
-    def worn(self, settings: AppSettings) -> tuple[WornGlove, ...]:
-        """The gloves; without any the one of the settings, whose markers a camera may see."""
+    def used_gloves(self, settings: AppSettings) -> tuple[HandGlove, ...]:
+        """The gloves; without any, that of the settings, whose markers a camera may see."""
         if self.gloves:
             return self.gloves
         hand, glove = library.load(settings.glove, settings.hand)
-        return (WornGlove(settings.glove, settings.hand, hand, glove, None, None),)
+        return (HandGlove(settings.glove, settings.hand, hand, glove, None, None),)
 
 
 def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
-    """Find the devices and build an engine on them: half a rig is shown as far as it goes.
+    """Find the devices and build an engine for them, even if the glove or the camera is missing.
 
-    Raises DeviceError with what is missing where there is neither glove nor camera.
+    Raises DeviceError if both are.
     """
     found = find_devices(progress, settings)
     progress(0.7, tr("engine"))
-    worn = found.worn(settings)
+    gloves = found.used_gloves(settings)
     engine = Settings() if found.whole else INERTIAL
-    make = {w.side: partial(Pipeline, w.hand, w.glove, found.rig, engine) for w in worn}
+    make = {g.side: partial(Pipeline, g.hand, g.glove, found.rig, engine) for g in gloves}
     hands = Hands(make)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
     profile = parse_profile(colours_text)
-    pipeline = hands.pipelines[worn[0].side]
+    pipeline = hands.pipelines[gloves[0].side]
 
     def make_detector(colours: ColourProfile) -> Detector:
         return Detector(colours, float(pipeline.glove.marker_size.mean()), pipeline.rig.fx)
 
     warm_up(pipeline.hand, pipeline.glove, make_detector(profile))
     rate_hz = settings.glove_rate
-    links: dict[str, GloveLink] = {w.side: w.link(rate_hz) for w in found.gloves}
-    gloves: dict[str, GloveSource] = {w.side: links.get(w.side) or NoGlove() for w in worn}
-    chosen = found.camera
-    device = StereoCamera(chosen.source, found.rig) if chosen else None
-    camera: CameraSource = device or NoCamera()
-    tracker = LiveTracker(hands, profile, make_detector, gloves, camera)
-    info = _info(worn, pipeline, colours_text)
+    links: dict[str, GloveLink] = {g.side: g.link(rate_hz) for g in found.gloves}
+    sources: dict[str, GloveSource] = {g.side: links.get(g.side) or NoGlove() for g in gloves}
+    camera = StereoCamera(found.camera.source, found.rig) if found.camera else None
+    source: CameraSource = camera or NoCamera()
+    tracker = LiveTracker(hands, profile, make_detector, sources, source)
+    info = _info(gloves, pipeline, colours_text)
     recorders = RecorderProcesses()
     recorders.warm()
-    camera_part = CameraPart(
-        rig=pipeline.rig,
-        present=chosen is not None,
-        calibrated=found.rig is not None,
-        # the name of a ZED's calibration file contains its serial number
-        name=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",
-        calibration_file=settings.calibration,
-        device=OpenCamera(chosen.source, device) if chosen and device else None,
-        controls=chosen.controls if chosen else None,
-    )
+    camera_part = _camera_part(found, camera, pipeline.rig, settings.calibration)
     make_recorder = recorder_maker(tracker, info, recorders.record)
 
-    def seen_from(glove: WornGlove) -> EngineSetup:
+    def seen_from(glove: HandGlove) -> EngineSetup:
         hand, link = tracker.hand(glove.side), links.get(glove.side)
         hello = glove.report.hello if glove.report else None
         firmware_advice = advice(hello.firmware) if hello else None
@@ -138,7 +128,24 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
             anchor=info.anchor,
         )
 
-    return seen_from_main([seen_from(glove) for glove in worn])
+    return seen_from_main([seen_from(glove) for glove in gloves])
+
+
+def _camera_part(
+    found: Found, camera: StereoCamera | None, rig: StereoRig, calibration: str
+) -> CameraPart:
+    """``rig`` is an ideal one if there is no calibration; ``calibration`` the path of its file."""
+    chosen = found.camera
+    return CameraPart(
+        rig=rig,
+        present=chosen is not None,
+        calibrated=found.rig is not None,
+        # the name of a ZED's calibration file contains its serial number
+        name=f"{chosen.title} {Path(calibration).stem}" if chosen else "",
+        calibration_file=calibration,
+        device=OpenCamera(chosen.source, camera) if chosen and camera else None,
+        controls=chosen.controls if chosen else None,
+    )
 
 
 class OpenCamera:
@@ -157,9 +164,9 @@ class OpenCamera:
 
 
 def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
-    """Look for gloves, calibration and camera. Raises DeviceError where neither device is there."""
+    """Search gloves, calibration and camera. Raises DeviceError if there is no device."""
     missing: list[str] = []
-    found = _unless_missing(lambda: find_worn(progress, settings), missing)
+    found = _unless_missing(lambda: find_hand_gloves(progress, settings), missing)
     gloves = found.gloves if found is not None else ()
     progress(0.5, tr("camera"))
     rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
@@ -172,8 +179,8 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     if not gloves and camera is None:
         raise DeviceError(" ".join(missing))
     if gloves and not (rig and camera):
-        missing.append(tr("The hand is shown by its IMUs alone, without a place."))
-    return Found(gloves, camera, rig, (*missing, *(found.words if found is not None else ())))
+        missing.append(tr("The hand is tracked by its IMUs alone, so its position is unknown."))
+    return Found(gloves, camera, rig, (*missing, *(found.remarks if found is not None else ())))
 
 
 def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
@@ -184,8 +191,8 @@ def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
         return None
 
 
-def _info(worn: Sequence[WornGlove], pipeline: Pipeline, colours_text: str) -> SessionInfo:
-    """What a recording of these devices is about."""
+def _info(gloves: Sequence[HandGlove], pipeline: Pipeline, colours_text: str) -> SessionInfo:
+    """The description of a recording of these devices."""
     anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
     return of_hands(
         [
@@ -200,17 +207,17 @@ def _info(worn: Sequence[WornGlove], pipeline: Pipeline, colours_text: str) -> S
                 settings_text=settings_text(pipeline.settings),
                 engine=pipeline.settings.engine,
             )
-            for w in worn
+            for w in gloves
         ]
     )
 
 
 def rig_of(calibration: str) -> StereoRig:
-    """The calibration that the user chose, of a stereo camera or of one camera."""
+    """The calibration that the user chose, of a stereo or a single camera. Raises DeviceError."""
     if not calibration:
         raise DeviceError(
             tr(
-                "The camera has no calibration yet: make or import one under "
+                "The camera has no calibration yet. Make or import one under "
                 "Set-up, Camera calibration."
             )
         )

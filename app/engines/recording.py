@@ -1,4 +1,4 @@
-"""The file being written: made for a live engine; a pause leaves a gap in it."""
+"""The recording of a live engine; a pause leaves a gap in the file."""
 
 from __future__ import annotations
 
@@ -28,20 +28,20 @@ if TYPE_CHECKING:
     from tracker.live.runner import LiveTracker
 
 LONGEST_CLOSING = 100.0
-"""s, more than the recorder's process is waited for; its file can be recovered then."""
+"""s, longer than the time limit of the recorder's process; its file can be recovered then."""
 
 
 class PausableRecorder:
-    """Passes messages on to ``inner`` unless ``paused``; what happens only once always."""
+    """Passes messages on to ``inner`` unless ``paused``; rare messages always."""
 
     def __init__(self, inner: Recorder) -> None:
         self._inner = inner
         self.paused = False
         self.written = 0  # messages so far
-        self.broken = False  # nothing more is written; the engine has said why
-        self.problem = ""  # the same in words, for when the engine is gone
+        self.broken = False  # nothing more is written; the engine has reported why
+        self.problem = ""  # the reason, for when the engine is closed
         self._closed = threading.Event()
-        self.figures: Mapping[str, float] = {}  # of the last status: the recording's own
+        self.figures: Mapping[str, float] = {}  # of the last status, for this recording
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
         if isinstance(message, Status):
@@ -59,11 +59,11 @@ class PausableRecorder:
 
     @property
     def closed(self) -> bool:
-        """The file is whole, or as whole as it gets."""
+        """Whether the file is complete, or as complete as possible."""
         return self._closed.is_set()
 
     def wait(self, longest: float) -> bool:
-        """Until it is `closed`, at most ``longest`` s; whether it is."""
+        """Wait until it is `closed`, at most ``longest`` s; returns whether it is."""
         return self._closed.wait(longest)
 
     def close(self) -> None:
@@ -77,7 +77,7 @@ class PausableRecorder:
     def _watched(self) -> Iterator[None]:
         try:
             yield
-        except Exception as error:  # of any kind: the panel must not say that it goes on
+        except Exception as error:  # of any kind: the panel must not show a running recording
             self.broken, self.problem = True, error_text(error)
             raise
 
@@ -85,7 +85,7 @@ class PausableRecorder:
 class Recording(QObject):
     """One file at a time; ``request`` is None while there is none.
 
-    ``clock`` gives s; in a pause the time recorded goes on, as it does in the file.
+    ``clock`` gives s; during a pause the recorded time continues, as in the file.
     """
 
     changed = Signal(bool)  # whether a file is being written
@@ -102,11 +102,11 @@ class Recording(QObject):
         self._live: LivePart | None = None  # that is recorded
         self._recorder: PausableRecorder | None = None
         self._began = 0.0
-        self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is behind
-        self._left = False  # its engine is gone and tells nothing of it any more
+        self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is slow
+        self._left = False  # its engine is closed and does not report problems any more
         self.request: RecordingRequest | None = None
         self.refusal: Notice | None = None  # why the last one could not begin
-        self.ended_by = ""  # what has ended the last one, where the user has not
+        self.ended_by = ""  # why the last one ended, if the user did not end it
 
     @property
     def paused(self) -> bool:
@@ -114,22 +114,22 @@ class Recording(QObject):
 
     @property
     def written(self) -> int:
-        """Messages that the file holds so far."""
+        """The number of messages in the file so far."""
         return self._recorder.written if self._recorder is not None else 0
 
     @property
     def figures(self) -> Mapping[str, float]:
-        """What the file's last status tells: losses since the recording began."""
+        """The values of the file's last status: losses since the recording began."""
         return self._recorder.figures if self._recorder is not None else {}
 
     @property
     def begun_at(self) -> float:
-        """When the recording began, s of the clock."""
+        """The begin of the recording, s of the clock."""
         return self._began
 
     @property
     def elapsed(self) -> float:
-        """s since the recording began; 0 where there is none."""
+        """s since the recording began; 0 without one."""
         return self._clock() - self._began if self.request is not None else 0.0
 
     def set_engine(self, live: LivePart | None) -> None:
@@ -152,7 +152,7 @@ class Recording(QObject):
             self.refuse(error.notice)
 
     def begin(self, request: RecordingRequest) -> bool:
-        """Begin a file; False, with `failed`, where that is impossible."""
+        """Begin a file; returns False and emits `failed` if that is impossible."""
         live = self._open
         if live is None or self.request is not None:
             return False
@@ -161,7 +161,7 @@ class Recording(QObject):
         if self._closing is not None:
             self.failed.emit(
                 tr(
-                    "{} is still being written to its end; then another recording can begin."
+                    "{} is still being written. Wait until it is finished, then record again."
                 ).format(self._closing[0].name)
             )
             return False
@@ -192,13 +192,13 @@ class Recording(QObject):
             return
         self._recorder.paused = on
         if not on:
-            self._live.engine.keep_state()  # it has gone on meanwhile
+            self._live.engine.keep_state()  # it continued during the pause
         self.changed.emit(True)
 
     def look(self) -> None:
-        """End a recording whose file takes no more; tell of one that is closed by now.
+        """End a recording whose file has failed; emit `finished` for one that is closed by now.
 
-        To be called now and then.
+        Call it regularly.
         """
         if self._recorder is not None and self._recorder.broken:
             self.end(self._recorder.problem)
@@ -211,12 +211,12 @@ class Recording(QObject):
             self.finished.emit(path)
 
     def leave(self) -> None:
-        """The engine ends now, and a file whose disk is behind is finished without it."""
+        """The engine is closed now; a file on a slow disk is finished without it."""
         self.look()
         self._left = True
 
     def wait(self) -> None:
-        """Until no file is being written any more, for as long as a disk may take."""
+        """Wait until no file is being written, at most `LONGEST_CLOSING`."""
         if self._closing is not None:
             self._closing[1].wait(LONGEST_CLOSING)
         self.look()
@@ -228,15 +228,15 @@ class Recording(QObject):
 
     @property
     def file(self) -> Path | None:
-        """The one that is written just now, after its end too until it is closed."""
+        """The file that is being written, until it is closed."""
         if self.request is not None:
             return self.request.path
         return self._closing[0] if self._closing is not None else None
 
     def end(self, by: str = "") -> None:
-        """End the file; the engine writes what waits and closes it, before or after this returns.
+        """End the file; the engine writes queued messages and closes it, possibly after the return.
 
-        `finished` comes when it is closed, by `look`. ``by``: the reason, where the user does not.
+        `look` emits `finished` when it is closed. ``by``: the reason, if not the user's wish.
         """
         if self._live is None or self.request is None or self._recorder is None:
             return
@@ -254,10 +254,9 @@ def recorder_maker(
     record: Callable[[Path, SessionInfo], Recorder],
     clock: Callable[[], float] = monotonic,
 ) -> Callable[[RecordingRequest], Recorder]:
-    """Recordings begin when they are asked for, with the engine, settings and colours of then.
+    """Returns a function that begins a recording, with the present engine, settings and colours.
 
-    ``record`` begins a file; ``clock`` gives s of the monotonic clock that ``info.anchor`` tells
-    of.
+    ``record`` begins a file; ``clock`` gives s of the monotonic clock of ``info.anchor``.
     """
 
     def make_recorder(request: RecordingRequest) -> Recorder:

@@ -26,21 +26,21 @@ from tracker.messages import (
 from tracker.sensors.camera import UnfitImages
 
 AT_FRAME = 0.1  # s between an image and an estimate that is shown over it
-FEW_MISSED = 0.05  # share of images never searched that is no want of time yet
-SILENT_AFTER = 0.7  # s: with a panel's own period a silence is seen within about a second
+FEW_MISSED = 0.05  # share of unsearched images that does not yet count as overload
+SILENT_AFTER = 0.7  # s without data; with a panel's period it is shown within about 1 s
 STATUS_PERIOD = 0.1  # s
 RECENT_ESTIMATES = 60
-"""One second at the window's rate: more than any image is late."""
+"""1 s at the window's rate, more than the delay of any image."""
 
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
-    """The latest of every stream; None where there is nothing yet.
+    """The latest data of every stream; None where there are none yet.
 
     ``imu``, ``estimates`` and ``images`` are those of the last seconds, oldest first.
-    ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: images are some
-    40 ms old when they arrive, so an overlay of the newest estimate would lead the hand. ``frame``
-    and ``blobs`` of the other hand are this one's; its ``result`` is None where there is none yet.
+    ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: images are about
+    40 ms old when they arrive, so an overlay of the newest estimate would lead the hand. The other
+    hand has the same ``frame`` and ``blobs``; its ``result`` may be None.
     """
 
     setup: EngineSetup
@@ -59,56 +59,55 @@ class Snapshot:
 
     @property
     def hands(self) -> tuple[Snapshot, ...]:
-        """Those of all hands, the left one first."""
+        """The snapshots of all hands, the left one first."""
         return tuple(sorted((self, *self.others), key=lambda view: view.setup.side))
 
     @property
     def shed(self) -> Shed:
-        """What a live engine leaves out because the computer is too slow."""
+        """The load level of a live engine: what it leaves out because the computer is too slow."""
         if self.setup.player is not None or self.status is None:
             return Shed.NOTHING
         return Shed(int(self.status.values.get("load_shed", 0.0)))
 
     @property
     def is_strained(self) -> bool:
-        """Whether a live engine leaves out images, or more, for want of time."""
+        """Whether a live engine skips images, or more, because of overload."""
         if self.setup.player is not None or self.status is None:
             return False
         missed = self.status.values.get("images_missed", 0.0)
         return self.shed > Shed.NOTHING or missed > FEW_MISSED
 
-    def _silent(self, last_arrival: float) -> bool:
-        """Whether nothing of a stream has come lately; a session is not judged by when it is
-        looked at."""
+    def _is_silent(self, last_arrival: float) -> bool:
+        """Whether a live stream has sent nothing for `SILENT_AFTER`; never for a replay."""
         if self.setup.player is not None or self.status is None:
             return False
         return self.status.t - last_arrival > SILENT_AFTER
 
     @property
     def packets_arrive(self) -> bool:
-        """The glove sends now, not only some time ago."""
-        return len(self.imu) > 0 and not self._silent(self.imu[-1].t_arrival)
+        """Whether the glove sends now."""
+        return len(self.imu) > 0 and not self._is_silent(self.imu[-1].t_arrival)
 
     @property
     def images_arrive(self) -> bool:
-        """The camera gives images now."""
-        return self.frame is not None and not self._silent(self.frame.t_arrival)
+        """Whether the camera sends images now."""
+        return self.frame is not None and not self._is_silent(self.frame.t_arrival)
 
     @property
     def unfit(self) -> UnfitImages | None:
-        """Images that come now and that the camera's calibration is not for."""
+        """The latest images that do not match the camera's calibration."""
         device = self.setup.camera.device
         return device.unfit if device is not None else None
 
     def truth(self) -> ReferenceHand | None:
-        """The simulated hand at the instant of the estimate; a millisecond's work, so on demand."""
+        """The simulated hand at the instant of the estimate; it takes 1 ms, so only on demand."""
         if self.setup.truth is None or self.estimate is None:
             return None
         return self.setup.truth.at(self.estimate.t)
 
     def reference(self) -> ReferenceHand | None:
-        """The hand to compare with: a replay's second tracking, or a second engine, where one is
-        set, else the truth. One that is set and has no hand now is never replaced by the truth."""
+        """The hand to compare with: a replay's second tracking or a second engine, if one is set,
+        else the truth. While one that is set has no hand, the truth is not shown instead."""
         player, compared = self.setup.player, self.setup.comparable
         other = player.reference(self.setup.side) if player is not None else None
         second = compared.reference_estimate() if compared is not None else None
@@ -124,14 +123,13 @@ class Snapshot:
 
 
 def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:
-    """The estimate whose instant is nearest to ``t``; None where all are too far from it to be
-    drawn over what was exposed then."""
+    """The estimate nearest to ``t`` (s); None if none is within `AT_FRAME` of it."""
     found = min(estimates, key=lambda e: abs(e.t - t), default=None)
     return found if found is not None and abs(found.t - t) <= AT_FRAME else None
 
 
 class HandLooks:
-    """``recent`` are the last estimates, oldest first."""
+    """Takes snapshots of one hand; ``recent`` are the last estimates, oldest first."""
 
     def __init__(self) -> None:
         self.recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
@@ -139,7 +137,7 @@ class HandLooks:
         self._status_due = 0.0
 
     def look(self, setup: EngineSetup, running: bool, t: float | None = None) -> Snapshot:
-        """The latest of the hand; ``t`` (s): with the image of that exposure."""
+        """A snapshot of the hand; ``t`` (s): with the image of that exposure."""
         hand, estimate = setup.tracked, self._estimate(setup.tracked)
         triple = hand.latest_frame() if t is None else hand.latest_frame(t)
         frame, blobs, result = triple if triple is not None else (None, None, None)
@@ -166,7 +164,7 @@ class HandLooks:
         return estimate
 
     def _status_of(self, hand: TrackedHand) -> Status:
-        """A few times a second: its medians and percentiles cost more than the rest of a look."""
+        """Updated every `STATUS_PERIOD`: its medians are slower than all the rest."""
         now = time.monotonic()
         if self._status is None or now >= self._status_due:
             self._status, self._status_due = hand.status(), now + STATUS_PERIOD
@@ -174,17 +172,17 @@ class HandLooks:
 
 
 class Looks:
-    """Those of all hands of an engine."""
+    """The `HandLooks` of all hands of an engine."""
 
     def __init__(self) -> None:
         self._hands: dict[str, HandLooks] = {}
 
     def of(self, side: str) -> HandLooks:
-        """Of the hand of that side."""
+        """The `HandLooks` of one side."""
         return self._hands.setdefault(side, HandLooks())
 
     def look(self, setup: EngineSetup, running: bool) -> Snapshot:
-        """The latest of the hand that is shown, and of the other one in the same image."""
+        """A snapshot of the hand that is shown, and of the other one with the same image."""
         view = self.of(setup.side).look(setup, running)
         if not setup.others:
             return view

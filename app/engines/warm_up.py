@@ -1,4 +1,4 @@
-"""Kernels that no library brings are compiled before devices are opened, not while they wait."""
+"""Compiles missing kernels before devices are opened."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.detector import Detector, detect_frame
 
-MOTION = 0.6  # s: the hand is found, corrected and told once, which needs every kernel
+MOTION = 0.6  # s, in which the hand is found and corrected, which needs every kernel
 SEED, FPS = 1, 30.0
 
 
 def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
-    """Track simulated motion and search an image; at once where all is compiled already."""
+    """Track simulated motion and search an image; returns at once if all kernels are compiled."""
     if kernels.are_compiled():
         return
     warm_up_view()
@@ -37,7 +37,7 @@ def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
 
 
 def warm_up_view() -> None:
-    """Paint a ball, so that the window need not wait for what the hand in 3D is painted with."""
+    """Render a sphere, so that the kernels of the 3D view are compiled."""
     if not kernels.are_compiled():
         scene = RasterScene()
         scene.add(ball(0.01), BodyLook("#FFFFFF"))

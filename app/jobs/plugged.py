@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.engines.camera_choice import told_count
+from app.engines.camera_choice import stated_count
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, LatestJob
 from app.storage.settings import AppSettings, SettingsStore
@@ -22,7 +22,7 @@ def plugged_in(settings: AppSettings) -> Names:
     """Paths of serial ports and names of cameras, and the devices in the settings that are
     connected."""
     cameras = (c.name for c in all_cameras())
-    chosen = (settings.port, told_count(settings.camera)[1])
+    chosen = (settings.port, stated_count(settings.camera)[1])
     return frozenset([*serial_ports(), *cameras, *(p for p in chosen if p and Path(p).exists())])
 
 

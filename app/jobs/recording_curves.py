@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from app.engines.engine import EngineSetup
-from app.engines.replay.tell_markers import MarkerTeller
+from app.engines.replay.marker_matches import MarkerMatcher
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.signal_curves import RecordingCurves
 from app.viewmodels.signal_rows import (
@@ -108,8 +108,10 @@ def _images(
 ) -> Rows:
     """The recording does not contain the matching of blobs and markers: it is computed from the
     recorded estimates."""
-    teller = (
-        MarkerTeller(setup.hand, setup.glove, setup.camera.rig) if setup.camera.calibrated else None
+    matcher = (
+        MarkerMatcher(setup.hand, setup.glove, setup.camera.rig)
+        if setup.camera.calibrated
+        else None
     )
     images = []
     for i, frame in enumerate(blobs):
@@ -117,19 +119,19 @@ def _images(
             progress(-1.0, "")
         at = bisect_left(estimates, frame.t, key=lambda e: e.t)
         around = estimates[max(0, at - 1) : at + 1]
-        result = _result(setup, teller, frame, around)
+        result = _result(setup, matcher, frame, around)
         images.append(SearchedImage(frame.t, len(frame.left or ()), len(frame.right or ()), result))
     return image_rows(images)
 
 
 def _result(
     setup: EngineSetup,
-    teller: MarkerTeller | None,
+    matcher: MarkerMatcher | None,
     frame: BlobFrame,
     around: Sequence[Estimate],
 ) -> FrameResult:
-    if teller is not None:
-        return teller.tell(frame, around)
+    if matcher is not None:
+        return matcher.match(frame, around)
     return FrameResult.nothing(frame.t, Tracking.SEARCHING, len(setup.glove.markers))
 
 

@@ -17,7 +17,7 @@ from app.viewmodels.camera_overlay import NO_LAYERS, Layers, hand_box, overlay
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.names import spoken
-from app.widgets.icons import beside, dress
+from app.widgets.icons import dress, text_by_icon
 from app.widgets.image_view import ImageView
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.more_button import MoreButton
@@ -119,7 +119,7 @@ class CamerasPanel(Panel):
         self.sides.addItems([self.tr("Both cameras"), self.tr("Left only"), self.tr("Right only")])
         self.sides.currentIndexChanged.connect(self._choose_sides)
         self.set_up = QToolButton()
-        self.set_up.setText(beside(self.tr("Exposure…")))
+        self.set_up.setText(text_by_icon(self.tr("Exposure…")))
         self.set_up.setToolTip(self.tr("Lock exposure, gain and white balance; choose the camera"))
         self.set_up.clicked.connect(self.set_up_asked)
         self.set_up.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)

@@ -70,10 +70,10 @@ class NoteList(QTableWidget):
 
     def _show(self) -> None:
         self.blockSignals(True)
-        self._numbers = list(self._notes.standing)
+        self._numbers = list(self._notes.current)
         self.setRowCount(len(self._numbers))
         for row, number in enumerate(self._numbers):
-            note = self._notes.standing[number]
+            note = self._notes.current[number]
             at = QTableWidgetItem(position_text(note.t - self._recording.begun_at))
             at.setFlags(at.flags() & ~Qt.ItemFlag.ItemIsEditable)
             self.setItem(row, 0, at)
@@ -95,7 +95,7 @@ class NoteList(QTableWidget):
     def delete(self, row: int) -> None:
         """Remove the note in a row."""
         number = self._numbers[row]
-        text = self._notes.standing[number].text
+        text = self._notes.current[number].text
         undo = self._notes.delete(number)
         if undo is not None:
             self.removed.emit(self.tr("The note “{}” was deleted.").format(text), undo)

@@ -24,7 +24,7 @@ def dress(item: QAction | QAbstractButton, name: str) -> None:
     item.setIcon(icon(name, QApplication.palette()))
 
 
-def beside(text: str) -> str:
+def text_by_icon(text: str) -> str:
     """``text`` with more distance from its icon than the 4 px of Qt's styles."""
     return GAP + text
 

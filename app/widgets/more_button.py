@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget, QWidgetAction
 
-from app.widgets.icons import beside, dress
+from app.widgets.icons import dress, text_by_icon
 from app.widgets.measures import NEAR
 
 
@@ -13,7 +13,7 @@ class MoreButton(QToolButton):
 
     def __init__(self, text: str, icon: str = "ellipsis", parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setText(beside(text))
+        self.setText(text_by_icon(text))
         self.setToolButtonStyle(self.toolButtonStyle().ToolButtonTextBesideIcon)
         dress(self, icon)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)

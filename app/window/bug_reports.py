@@ -27,7 +27,7 @@ from tracker.messages import Event
 
 @dataclass(frozen=True, eq=False)
 class ReportSources:
-    """What a report tells of. ``private``: what of the window shows file names and people's."""
+    """The contents of a report. ``private``: widgets that show names of files or persons."""
 
     host: EngineHost
     store: SettingsStore
@@ -36,7 +36,7 @@ class ReportSources:
 
 
 class BugReports(QObject):
-    """Serves one window. ``crashes`` is None where nobody watches (tests, screenshots)."""
+    """Offers and saves bug reports of one window. ``crashes`` is None in tests and screenshots."""
 
     def __init__(
         self,
@@ -49,21 +49,21 @@ class BugReports(QObject):
         super().__init__(window)
         self._sources, self._tasks, self._messages = sources, tasks, messages
         self._window, self._crashes = window, crashes
-        sources.host.happened.connect(self._heard)
+        sources.host.happened.connect(self._offer_for)
         if crashes is not None:
             crashes.happened.connect(self.offer)
-        self.crashed = ""  # what there is to say of a run that crashed before this one
+        self.crashed = ""  # a sentence about the previous run, if it crashed
         if crashes is not None and crashes.found is not None:
             self.crashed = self.tr("Glovetrack ended unexpectedly the last time.")
             self.offer(self.crashed)
 
-    def _heard(self, event: Event) -> None:
-        """What went wrong in the engine stands in the banner too; the log has everything."""
+    def _offer_for(self, event: Event) -> None:
+        """Show errors of the engine in the message bar too; the log contains all events."""
         if event.kind == "error":
             self.offer(event_text(event))
 
     def offer(self, sentence: str) -> None:
-        """A banner with a button; nothing stands in the way."""
+        """Show the sentence in the message bar, with a button that begins a report."""
         self._messages.say(sentence, self.action)
 
     @property
@@ -72,7 +72,7 @@ class BugReports(QObject):
         return self.tr("Save a bug report…"), self.ask
 
     def ask(self) -> None:
-        """A dialog that tells what would be in it, and where to."""
+        """Ask in a dialog what to include and where to save it."""
         stamp = datetime.now().strftime("%Y-%m-%d_%H-%M-%S")
         folder = sessions_folder(self._sources.store.value)
         folder = folder if folder.is_dir() else Path.home()
@@ -81,7 +81,7 @@ class BugReports(QObject):
         dialog.show()
 
     def save(self, path: Path, choice: Choice) -> None:
-        """Gather now, write in the background, say where it is."""
+        """Collect the material now, write the file in the background, then show its path."""
         material = self._material(choice)
 
         def job(progress: JobProgress) -> list[str]:
@@ -93,9 +93,9 @@ class BugReports(QObject):
         )
 
     def _saved(self, path: Path, troubles: list[str]) -> None:
-        text = self.tr("The bug report is saved: {}.").format(path)
+        text = self.tr("Bug report saved: {}.").format(path)
         if troubles:
-            text += self.tr(" Not in it: {}.").format("; ".join(troubles))
+            text += self.tr(" Not included: {}.").format("; ".join(troubles))
         self._sources.host.happened.emit(Event(0.0, "note", text))
         self._messages.say(text, good=not troubles)
 
@@ -133,7 +133,7 @@ class BugReports(QObject):
         }
 
     def _write_recent(self, path: Path) -> None:
-        """The seconds in memory, in a file made like any recording, with nobody's name."""
+        """Write the seconds in memory to a file like any recording, without names of persons."""
         host = self._sources.host
         setup = host.setup
         if setup is None or setup.live is None:

@@ -15,9 +15,8 @@ def _add_window(parser: argparse.ArgumentParser) -> None:
 
 
 def _open(args: argparse.Namespace) -> int:
-    # deferred: load Qt and the registries
-    from app.window.start import open_window
-    from app.window.window_options import WindowOptions
+    from app.window.start import open_window  # deferred: loads Qt
+    from app.window.window_options import WindowOptions  # deferred: loads the registries
 
     return open_window(options_of(WindowOptions, args))
 

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.widgets.icons import beside, dress
+from app.widgets.icons import dress, text_by_icon
 from app.widgets.number_box import NumberBox
 from app.widgets.segments import Segments
 
@@ -59,7 +59,7 @@ class Command:
     shortcut: str = ""
     checkable: bool = False
     separator: bool = False  # before it
-    ticked: Callable[[], bool] | None = None  # whether it is what is chosen, asked as menus open
+    ticked: Callable[[], bool] | None = None  # whether it is selected; for open menus
 
 
 class Commands:
@@ -111,15 +111,15 @@ class Commands:
 
 
 class FocusKeys(QObject):
-    """Turns the shortcuts of ``actions`` off and on as the focus moves; menus show them all along.
+    """Turns the shortcuts of ``actions`` off and on as the focus moves; menus always show them.
 
-    Those with Ctrl or Alt, and function keys, are left alone, but Undo and Redo, which are a
-    text's own while it is typed.
+    Those with Ctrl or Alt, and function keys, are not changed, except Undo and Redo, which
+    belong to a text field while it has the focus.
     """
 
     def __init__(self, actions: Iterable[QAction], parent: QObject) -> None:
         super().__init__(parent)
-        self._actions = list(actions)  # a key may be another one later
+        self._actions = list(actions)  # their keys may be changed later
         self._of_text = [
             a for a in self._actions if a.shortcut().toString() in ("Ctrl+Z", "Ctrl+Y")
         ]
@@ -142,21 +142,21 @@ def is_single(action: QAction) -> bool:
 
 
 def is_text(widget: QWidget | None) -> bool:
-    """Whether text is typed into it; a `NumberBox` says itself whose the keys are."""
+    """Whether text is typed into it; a `NumberBox` handles its keys itself."""
     if isinstance(widget, NumberBox):
         return False
     return isinstance(widget, QLineEdit | QPlainTextEdit | QTextEdit | QAbstractSpinBox)
 
 
 def _give(action: QAction, on: bool) -> None:
-    """To the window, or (off) to the menu it stands in, which never has the focus."""
+    """Give the shortcut to the window, or (off) to its menu, which never has the focus."""
     context = Qt.ShortcutContext.WindowShortcut if on else Qt.ShortcutContext.WidgetShortcut
     if action.shortcutContext() != context:
         action.setShortcutContext(context)
 
 
 class ToolBar(QToolBar):
-    """Words give way to their icons, from the left, where there is no room for all.
+    """Shows icons without text, from the left, where there is not enough room.
 
     ``jobs``: the actions that choose a layout, by the names of their icons.
     """
@@ -180,16 +180,16 @@ class ToolBar(QToolBar):
         self._fill()
         for icon, action in jobs.items():
             dress(action, icon)
-            action.setIconVisibleInMenu(False)  # there a tick says which one is on
-            action.setIconText(beside(action.text()))
+            action.setIconVisibleInMenu(False)  # there a check mark shows the current one
+            action.setIconText(text_by_icon(action.text()))
         self.segments = Segments(list(jobs.values()))
         self.addWidget(self.segments)
         self._fill()
         self._search = self._button(actions["palette"])
 
     def _short(self, actions: Mapping[str, QAction]) -> None:
-        """Fewer words than in the menu."""
-        words = {
+        """Shorter texts than in the menu."""
+        texts = {
             "demo": self.tr("Demo"),
             "hardware": self.tr("Devices"),
             "open": self.tr("Open"),
@@ -198,8 +198,8 @@ class ToolBar(QToolBar):
             "note": self.tr("Note"),
             "palette": self.tr("Find"),
         }
-        for key, text in words.items():
-            actions[key].setIconText(beside(text))
+        for key, text in texts.items():
+            actions[key].setIconText(text_by_icon(text))
             actions[key].setToolTip(tip_of(actions[key]))
 
     def _button(self, action: QAction) -> QToolButton:
@@ -218,15 +218,15 @@ class ToolBar(QToolBar):
         self.fit(event.size().width())
 
     def fit(self, width: int) -> None:
-        """Words where ``width`` px have room for them."""
-        words, icons = (
+        """Show texts where ``width`` px have room for them."""
+        with_text, icons = (
             Qt.ToolButtonStyle.ToolButtonTextBesideIcon,
             Qt.ToolButtonStyle.ToolButtonIconOnly,
         )
         groups = [[self._search], self._sources, self._work, self.segments.buttons]
         for group in groups:
             for button in group:
-                button.setToolButtonStyle(words)
+                button.setToolButtonStyle(with_text)
         record = self._work[RECORD]
         record.setMinimumWidth(0)
         record.setMinimumWidth(record.sizeHint().width() + self._longer(record))
@@ -238,16 +238,20 @@ class ToolBar(QToolBar):
                 button.setMinimumWidth(0)
 
     def _longer(self, record: QToolButton) -> int:
-        """px that the longer of the button's two texts takes beyond its present one, so that
-        nothing beside it moves when a recording begins."""
+        """px by which the longer of the button's two texts exceeds the present one, so that
+        its neighbours do not move when a recording begins."""
         metrics = record.fontMetrics()
-        texts = record.text(), beside(self.tr("Record")), beside(self.tr("Stop recording"))
+        texts = (
+            record.text(),
+            text_by_icon(self.tr("Record")),
+            text_by_icon(self.tr("Stop recording")),
+        )
         widths = [metrics.horizontalAdvance(text) for text in texts]
         return max(widths) - widths[0]
 
 
 def tip_of(action: QAction) -> str:
-    """The whole words of the menu, and the key."""
+    """The full text of the menu, and the shortcut."""
     text = action.text().replace("&", "").rstrip("…")
     keys = action.shortcut().toString()
     return f"{text} ({keys})" if keys else text

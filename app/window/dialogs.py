@@ -39,13 +39,13 @@ ICON = 64  # px
 
 
 class Dialogs:
-    """Of one window and its ``commands``."""
+    """Opens the dialogs of one window and its ``commands``."""
 
     def __init__(self, window: QMainWindow, commands: Commands) -> None:
         self._window, self._commands = window, commands
 
     def palette(self) -> None:
-        """Find a command by its words."""
+        """Search for a command by words of its title."""
         window = self._window
         palette = CommandPalette(list(self._commands.actions.values()), window)
         palette.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -57,7 +57,7 @@ class Dialogs:
         GuideDialog(self._window).show()
 
     def documentation(self) -> None:
-        """The whole of it in the browser; it needs no network."""
+        """Open the documentation in the browser; it needs no network."""
         page = site()
         if page is not None:
             QDesktopServices.openUrl(QUrl.fromLocalFile(str(page)))
@@ -69,13 +69,13 @@ class Dialogs:
         AboutDialog(self._window).show()
 
     def full_screen(self) -> None:
-        """To and fro."""
+        """Enter or leave full-screen mode."""
         state = self._window.windowState()
         self._window.setWindowState(state ^ Qt.WindowState.WindowFullScreen)
 
 
 class GuideDialog(QDialog):
-    """Pages left, their text right; the search leaves the pages that hold all its words."""
+    """Pages on the left, their text on the right; the search lists pages that contain all terms."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -104,9 +104,9 @@ class GuideDialog(QDialog):
         row.addWidget(self.view, 1)
         self._find("")
 
-    def _find(self, words: str) -> None:
+    def _find(self, terms: str) -> None:
         self.list.clear()
-        for name in matches(self._pages, words):
+        for name in matches(self._pages, terms):
             item = QListWidgetItem(title_of(self._pages[name]))
             item.setData(Qt.ItemDataRole.UserRole, name)
             self.list.addItem(item)
@@ -117,8 +117,8 @@ class GuideDialog(QDialog):
             self.view.clear()
             return
         self.view.setMarkdown(self._pages[item.data(Qt.ItemDataRole.UserRole)])
-        words = self.search.text().split()
-        if words and self.view.find(words[0]):
+        terms = self.search.text().split()
+        if terms and self.view.find(terms[0]):
             self.view.ensureCursorVisible()
         else:
             self.view.moveCursor(QTextCursor.MoveOperation.Start)
@@ -142,12 +142,12 @@ class KeysDialog(QDialog):
 
     def __init__(self, menus: Iterable[QMenu], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Keys"))
+        self.setWindowTitle(self.tr("Keyboard shortcuts"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(560, 620)
         rows = [(m.title(), a) for m in menus for a in m.actions() if not a.shortcut().isEmpty()]
         self.table = QTableWidget(len(rows), 3)
-        self.table.setHorizontalHeaderLabels([self.tr("Key"), self.tr("Does"), self.tr("Menu")])
+        self.table.setHorizontalHeaderLabels([self.tr("Key"), self.tr("Command"), self.tr("Menu")])
         self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
         self.table.verticalHeader().hide()
         for i, (menu, action) in enumerate(rows):
@@ -161,12 +161,12 @@ class KeysDialog(QDialog):
 
 
 def key_of(action: QAction) -> str:
-    """As it is written on the keyboards of this system."""
+    """The shortcut as this system writes it."""
     return action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
 
 
 def plain(text: str) -> str:
-    """Without the mark of the letter that Alt takes."""
+    """The text without the mark of its Alt key."""
     return text.replace("&&", "\0").replace("&", "").replace("\0", "&")
 
 
@@ -177,7 +177,7 @@ class AboutDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.resize(720, 520)
         self.tabs = QTabWidget()
-        self.tabs.addTab(_text(as_text()), self.tr("Parts and their licences"))
+        self.tabs.addTab(_text(as_text()), self.tr("Components and licences"))
         self.tabs.addTab(_text(own_text()), self.tr("Apache-2.0"))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.close)
@@ -193,16 +193,16 @@ class AboutDialog(QDialog):
         icon.setPixmap(window_icon.pixmap(ICON, ICON))
         title = QLabel(self.tr("Glovetrack {}").format(__version__))
         title.setProperty("role", "heading")
-        words = QLabel(
+        about = QLabel(
             self.tr(
                 "Hand tracking with a sensor glove and a stereo camera. Free software under the "
-                "Apache Licence 2.0, without any warranty."
+                "Apache License 2.0, without any warranty."
             )
         )
-        words.setWordWrap(True)
+        about.setWordWrap(True)
         texts = QVBoxLayout()
         texts.addWidget(title)
-        texts.addWidget(words)
+        texts.addWidget(about)
         row = QHBoxLayout()
         row.setSpacing(WIDE)
         row.addWidget(icon)

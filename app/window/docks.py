@@ -14,7 +14,7 @@ from app.window.commands import Command, Commands
 from app.window.layouts import LEFT, Docks, Shares, resize, shares_of
 
 SMALLEST = (800, 500)
-FRAME = (16, 48)  # px that a window manager's frame and title take at most
+FRAME = (16, 48)  # px: the largest frame and title bar of a window manager
 QUIET_MS = 250  # after the last change of the window's size
 
 
@@ -24,7 +24,7 @@ def make_docks(window: QMainWindow, panels: Mapping[str, Panel]) -> dict[str, QD
     for name, panel in panels.items():
         dock = QDockWidget(panel.windowTitle(), window)
         dock.setObjectName(f"dock_{name}")
-        dock.setWidget(Scrolled(panel, dock))  # a move from parent to parent dresses it all anew
+        dock.setWidget(Scrolled(panel, dock))  # a later parent would restyle it
         docks[name] = dock
         window.addDockWidget(LEFT, dock)
         dock.hide()
@@ -37,9 +37,9 @@ def list_docks(
     commands: Commands,
     show: Callable[[str], None],
 ) -> None:
-    """A command for each, that shows it and brings it to the front; its own button hides it.
+    """Add a command for each dock that brings it to the front; its own button hides it.
 
-    ``numbers``: of the panels' kinds; of two with the same one, the first has the key.
+    ``numbers`` are those of the panels' kinds; of two equal ones the first has the shortcut.
     """
     menu = QCoreApplication.translate("MainWindow", "&View")
     first = True
@@ -61,7 +61,7 @@ def keys_of(number: int) -> str:
 
 
 def geometry_of(window: QMainWindow) -> str:
-    """Where the window stands, for the settings file."""
+    """The window's position and size, for the settings file."""
     return bytes(window.saveGeometry().toBase64().data()).decode()
 
 
@@ -71,7 +71,7 @@ def restore_geometry(window: QMainWindow, text: str) -> None:
 
 
 def fit_to_screen(window: QMainWindow, usual: tuple[int, int]) -> None:
-    """The usual size, or as much of it as the screen has; the least size gives way too."""
+    """Use the ``usual`` size, or the largest one that fits; reduce the minimum if needed."""
     room = window.screen().availableSize() - QSize(*FRAME)
     window.setMinimumSize(QSize(*SMALLEST).boundedTo(room))
     window.resize(QSize(*usual).boundedTo(room))

@@ -32,30 +32,30 @@ from tracker.messages import Array, Event, Tracking
 from tracker.session.recover import needs_recovery
 from tracker.streaming.registry import StreamSettings
 
-START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
+START_TIMEOUT = 600.0  # s; the first start compiles the kernels, slowly on a loaded machine
 SAMPLE_MS = 50
-UNSAID = ("pulse", "gesture")  # kinds of events that come many times a second
+NOT_PRINTED = ("pulse", "gesture")  # kinds of events that come many times a second
 SCREENSHOT_AFTER = 0.6
 """Share of the time after which an image of a tracked hand is taken as soon as there is one."""
 
 
 @dataclass
 class Figures:
-    """What is gathered while the window runs."""
+    """Samples collected while the window runs."""
 
     error: list[Array] = field(default_factory=list)  # (4,) m
     states: deque[int] = field(default_factory=deque)
 
 
 class Watched(NamedTuple):
-    """What the window shows meanwhile: its name, and what makes the engine."""
+    """What the window shows: its name, and the factory of the engine."""
 
     name: str
     make: SetupFactory
 
 
 class Connected(NamedTuple):
-    """What other programs receive and may ask: streams, and names and address of remote control."""
+    """What other programs can use: streams, and the names and address of remote control."""
 
     streams: StreamSettings
     remote: str = ""
@@ -69,8 +69,8 @@ def headless_report(
     connected: Connected,
     wearer: Path | None = None,
 ) -> int:
-    """Run what is ``watched`` for ``duration`` s of tracking and leave its results in ``out``,
-    where those of an earlier report are deleted; ``wearer``: the profile to begin with.
+    """Run what is ``watched`` for ``duration`` s of tracking and write its results to ``out``,
+    where those of an earlier report are deleted. ``wearer`` is the profile to begin with.
 
     Raises DiskError.
     """
@@ -95,7 +95,7 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     problems: list[str] = []
     window.tasks.failed.connect(problems.append)
     window.host.error.connect(problems.append)
-    window.host.happened.connect(_Teller())
+    window.host.happened.connect(_EventPrinter())
     window.host.open(watched.name, watched.make)
     wait_until(lambda: window.host.running or bool(problems), START_TIMEOUT)
     if not window.host.running:
@@ -113,7 +113,7 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     if path.exists():
         try:
             export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
-        except GlovetrackError as error:  # devices that gave nothing
+        except GlovetrackError as error:  # devices that sent nothing
             problems.append(str(error))
     print(_report(gathered, view, rate, path))
     print("\n".join(problems), end="\n" if problems else "", file=sys.stderr)
@@ -121,31 +121,31 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
 
 
 def _ended_early(why: str, path: Path) -> list[str]:
-    """What to report of a recording that was ended by ``why`` (empty: by nothing)."""
+    """The problem to report for a recording that ended because of ``why``; empty: none."""
     if not why:
         return []
-    again = f"`glovetrack recover {path}` makes a whole file of what was recorded."
+    again = f"`glovetrack recover {path}` recovers what was recorded."
     return [f"{why} {again}" if path.exists() and needs_recovery(path) else why]
 
 
-class _Teller:
-    """Prints what happens as it does, with the time since the start: a glove on the wrong files is
-    no news once the report is there."""
+class _EventPrinter:
+    """Prints events as they happen, with the time since the start in s: by the end of the report it
+    is too late to change the files of the wrong glove."""
 
     def __init__(self) -> None:
         self._began = time.monotonic()
 
     def __call__(self, event: Event) -> None:
-        words = words_of(event)
-        if words and event.kind not in UNSAID:
+        text = words_of(event)
+        if text and event.kind not in NOT_PRINTED:
             late = time.monotonic() - self._began
-            print(f"{late:6.1f} s  {words}", file=sys.stderr, flush=True)
+            print(f"{late:6.1f} s  {text}", file=sys.stderr, flush=True)
 
 
 def wait_until(done: Callable[[], bool], timeout: float) -> bool:
-    """Let the window live until ``done()`` or for ``timeout`` s; whether it was done.
+    """Run the event loop until ``done()``, at most ``timeout`` s; returns whether it was done.
 
-    Asked once each time: a hand that was there may be gone again.
+    ``done`` is called once per turn, because a tracked hand may be lost again.
     """
     loop, poll = QEventLoop(), QTimer()
     end = time.monotonic() + timeout
@@ -167,7 +167,7 @@ def wait_until(done: Callable[[], bool], timeout: float) -> bool:
 def _gather(
     window: MainWindow, duration: float, image: Path, problems: list[str]
 ) -> dict[str, Figures]:
-    """Watch the engine for ``duration`` s; what is found of each hand, by its side."""
+    """Sample the engine for ``duration`` s; returns the figures of each hand by its side."""
     began = time.monotonic()
     sampler = QTimer()
     gathered: dict[str, Figures] = defaultdict(Figures)
@@ -195,7 +195,7 @@ def _gather(
 
 
 def _save(window: MainWindow, image: Path, problems: list[str]) -> None:
-    """An image of the window as a PNG, which is there whole or not at all."""
+    """Save an image of the window as a PNG, in one step."""
     data = QByteArray()
     buffer = QBuffer(data)
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
@@ -257,7 +257,7 @@ def _session_text(path: Path) -> str:
 
 
 def _lines_of_hands(gathered: Mapping[str, Figures], view: Snapshot | None) -> list[str]:
-    """How well each hand was tracked; of two with its name, and the packets that it lost."""
+    """How well each hand was tracked; two are named, with the packets that they lost."""
     lost = {}
     for hand in view.hands if view is not None and len(view.hands) > 1 else ():
         values = hand.status.values if hand.status is not None else {}

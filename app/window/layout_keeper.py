@@ -34,7 +34,7 @@ EARLY_SHARE = 0.6  # of the window's height, for the library below the start pag
 class LayoutKeeper(QObject):
     """Switches layouts; ``named`` are those that the user has stored."""
 
-    chosen_early = Signal(str)  # a job, before docks stand
+    chosen_early = Signal(str)  # a job, while the start page is shown
 
     def __init__(
         self, window: QMainWindow, docks: Docks, jobs: Mapping[str, Job], store: SettingsStore
@@ -44,13 +44,13 @@ class LayoutKeeper(QObject):
         self._window, self._docks, self._store = window, docks, store
         self._actions: dict[str, QAction] = {}
         self.named = NamedLayouts(self, window, store)
-        self.shown = False  # docks stand; before, there is the start page
+        self.shown = False  # docks are shown; before, the start page is
         self._visitors: set[str] = set()  # docks that the program has added to the layout
         self._before_review: tuple[str, dict[str, Any]] | None = None  # a job and its layout
         DockShares(window, docks, lambda: self.shown)
 
     def list_commands(self, commands: Commands) -> dict[str, QAction]:
-        """The menu; returns the actions of the jobs, by the names of their icons."""
+        """Add the menu; returns the actions of the jobs, by the names of their icons."""
         menu = self.tr("&Layout")
         for i, job in enumerate(self.jobs.values(), start=1):
             command = Command(
@@ -72,7 +72,7 @@ class LayoutKeeper(QObject):
             self._before_review = job, layout if isinstance(layout, dict) else {}
             self._store.update(job=REVIEW)
             job, layout = REVIEW, value.job_layouts.get(REVIEW)
-        self._put_on(job, layout)
+        self._apply(job, layout)
 
     def choose(self, job: str) -> None:
         """Show the layout of a job as the user left it, with its main tabs in front."""
@@ -83,9 +83,9 @@ class LayoutKeeper(QObject):
             return
         self._leave()
         self._store.update(job=job)
-        self._put_on(job, self._store.value.job_layouts.get(job))
+        self._apply(job, self._store.value.job_layouts.get(job))
 
-    def _put_on(self, job: str, layout: object) -> None:
+    def _apply(self, job: str, layout: object) -> None:
         """``layout``: of ``job``, or with a name where that is empty; else the job's default."""
         known = isinstance(layout, dict) and bool(layout)
         if not (isinstance(layout, dict) and known and restore(self._window, self._docks, layout)):
@@ -99,8 +99,8 @@ class LayoutKeeper(QObject):
         if not self.shown:
             return
         job = job_of(self.jobs, self._store.value.job)
-        kept = {k: v for k, v in self._store.value.job_layouts.items() if k != job.name}
-        self._store.update(job=job.name, job_layouts=kept)
+        others = {k: v for k, v in self._store.value.job_layouts.items() if k != job.name}
+        self._store.update(job=job.name, job_layouts=others)
         self._visitors.clear()
         arrange(self._window, self._docks, job)
         self._tick()
@@ -114,13 +114,13 @@ class LayoutKeeper(QObject):
         if inner is not None:
             inner.activate()  # sizes are those without visitors, and after the latest change
         self._before_review = None
-        job, kept = self._store.value.job, self._store.value.job_layouts
+        job, stored = self._store.value.job, self._store.value.job_layouts
         layout = capture(self._window, self._docks)
         if job:
-            self._store.update(job_layouts={**kept, job: layout})
+            self._store.update(job_layouts={**stored, job: layout})
         return layout
 
-    # --- panels that come to a layout
+    # --- panels that are added to a layout
 
     def visit(self, name: str) -> None:
         """Show a dock at the program's own initiative: it is hidden again with the layout."""
@@ -132,12 +132,12 @@ class LayoutKeeper(QObject):
         dock.show()
         dock.raise_()
 
-    def keep_dock(self, name: str) -> None:
+    def add_dock(self, name: str) -> None:
         """The user wants this dock in the layout: it is stored with it."""
         self._visitors.discard(name)
 
     def show_review(self) -> None:
-        """The layout for a replay, unless the present one has what a replay needs."""
+        """Show the layout for a replay, unless the present one has the docks that it needs."""
         if not any(self._docks[name].isHidden() for name in REPLAY_NEEDS):
             return
         job = self._store.value.job
@@ -153,7 +153,7 @@ class LayoutKeeper(QObject):
         job, layout = self._before_review
         self._leave()
         self._store.update(job=job)
-        self._put_on(job, layout)
+        self._apply(job, layout)
 
     def _tick(self) -> None:
         for name, action in self._actions.items():
@@ -171,11 +171,11 @@ class LayoutKeeper(QObject):
         job, layout = before if before is not None else (self._store.value.job, layout)
         self._store.update(job=job, layout=layout)
 
-    def put_on_named(self, layout: dict[str, Any]) -> None:
+    def apply_named(self, layout: dict[str, Any]) -> None:
         """Show a stored layout that belongs to no job."""
         self._leave()
         self._store.update(job="")
-        self._put_on("", layout)
+        self._apply("", layout)
 
 
 class NamedLayouts(QObject):
@@ -192,43 +192,43 @@ class NamedLayouts(QObject):
     def list_commands(self, commands: Commands, menu: str) -> None:
         """Add the commands, and a menu of the names, to the ``menu`` of layouts."""
         for key, text, run in (
-            ("keep_layout", self.tr("&Keep this layout…"), self._ask_name),
-            ("rename_layout", self.tr("&Rename a layout…"), self._ask_rename),
-            ("delete_layout", self.tr("&Delete a layout…"), self._ask_delete),
+            ("keep_layout", self.tr("&Save layout…"), self._ask_name),
+            ("rename_layout", self.tr("&Rename layout…"), self._ask_rename),
+            ("delete_layout", self.tr("&Delete layout…"), self._ask_delete),
         ):
             separator = key == "keep_layout"
             self._changes[key] = commands.add(Command(key, menu, text, run, separator=separator))
-        self._menu = commands.menu(menu).addMenu(self.tr("Kept layouts"))
+        self._menu = commands.menu(menu).addMenu(self.tr("Saved layouts"))
         self._list()
 
-    def keep(self, name: str) -> None:
+    def save(self, name: str) -> None:
         """Store the present layout under a name; one of that name is replaced."""
         if name and self._keeper.shown:
-            kept = {**self._store.value.layouts, name: self._keeper.current()}
-            self._store.update(layouts=kept)
+            layouts = {**self._store.value.layouts, name: self._keeper.current()}
+            self._store.update(layouts=layouts)
             self._list()
 
-    def put_on(self, name: str) -> None:
+    def apply(self, name: str) -> None:
         """Show a stored layout."""
-        kept = self._store.value.layouts.get(name)
-        if self._keeper.shown and isinstance(kept, dict):
-            self._keeper.put_on_named(kept)
+        layout = self._store.value.layouts.get(name)
+        if self._keeper.shown and isinstance(layout, dict):
+            self._keeper.apply_named(layout)
 
     def rename(self, name: str, other: str) -> None:
-        kept = self._store.value.layouts
-        if name in kept and other:
-            self._store.update(layouts={other if n == name else n: v for n, v in kept.items()})
+        stored = self._store.value.layouts
+        if name in stored and other:
+            self._store.update(layouts={other if n == name else n: v for n, v in stored.items()})
             self._list()
 
     def delete(self, name: str) -> None:
         """Delete a stored layout; ``removed`` offers to undo it."""
-        kept = self._store.value.layouts
-        if name not in kept:
+        stored = self._store.value.layouts
+        if name not in stored:
             return
-        layout = kept[name]
-        self._store.update(layouts={n: v for n, v in kept.items() if n != name})
+        layout = stored[name]
+        self._store.update(layouts={n: v for n, v in stored.items() if n != name})
         self._list()
-        text = self.tr("The layout {} was deleted.").format(name)
+        text = self.tr("Layout {} deleted.").format(name)
         self.removed.emit(text, lambda: self._put_back(name, layout))
 
     def _put_back(self, name: str, layout: dict[str, Any]) -> None:
@@ -240,16 +240,16 @@ class NamedLayouts(QObject):
         assert self._menu is not None
         self._menu.clear()
         for name in self._store.value.layouts:
-            self._menu.addAction(name, partial(self.put_on, name))
+            self._menu.addAction(name, partial(self.apply, name))
         self._menu.setEnabled(bool(self._store.value.layouts))
         for key in ("rename_layout", "delete_layout"):
             self._changes[key].setEnabled(bool(self._store.value.layouts))
 
     def _ask_name(self) -> None:
-        title = self.tr("Keep this layout")
+        title = self.tr("Save layout")
         name = answer(self._window, title, self.tr("Name of the layout"))
         if name:
-            self.keep(name)
+            self.save(name)
 
     def _ask_which(self, title: str) -> str:
         """One of the stored layouts; empty for none."""
@@ -259,7 +259,7 @@ class NamedLayouts(QObject):
         return choice(self._window, title, self.tr("Layout"), names)
 
     def _ask_rename(self) -> None:
-        name = self._ask_which(self.tr("Rename a layout"))
+        name = self._ask_which(self.tr("Rename layout"))
         if name:
             title = self.tr("Rename {}").format(name)
             other = answer(self._window, title, self.tr("Name of the layout"), name)
@@ -267,6 +267,6 @@ class NamedLayouts(QObject):
                 self.rename(name, other)
 
     def _ask_delete(self) -> None:
-        name = self._ask_which(self.tr("Delete a layout"))
+        name = self._ask_which(self.tr("Delete layout"))
         if name:
             self.delete(name)

@@ -1,7 +1,7 @@
-"""Where docks stand: an arrangement for each job, and layouts as shares of the window.
+"""The positions of docks: an arrangement for each job, and layouts as shares of the window.
 
-Qt keeps layouts in px. Here the share of the window that each dock has is kept beside that, so that
-a layout kept on a small screen is the same layout on a large one.
+Qt stores layouts in px. Each dock's share of the window is stored too, so that a layout saved on
+a small screen is the same on a large one.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ BELOW = Qt.DockWidgetArea.BottomDockWidgetArea
 
 @dataclass(frozen=True)
 class Job:
-    """What one does, and what is in sight for it.
+    """A task of the user, and the docks that it shows.
 
     ``left``: share of the width; ``top``: of the height that each column's first group has;
-    ``below``: that of what is below both columns. ``right_px`` and ``below_px``: what their panels
-    need at least, on a small screen or a large scale more than that share. ``columns`` and
-    ``across``: groups of docks in tabs, from the top down in each column, and the one below both;
-    the first of a group is in front. ``next_to`` and ``over``: where docks appear when they are
-    called that the job does not show: next to another one, or as a tab of it, by their names.
+    ``below``: that of the docks below both columns. ``right_px`` and ``below_px``: the minimum
+    size of their panels, which on a small screen or at a large scale exceeds that share.
+    ``columns`` and ``across``: groups of docks in tabs, from the top down in each column, and the
+    one below both; the first of a group is in front. ``next_to`` and ``over``: where other docks
+    appear when they are opened: next to a dock, or as a tab of it, by their names.
     """
 
     name: str
@@ -73,14 +73,14 @@ HALF_AND_MORE = 0.62
 
 def title_of(job: Job) -> str:
     """In the user's language."""
-    words = {
+    titles = {
         "set_up": QCoreApplication.translate("MainWindow", "Set up"),
-        "watch": QCoreApplication.translate("MainWindow", "Watch"),
+        "watch": QCoreApplication.translate("MainWindow", "Live"),
         "record": QCoreApplication.translate("MainWindow", "Capture"),
         "look": QCoreApplication.translate("MainWindow", "Review"),
         "all": QCoreApplication.translate("MainWindow", "All panels"),
     }
-    return words[job.name]
+    return titles[job.name]
 
 
 def jobs_for(kinds: Mapping[str, PanelKind]) -> dict[str, Job]:
@@ -115,7 +115,7 @@ def job_of(jobs: Mapping[str, Job], name: str) -> Job:
 
 
 def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
-    """Put all docks where they stand for ``job``, in front those that it shows."""
+    """Put all docks where ``job`` has them, those that it shows in front."""
     for dock in docks.values():
         window.removeDockWidget(dock)
         dock.setFloating(False)
@@ -124,11 +124,11 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
             _add(window, docks, area, group)
     if job.across:
         _add(window, docks, BELOW, job.across)
-    beside = {n: at for n, at in job.next_to.items() if n not in job.shown and at in job.shown}
-    for name, at in beside.items():
+    neighbours = {n: at for n, at in job.next_to.items() if n not in job.shown and at in job.shown}
+    for name, at in neighbours.items():
         window.splitDockWidget(docks[at], docks[name], Qt.Orientation.Horizontal)
         docks[name].hide()
-    for name in docks.keys() - job.shown - beside.keys():  # where they come to when called
+    for name in docks.keys() - job.shown - neighbours.keys():  # where they appear when opened
         host = job.across[0] if job.across else job.columns[1][-1][0]
         if name in job.over and job.over[name] in job.shown:
             window.tabifyDockWidget(docks[job.over[name]], docks[name])
@@ -137,7 +137,7 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
         else:
             window.tabifyDockWidget(docks[host], docks[name])
         docks[name].hide()
-    hidden = [docks[n] for n in docks if n not in job.shown and n not in {*beside, *job.over}]
+    hidden = [docks[n] for n in docks if n not in job.shown and n not in {*neighbours, *job.over}]
     for first, second in itertools.pairwise(hidden):
         window.tabifyDockWidget(first, second)
     for name in docks:
@@ -195,7 +195,7 @@ def _shares(job: Job, room: QSize) -> Shares:
 
 
 def inside(window: QMainWindow, size: QSize | None = None) -> QSize:
-    """What docks have of the window, or of one of ``size``."""
+    """The area of the window that docks share, or of a window of ``size``."""
     size = size if size is not None else window.size()
     bars = window.statusBar().height() + window.menuBar().height()
     bars += max((bar.height() for bar in window.findChildren(QToolBar)), default=0)
@@ -231,7 +231,7 @@ def capture(window: QMainWindow, docks: Docks) -> dict[str, Any]:
 
 
 def restore(window: QMainWindow, docks: Docks, layout: dict[str, Any]) -> bool:
-    """Whether ``layout``, of whatever size of window, could be put on."""
+    """Apply a layout saved at any window size; returns whether that was possible."""
     state, shares = layout.get("state"), layout.get("shares")
     if not isinstance(state, str) or not isinstance(shares, dict):
         return False

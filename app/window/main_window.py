@@ -1,4 +1,4 @@
-"""The window: what it is made of, and how the parts hear of each other."""
+"""The main window: its parts, and how they are connected."""
 
 from __future__ import annotations
 
@@ -47,10 +47,10 @@ from app.window.docks import fit_to_screen, geometry_of, list_docks, make_docks,
 from app.window.layout_keeper import LayoutKeeper
 from app.window.layouts import jobs_for
 from app.window.message_bar import Announced, ColoursHint, Countdown, MessageBar, MessageRouter
+from app.window.recordings import RecentSessions, RecordingChecks
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import DEVICES, Drops, Sources
 from app.window.status_bar import StatusBar
-from app.window.takes import RecentSessions, Takes
 from app.window.ticker import Ticker
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
 
@@ -85,7 +85,7 @@ class MainWindow(QMainWindow):
             self.messages, self.host, self.sources, self.log, self.calibration
         )
         self._make_countdowns()
-        self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
+        self.checks = RecordingChecks(self.host, self.tasks, self.messages, self.library, self)
         self.reports = bug_reports(self, crashes)
         self.recent = RecentSessions(
             self.start_page, self.host, self.store, self.tasks, self.messages, self.library
@@ -165,7 +165,7 @@ class MainWindow(QMainWindow):
         self._targets = Targets(
             window=self,
             dialogs=Dialogs(self, self.commands),
-            takes=self.takes,
+            checks=self.checks,
             host=self.host,
             sources=self.sources,
             plan=self.plan,
@@ -198,7 +198,7 @@ class MainWindow(QMainWindow):
         host.hand_changed.connect(lambda _setup: self._enable())
         host.running_changed.connect(lambda _on: self._enable())
         host.recording.changed.connect(lambda _on: self._enable())
-        self.takes.recover.connect(self.recent.recover)
+        self.checks.recover.connect(self.recent.recover)
         self.set_up.error.connect(self.router.say)
         self.tasks.failed.connect(self.router.show_failed_job)
         self.tasks.noted.connect(self.router.say)
@@ -233,7 +233,7 @@ class MainWindow(QMainWindow):
         self.set_up.pose_reset_changed.connect(self._pose_reset_set_up)
         self._enable()
 
-    # --- what the engine host tells
+    # --- signals of the engine host
 
     def _opened(self, setup: EngineSetup) -> None:
         live, replay = self.tr("{} – Glovetrack"), self.tr("Replay of {} – Glovetrack")
@@ -257,13 +257,13 @@ class MainWindow(QMainWindow):
         enable_commands(self._targets, self.commands)
 
     def _show_set_up(self) -> None:
-        """Before devices are open the list stands beside the start page."""
+        """Show the checklist next to the start page, before devices are open."""
         if self.host.setup is None:
             self.checklist.refresh(None)
             self.docks["checklist"].show()
 
     def _show_set_up_list(self, job: str) -> None:
-        """*Set up* beside the start page is the list; of other jobs there is nothing to see yet."""
+        """Next to the start page *Set up* is the checklist; other jobs have nothing to show yet."""
         if job == "set_up":
             self._show_set_up()
         else:
@@ -279,7 +279,7 @@ class MainWindow(QMainWindow):
             self.commands.actions[key].trigger()
 
     def show_panel(self, name: str, part: QWidget | None = None) -> None:
-        """To the front; ``part`` of it is scrolled to where the dock is too small for all.
+        """Bring a panel to the front; scroll to ``part`` of it where the dock is too small.
 
         A panel that the layout does not have is hidden again with the layout.
         """
@@ -289,9 +289,9 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, part, lambda: area.ensureWidgetVisible(part))  # once laid out
 
     def open_panel(self, name: str) -> None:
-        """By the user's command: the panel becomes part of the layout."""
+        """Show a panel by the user's command: it becomes part of the layout."""
         self.show_panel(name)
-        self.layouts.keep_dock(name)
+        self.layouts.add_dock(name)
 
     def set_theme(self, name: str) -> None:
         app = QApplication.instance()
@@ -311,7 +311,7 @@ class MainWindow(QMainWindow):
         self.pose_reset.listen()
 
     def set_language(self, code: str) -> None:
-        """The language of the next start: what is on the screen has been said."""
+        """The language of the next start; texts on the screen do not change."""
         self.store.update(language=code)
         text = self.tr("The language changes after a restart.")
         self.messages.say(text, good=True)
@@ -324,7 +324,7 @@ class MainWindow(QMainWindow):
         self.set_up.shut_down()
         self.sources.shut_down()
         self.host.end()
-        self.tasks.shut_down()  # last: a recording that ends has the library read again
+        self.tasks.shut_down()  # last: the end of a recording makes the library scan its folder
         self.outputs.shut_down()
         self.remote.shut_down()
         for panel in self.panels.values():
@@ -333,7 +333,7 @@ class MainWindow(QMainWindow):
 
 
 def bug_reports(window: MainWindow, crashes: CrashWatch | None) -> BugReports:
-    """What makes reports of this window; a notice of its settings is said."""
+    """Makes the bug reports of this window; shows a notice of its settings, if there is one."""
     if window.store.notice:
         window.messages.say(window.store.notice)
     private = [window.docks[name] for name, kind in window.kinds.items() if kind.private]

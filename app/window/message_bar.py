@@ -1,4 +1,4 @@
-"""The bar over the docks that says what went wrong; hidden while nothing has. It shifts nothing."""
+"""Messages over the docks, which do not move: the message bar, countdowns, and who uses them."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ MOVES = (
     QEvent.Type.Hide,
 )
 READ_MS = 8_000
-"""After which good news disappears; see `MessageBar.say`."""
+"""After which messages of success disappear; see `MessageBar.say`."""
 CHOOSE_MS = 20_000
-"""The same where it has buttons."""
+"""The same for messages with buttons."""
 SIDE = 200  # px
 SHADE, INK = QColor(0, 0, 0, 170), QColor("#FFFFFF")  # legible over images of any brightness
 RESETS = "pose_reset."  # codes of the notices about a pose reset
@@ -40,12 +40,12 @@ COLOURS = "colours"  # what a hint is about
 
 
 class MessageBar(QWidget):
-    """One sentence at a time, until it is dismissed or no longer true. It lies over the
-    lowest panels, above their tabs and the status bar, so that nothing moves under the pointer,
-    and never over what `keep_clear` names."""
+    """Shows one message until it is dismissed or obsolete. It covers the lowest panels, above their
+    tabs and the status bar, so that nothing moves under the pointer, but never what `keep_clear`
+    names."""
 
     dismissed = Signal(str)  # by the user: what it was about
-    said = Signal(str, bool)  # a sentence, and whether there is nothing wrong
+    shown = Signal(str, bool)  # a message, and whether nothing is wrong
 
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
@@ -70,11 +70,11 @@ class MessageBar(QWidget):
         about: str = "",
         stays: bool = False,
     ) -> None:
-        """Say it in the one place for it, with a button for each thing that can be done.
+        """Show a message with a button for each action.
 
-        ``good``: there is nothing wrong. ``about`` names what it is about, for `no_longer`. What
-        ``stays`` is not taken away by its own buttons. Good news that is about nothing that could
-        end disappears after some seconds, unless the pointer or the keyboard is on it.
+        ``good``: nothing is wrong. ``about`` is the topic, for `no_longer`. A message that
+        ``stays`` is not closed by its own buttons. A good message without a topic disappears after
+        `READ_MS` or `CHOOSE_MS`, unless it has the pointer or the keyboard focus.
         """
         again = self.isVisible() and text == self.banner.text()
         self._about = about
@@ -86,7 +86,7 @@ class MessageBar(QWidget):
         if good and not about:
             self._timer.start(CHOOSE_MS if actions else READ_MS)
         if not again:
-            self.said.emit(text, good)
+            self.shown.emit(text, good)
 
     def _dismiss(self) -> None:
         about = self._about
@@ -94,23 +94,23 @@ class MessageBar(QWidget):
         self.dismissed.emit(about)
 
     def _leave(self) -> None:
-        """Time is up; it begins again while the user is at it."""
+        """The time has passed; it starts again while the user is using the message."""
         focus = QApplication.focusWidget()
         if not self.underMouse() and (focus is None or not self.isAncestorOf(focus)):
             self._timer.stop()
             self.hide()
 
     def is_about(self, about: str) -> bool:
-        """Whether that is what stands here."""
+        """Whether a message about this topic is shown."""
         return self.isVisible() and self._about == about
 
     def no_longer(self, about: str) -> None:
-        """What was said about this is not true any more."""
+        """Hide the message about this topic: it is obsolete."""
         if self._about == about:
             self.hide()
 
     def keep_clear(self, part: QWidget, within: QWidget) -> None:
-        """``part``, which moves with ``within``, is used while a sentence stands here."""
+        """Do not cover ``part``, which moves with ``within``: it is needed during a message."""
         self._clear.append((part, within))
         for watched in (part, within):
             watched.installEventFilter(self)
@@ -118,11 +118,11 @@ class MessageBar(QWidget):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in MOVES and self.isVisible():
             self._place()
-            self.raise_()  # docks that are laid out anew come over it
+            self.raise_()  # docks that are laid out again would cover it
         return super().eventFilter(watched, event)
 
     def _place(self) -> None:
-        """As wide as the window, as high as the sentence needs."""
+        """As wide as the window, as high as the message needs."""
         window = self._window
         tabs = window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly)
         foot = window.statusBar().height() + max(
@@ -137,7 +137,7 @@ class MessageBar(QWidget):
         self.setGeometry(place)
 
     def _rect(self, widget: QWidget) -> QRect:
-        """In the window; a panel that floats is a window of its own."""
+        """Its rectangle in the window; empty for a floating panel."""
         if widget.window() is not self._window:
             return QRect()
         return QRect(widget.mapTo(self._window, QPoint(0, 0)), widget.size())
@@ -145,16 +145,16 @@ class MessageBar(QWidget):
 
 @dataclass(frozen=True)
 class Announced:
-    """What begins: ``title`` with a place for the seconds, ``words`` over the number; whether each
-    second is to beep."""
+    """What a countdown announces: ``title`` with a placeholder for the seconds, ``text`` above the
+    number; ``beeps`` returns whether each second beeps."""
 
     title: str
     beeps: Callable[[], bool]
-    words: str = ""
+    text: str = ""
 
 
 class Countdown(QWidget):
-    """Lies over the window's middle and takes no clicks; Esc cancels what is counted down to."""
+    """Covers the middle of the window and ignores clicks; Esc cancels the countdown."""
 
     def __init__(
         self, key: RecordKey | PoseReset, announced: Announced, window: QMainWindow
@@ -196,22 +196,22 @@ class Countdown(QWidget):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.drawEllipse(self.rect())
         painter.setPen(INK)
-        number, words = self.font(), self.font()
-        number.setPixelSize(SIDE // 3 if self._announced.words else SIDE // 2)
+        number, small = self.font(), self.font()
+        number.setPixelSize(SIDE // 3 if self._announced.text else SIDE // 2)
         number.setBold(True)
         painter.setFont(number)
         upper = QRect(0, 0, SIDE, 3 * SIDE // 4)
-        if self._announced.words:
+        if self._announced.text:
             upper = QRect(0, SIDE // 3, SIDE, SIDE // 3)
         painter.drawText(upper, Qt.AlignmentFlag.AlignCenter, str(self._key.left))
-        words.setPixelSize(SIDE // 13)
-        painter.setFont(words)
+        small.setPixelSize(SIDE // 13)
+        painter.setFont(small)
         lower = QRect(0, 2 * SIDE // 3, SIDE, SIDE // 5)
-        painter.drawText(lower, Qt.AlignmentFlag.AlignCenter, self.tr("Esc: not now"))
-        if self._announced.words:
+        painter.drawText(lower, Qt.AlignmentFlag.AlignCenter, self.tr("Esc: cancel"))
+        if self._announced.text:
             top = QRect(SIDE // 5, SIDE // 12, 3 * SIDE // 5, SIDE // 4)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(top, flags, self._announced.words)
+            painter.drawText(top, flags, self._announced.text)
 
 
 class ColoursHint(QObject):
@@ -224,13 +224,15 @@ class ColoursHint(QObject):
         self._messages, self._panel, self._show = messages, panel, show
 
     def show_unfit(self, unfit: bool) -> None:
-        """``unfit``: the colours find many patches and no hand."""
+        """``unfit``: many patches were detected and no hand was found."""
         if not unfit:
             self._messages.no_longer(COLOURS)
             return
         self._panel.fitting.fit_by_itself()
-        text = self.tr("The colours find many patches, none fit the glove: fit the colours.")
-        fit = (self.tr("Fit them now"), self._fit)
+        text = self.tr(
+            "Many patches have the markers' colours, but none fit the glove. Fit the colours."
+        )
+        fit = (self.tr("Fit colours now"), self._fit)
         look = (self.tr("Show the colours"), lambda: self._show(self._panel.name))
         self._messages.say(text, fit, look, about=COLOURS)
 
@@ -239,7 +241,7 @@ class ColoursHint(QObject):
         self._panel.fitting.fit_by_itself()
 
     def _fit(self) -> None:
-        self._show(self._panel.name)  # it gathers images while it is in sight
+        self._show(self._panel.name)  # it collects images while it is visible
         self._panel.fitting.fit_live()
 
 
@@ -266,7 +268,7 @@ class MessageRouter(QObject):
         super().__init__(messages)
         self._messages, self._host, self._devices = messages, host, devices
         self._log, self._calibration = log, calibration
-        messages.said.connect(self._add_to_log)
+        messages.shown.connect(self._add_to_log)
         host.error.connect(self.say)
         host.happened.connect(self._show_event)
 
@@ -299,10 +301,10 @@ class MessageRouter(QObject):
     def offer_to_save_wearer(self) -> None:
         """What guided poses have taught is lost at the end, unless it is saved in a profile."""
         if not self._calibration.profiles.keep_learned():
-            text = self.tr("It is kept while this session runs.")
-            ask = (self.tr("Save it for the next time…"), self._calibration.wearer.ask_name)
+            text = self.tr("The calibration is used until this session ends.")
+            ask = (self.tr("Save it to a profile…"), self._calibration.wearer.ask_name)
             self._messages.say(text, ask, good=True)
 
     def show_removed(self, text: str, undo: Callable[[], None]) -> None:
-        """Nobody was asked for confirmation: it can be undone instead."""
+        """Offer to undo a removal, which was not confirmed."""
         self._messages.say(text, (self.tr("Undo"), undo), good=True)

@@ -1,4 +1,4 @@
-"""The window's objects are not gone through by the collector of garbage while a hand is tracked."""
+"""Excludes the window's long-lived objects from garbage collection while a hand is tracked."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ if TYPE_CHECKING:
     from app.engines.engine_host import EngineHost
 
 SETTLED_MS = 1500
-"""After a start: the hand is found, and what a first look at it imports is there."""
+"""After a start; by then the hand is found and all modules that tracking needs are loaded."""
 
 
 def keep_pauses_short(host: EngineHost) -> None:
-    """Set objects that stay aside soon after each start, when the panels in sight are made."""
+    """Exclude long-lived objects soon after each start, once the visible panels exist."""
     timer = QTimer(host)
     timer.setSingleShot(True)
     timer.setInterval(SETTLED_MS)

@@ -14,7 +14,7 @@ from tracker.streaming.remote.client import UDP_PORT
 from tracker.streaming.remote.client import ask as ask_over_udp
 from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS, is_reply
 
-NOBODY = "No window is open. Open one with `glovetrack`."
+NO_WINDOW = "No window is open. Open one with `glovetrack`."
 _NOT_SENT = ("json", "force", "to", "command", "parser", "log_level", "log_file")
 
 
@@ -22,26 +22,26 @@ def control(args: argparse.Namespace) -> int:
     """Send the request and print the answer. Raises GlovetrackError if it was not carried out."""
     check_json(args)
     request = {k: v for k, v in vars(args).items() if k not in _NOT_SENT}
-    answer = _asked(request, args.to)
+    answer = _send(request, args.to)
     if not answer["ok"]:
         raise GlovetrackError(str(answer.get("error")))
     finish(args, answer, [answer["text"], *([answer["file"]] if "file" in answer else [])])
     return 0
 
 
-def _asked(words: dict[str, Any], to: tuple[str, int] | None) -> dict[str, Any]:
-    """The window's answer. Raises GlovetrackError where there is none."""
-    said = ask_over_udp(words, *to) if to is not None else ask(words)
-    if said is None:
-        raise GlovetrackError(NOBODY)
-    if not is_reply(said):
+def _send(request: dict[str, Any], to: tuple[str, int] | None) -> dict[str, Any]:
+    """Return the window's answer. Raises GlovetrackError if there is none."""
+    reply = ask_over_udp(request, *to) if to is not None else ask(request)
+    if reply is None:
+        raise GlovetrackError(NO_WINDOW)
+    if not is_reply(reply):
         raise GlovetrackError(NOT_A_WINDOW)
-    answer: dict[str, Any] = json.loads(said)
+    answer: dict[str, Any] = json.loads(reply)
     return answer
 
 
 def _address(text: str) -> tuple[str, int]:
-    """Raises ValueError, which the parser puts in words."""
+    """Raises ValueError, which the parser reports."""
     host, colon, port = text.partition(":")
     if not host or (colon and not 1 <= int(port) <= 65535):
         raise ValueError(text)

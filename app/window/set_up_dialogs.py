@@ -1,4 +1,4 @@
-"""Opens the set-up dialogs and does what they decide."""
+"""Opens the set-up dialogs and applies their results."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ if TYPE_CHECKING:
 
 
 class SetUpDialogs(QObject):
-    """At most one dialog of each kind is open; ``restart`` asks for glove and camera anew."""
+    """At most one dialog of each kind is open; ``restart`` asks to open glove and camera again."""
 
     error = Signal(str)
     restart = Signal()
     changed = Signal()  # what is stored of the devices
-    learned = Signal()  # of guided poses, to be kept
+    learned = Signal()  # from guided poses, to be saved
     pose_reset_changed = Signal()  # its settings
 
     def __init__(
@@ -53,7 +53,7 @@ class SetUpDialogs(QObject):
     # --- stereo calibration
 
     def open_stereo(self) -> None:
-        """The stereo calibration. The cameras' names are asked for in the background."""
+        """Open the camera calibration, once the cameras are listed in the background."""
         if not self._raise("stereo"):
             self._tasks.run(
                 self.tr("Looking for cameras"), lambda _progress: all_cameras(), self._open_stereo
@@ -62,9 +62,8 @@ class SetUpDialogs(QObject):
     def _open_stereo(self, cameras: list[CameraName]) -> None:
         if self._raise("stereo"):
             return
-        # deferred: load every engine
-        from app.wizards.stereo.image_choices import image_choices
-        from app.wizards.stereo.wizard import StereoWizard
+        from app.wizards.stereo.image_choices import image_choices  # deferred: loads every engine
+        from app.wizards.stereo.wizard import StereoWizard  # deferred: with the line above
 
         wizard = StereoWizard(
             self._tasks,
@@ -76,18 +75,18 @@ class SetUpDialogs(QObject):
         self.show_stereo(wizard)
 
     def show_stereo(self, wizard: StereoWizard) -> None:
-        """Show it, and take what comes out of it."""
+        """Show it, and use its results."""
         wizard.finished_with.connect(self._calibrated)
         wizard.board_used.connect(lambda spec: self._store.update(board=board_text(spec)))
         self.show_dialog("stereo", wizard)
 
     def _calibrated(self, path: Path, real: bool) -> None:
-        """A calibration of the simulated camera is kept as a file and used for nothing."""
+        """Use the calibration, unless it is of the simulated camera."""
         if real and self.set_calibration(path):
             self._restart_devices()
 
     def set_calibration(self, path: Path) -> bool:
-        """Remember the camera's calibration file; it is checked before it is taken."""
+        """Store the camera's calibration file if it can be read; returns whether it can."""
         try:
             load_rig(path)
         except GlovetrackError as error:
@@ -100,10 +99,10 @@ class SetUpDialogs(QObject):
     # --- glove
 
     def open_glove(self) -> None:
-        """Port, files, biases at rest, wiggle test."""
+        """Open the glove set-up: port, files, biases at rest, wiggle test."""
         if self._raise("glove"):
             return
-        from app.wizards.glove.wizard import GloveSetup  # deferred: a tenth of a second
+        from app.wizards.glove.wizard import GloveSetup  # deferred: takes 0.1 s
 
         dialog = GloveSetup(self._host, self._store, self._tasks, self._window)
         dialog.chosen.connect(self._restart_devices)
@@ -111,12 +110,12 @@ class SetUpDialogs(QObject):
         self.show_dialog("glove", dialog)
 
     def open_firmware(self) -> None:
-        """Versions, and writing the glove's firmware."""
+        """Open the firmware dialog: versions, and flashing."""
         if not self._raise("firmware"):
             self.show_dialog("firmware", FirmwareSetup(self._host, self._tasks, self._window))
 
     def take_bias(self, pose: StillPose) -> None:
-        """The engine knows the gyros from now on, where it keeps what it knows of a wearer."""
+        """Give the measured gyro biases to the engine, if it estimates them."""
         bias = np.array([i.gyro_bias for i in pose.imus])
         sd = np.array([i.gyro_bias_sd for i in pose.imus])
         self._host.command(lambda engine: take_gyro_bias(engine, bias, sd))
@@ -124,7 +123,7 @@ class SetUpDialogs(QObject):
     # --- camera
 
     def open_camera(self) -> None:
-        """Which camera, and what of its image is locked."""
+        """Open the camera set-up: which camera, and which of its controls are locked."""
         if self._raise("camera"):
             return
         dialog = CameraSetup(self._host, self._store, self._tasks, self._window)
@@ -132,7 +131,7 @@ class SetUpDialogs(QObject):
         self.show_dialog("camera", dialog)
 
     def lock_camera(self) -> None:
-        """Lock what the camera has found by itself, as it is now."""
+        """Lock the values that the camera's automatic controls have now."""
         setup = self._host.setup
         if setup is None or setup.camera.controls is None:
             return
@@ -143,13 +142,13 @@ class SetUpDialogs(QObject):
     # --- the wearer
 
     def open_guided(self) -> None:
-        """Poses that the wearer holds on request."""
+        """Open the guided calibration, in which the wearer holds poses."""
         setup = self._host.setup
         if self._raise("guided") or setup is None or setup.live is None or not self._host.running:
             return
         if not learns_wearer(self._store.value.engine):
             self.error.emit(
-                self.tr("Only the engine chain learns from poses: choose it in the Tracking menu.")
+                self.tr("Only the engine chain learns from poses. Choose it in the Tracking menu.")
             )
             return
         from app.wizards.guided.dialog import GuidedDialog  # deferred: loads SciPy
@@ -160,7 +159,7 @@ class SetUpDialogs(QObject):
         self.show_dialog("guided", dialog)
 
     def open_pose_reset(self, user_of: Callable[[str], str]) -> None:
-        """Key, countdown, sound and double tap; ``user_of`` names the command that has a key."""
+        """Key, countdown, sound and double tap; ``user_of`` names the command that uses a key."""
         if self._raise("pose_reset"):
             return
         dialog = PoseResetSettings(self._store, user_of, self._window)
@@ -170,7 +169,7 @@ class SetUpDialogs(QObject):
     # --- all
 
     def _restart_devices(self) -> None:
-        """What was chosen is used at once, unless the demo or a session is open."""
+        """Open the chosen devices, unless the demo or a session is open."""
         setup = self._host.setup
         self.changed.emit()
         if setup is None or (not setup.simulated and setup.player is None):
@@ -200,17 +199,17 @@ class SetUpDialogs(QObject):
         """Close what is open; its jobs end with the window's."""
         for dialog in list(self.dialogs.values()):
             dialog.close()
-            if dialog.isVisible():  # it would have gone on with what came of it
+            if dialog.isVisible():  # it ignored the close
                 dialog.done(int(QDialog.DialogCode.Rejected))
 
 
 def board_text(spec: BoardSpec) -> str:
-    """As the settings hold it."""
+    """The text for the settings."""
     return f"{spec.kind} {spec.columns} {spec.rows} {spec.square!r}"
 
 
 def board_from(text: str) -> BoardSpec:
-    """The default where the settings hold none, or one that is impossible."""
+    """The board of the settings; the default where there is none, or an invalid one."""
     try:
         kind, columns, rows, square = text.split()
         return BoardSpec(kind, int(columns), int(rows), float(square))

@@ -1,7 +1,7 @@
-"""Where an engine comes from: the demo, the devices, a file. Each gives a job that builds one.
+"""Sources of an engine: the demo, the devices, a file. Each has a job that builds the engine.
 
-What builds it is imported inside the job: it compiles kernels and loads codecs, and the window is
-to open at once.
+The builders are imported inside the job: they compile kernels and load codecs, and the window
+opens without waiting for them.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 def demo_factory(
     choice: DemoChoice | None = None, seed: int = 1, camera: DemoCamera | None = None
 ) -> SetupFactory:
-    """Simulated wearers, gloves and camera; ``camera`` may have been started for it before."""
+    """Simulated wearers, gloves and camera; ``camera`` may have been started already."""
     wanted = choice or DemoChoice()
     started = [camera] if camera is not None else []
 
@@ -125,7 +125,7 @@ class Sources(QObject):
         self.devices_asked.emit()
 
     def open_session(self, path: Path) -> None:
-        """Replay a file through the same panels; one that cannot be read changes nothing."""
+        """Replay a file in the same panels; a file that cannot be read changes nothing."""
         title = self.tr("Opening {}").format(path.name)
         self._open(Opening(path.name, title, replay_factory(path), keep=True))
 
@@ -136,20 +136,20 @@ class Sources(QObject):
         return self._live is not None and setup is not None and setup.player is not None
 
     def go_live(self) -> None:
-        """From a replay back to the demo or the devices that were open before it."""
+        """Return from a replay to the demo or the devices that were open before."""
         if self._live is not None:
             self._live()
 
     def choose_session(self, plan: RecordingPlan) -> None:
-        """Ask for a file, where recordings go to."""
+        """Ask for a file, beginning with the folder of recordings."""
         path, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open a session"), str(plan.folder), "*.mcap"
+            self._window, self.tr("Open recording"), str(plan.folder), "*.mcap"
         )
         if path:
             self.open_session(Path(path))
 
     def take_over(self, path: str) -> None:
-        """What a second start of the program was given: a session, or "" to be seen."""
+        """Handle a second start of the program: open its session, or (empty) come to the front."""
         window = self._window
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowMinimized)
         window.raise_()
@@ -158,38 +158,38 @@ class Sources(QObject):
             self.open_session(Path(path))
 
     def _choose_engine(self, setup: EngineSetup) -> None:
-        """The one used last; half a rig has the one that can do with it."""
+        """Track with the engine used last; incomplete devices have one that works with them."""
         self.looking_for_devices = False
         if setup.missing:
             self.plugged.begin()
         else:
             self.plugged.rest()
         if setup.others and setup.connection.number is not None:
-            self._store.update(both_hands=True)  # one that is unplugged is expected from now on
+            self._store.update(both_hands=True)  # a glove that is unplugged is expected from now on
         if setup.whole and setup.live is not None:
             setup.live.engine.set_engine(self._store.value.engine)
         elif setup.missing:
             self.tell_of_devices(setup.missing)
 
     def toggle_both_hands(self) -> None:
-        """Whether the other hand's glove is expected where it is not there; at the next opening."""
+        """Expect the other hand's glove, or do not, when devices are opened next."""
         self._store.update(both_hands=not self._store.value.both_hands)
 
     def tell_of_devices(self, text: str) -> None:
-        """What is missing, with the way to the list that helps; until devices are chosen anew."""
+        """Show what is missing, with a button to the checklist, until devices are chosen again."""
         self.looking_for_devices = False
-        show = (self.tr("Show the set-up"), self.set_up_asked.emit)
+        show = (self.tr("Show checklist"), self.set_up_asked.emit)
         self._messages.say(text, show, about=DEVICES)
         if self._host.setup is None:
             self.plugged.begin()
 
     def _came(self, names: Sequence[str]) -> None:
-        """Where nothing is open it is looked at once; half a rig goes on until the user says so."""
+        """Open new devices at once if nothing is open; else the user decides."""
         if self._host.setup is None:
             self.open_devices()
             return
-        text = self.tr("Plugged in now: {}.").format(", ".join(names))
-        self._messages.say(text, (self.tr("Use it"), self.open_devices), about=DEVICES, good=True)
+        text = self.tr("Plugged in: {}.").format(", ".join(names))
+        self._messages.say(text, (self.tr("Connect"), self.open_devices), about=DEVICES, good=True)
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""
@@ -197,10 +197,10 @@ class Sources(QObject):
         self._host.set_engine(name)
 
     def _open(self, what: Opening, begun: Callable[[], None] | None = None) -> None:
-        """``begun`` is called where it is opened now."""
+        """``begun`` is called if it is opened now."""
         if self._host.recording.request is not None:
-            text = self.tr("{} waits: a recording is under way.").format(what.name)
-            open_now = (self.tr("End it and open"), partial(self._open_now, what, begun))
+            text = self.tr("{} cannot be opened during a recording.").format(what.name)
+            open_now = (self.tr("Stop recording and open"), partial(self._open_now, what, begun))
             self._messages.say(text, open_now)
         else:
             self._open_now(what, begun)
@@ -215,12 +215,12 @@ class Sources(QObject):
             begun()
 
     def shut_down(self) -> None:
-        """Nothing is looked for any more."""
+        """Stop looking for devices."""
         self.plugged.shut_down()
 
 
 class Drops(QObject):
-    """Watches ``window`` and hands the path of a dropped session to ``take``."""
+    """Calls ``take`` with the path of a session that is dropped on the window."""
 
     def __init__(self, window: QWidget, take: Callable[[str], None]) -> None:
         super().__init__(window)
@@ -229,7 +229,7 @@ class Drops(QObject):
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not isinstance(event, QDropEvent):  # a drag that enters is one too
+        if not isinstance(event, QDropEvent):  # also a drag that enters
             return super().eventFilter(watched, event)
         path = session_in(event.mimeData())
         if path is None:
@@ -242,7 +242,7 @@ class Drops(QObject):
 
 
 def session_in(data: QMimeData) -> Path | None:
-    """The one session among what is dragged; None where there is none, or several."""
+    """The only session among the dragged files; None if there is none or more than one."""
     paths = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
     sessions = [path for path in paths if path.suffix.lower() == ".mcap"]
     return sessions[0] if len(sessions) == 1 else None

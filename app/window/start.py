@@ -41,7 +41,7 @@ NO_SCREEN = (
 SingleShot = Qt.ConnectionType.SingleShotConnection
 
 ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
-"""Of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
+"""Signals of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
 
 
 def open_window(options: WindowOptions) -> int:
@@ -57,7 +57,7 @@ def open_window(options: WindowOptions) -> int:
         if options.headless_report is None:
             print(NO_SCREEN, file=sys.stderr)
             return 1
-        do_without()
+        use_offscreen()
     tune_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
@@ -94,9 +94,12 @@ def _report(options: WindowOptions, seconds: float) -> int:
     check_report(options.out, options.force)
     # a camera to be simulated starts before the window is even imported
     camera = None if options.devices else start_camera(choice=_demo(options))
-    # deferred: load the window
-    from app.window.headless_report import Connected, Watched, headless_report
-    from app.window.sources import demo_factory, hardware_factory
+    from app.window.headless_report import (  # deferred: loads the window
+        Connected,
+        Watched,
+        headless_report,
+    )
+    from app.window.sources import demo_factory, hardware_factory  # deferred: loads the window
 
     settings = SettingsStore().value
     if options.baud is not None:
@@ -110,7 +113,7 @@ def _report(options: WindowOptions, seconds: float) -> int:
 
 def _run(app: QApplication, options: WindowOptions) -> int:
     if not options.demo and hand_over(options.session):
-        return 0  # the window that is open has it now
+        return 0  # the open window shows it
     store = SettingsStore()
     install(app, store.value.language)
     compile_before_start(app)
@@ -135,7 +138,7 @@ def _show(
 
     window = MainWindow(store, crashes)
     instance.asked.connect(window.sources.take_over)
-    close_when_told(window)
+    close_on_signals(window)
     keep_pauses_short(window.host)
     window.outputs.use(_streams(options))
     window.remote.use(options.remote, options.remote_host)
@@ -159,18 +162,18 @@ def _demo(options: WindowOptions) -> DemoChoice:
     return DemoChoice(options.fps, options.hands, options.motion, options.lenses, options.scene)
 
 
-def close_when_told(window: QWidget) -> None:
-    """Let signals close the window as a click does: the file is finished, the devices are freed.
+def close_on_signals(window: QWidget) -> None:
+    """Let signals close the window like a click: the file is finished, the devices are freed.
 
-    A signal comes amid whatever Python does, which may hold a lock that closing needs: the window
-    is closed in the next turn of its loop. Its own timer gives Python the chance to see signals.
+    A signal can interrupt Python while it has a lock that closing needs, so the window is closed in
+    the next turn of the event loop. The window's timer lets Python handle signals.
     """
     for name in ENDS:
-        if hasattr(signal, name):  # not every system has all of them
+        if hasattr(signal, name):  # not all of them exist on every system
             number = getattr(signal, name)
             signal.signal(number, lambda *_: QTimer.singleShot(0, window, window.close))
 
 
-def do_without() -> None:
-    """Qt paints into memory."""
+def use_offscreen() -> None:
+    """Let Qt paint into memory."""
     os.environ[PLATFORM] = "offscreen"

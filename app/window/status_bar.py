@@ -1,4 +1,4 @@
-"""The bottom line: state of tracking, rates, latency, losses, and what is under way."""
+"""The status bar: state of tracking, rates, latency, losses, and the running job."""
 
 from __future__ import annotations
 
@@ -15,17 +15,13 @@ from app.widgets.elided_label import ElidedLabel
 from tracker.messages import Status
 
 RATES = ("imu_rate_hz", "frame_rate_hz", "estimate_rate_hz")
-"""Fields that are cut last: what arrives, and how often, is asked for most."""
-
-
+"""Fields that are cut last: the rates are needed most."""
 PROGRESS_MS = 100  # between two values of a job's progress
-
-
 BETWEEN = 12  # px from one to the next
 SHORTENED = ("shed", "latency", "losses")
-"""What has a shorter text, the first one first."""
+"""Fields with a shorter text, in the order in which they are shortened."""
 GIVES_WAY = ("latency", "losses", "estimate_rate_hz", "frame_rate_hz", "imu_rate_hz")
-"""What is left out where there is too little room, the first one first."""
+"""Fields that are left out where there is too little room, in that order."""
 
 
 class StatusBar(QStatusBar):
@@ -42,7 +38,7 @@ class StatusBar(QStatusBar):
         for chip in self.chips.values():
             self.addWidget(chip)
         self._fields = {f.key: f for f in fields(None)}
-        self._looks = [tracking_look(None, False)] * 2  # of the tracking: whole, and in brief
+        self._looks = [tracking_look(None, False)] * 2  # of the tracking: full, and short
         self.chips["shed"].hide()
         self.recording = Chip(firm=True)
         self._task_name = ElidedLabel()
@@ -64,7 +60,7 @@ class StatusBar(QStatusBar):
         has_place: bool = True,
         replayed: bool = False,
     ) -> None:
-        """``replayed``: it is from a session, not of now."""
+        """``replayed``: the status is from a session, not current."""
         self._looks = [
             tracking_look(status, running, has_place, replayed, brief) for brief in (False, True)
         ]
@@ -78,8 +74,8 @@ class StatusBar(QStatusBar):
         self.tracking.show_state(look.colour, look.sign, look.word, self.tracking.toolTip())
 
     def _make_room(self) -> None:
-        """Where there is too little room, first texts are shortened; then what is fine and needed
-        least is left out, not cut."""
+        """Shorten texts where there is too little room; then leave out fields without a problem,
+        the least important first."""
         texts = {key: field.full for key, field in self._fields.items() if field.full}
         others = (self.tracking, self.other_hand, self.recording, self._task_name)
         rest = (self._bar, self._cancel)
@@ -112,7 +108,7 @@ class StatusBar(QStatusBar):
         has_place: bool = True,
         replayed: bool = False,
     ) -> None:
-        """Of two hands each by its name, that of the panels first; after `show_status`."""
+        """Show each of two hands by its name, that of the panels first; after `show_status`."""
         self.other_hand.setVisible(len(hands) > 1)
         if len(hands) < 2:
             return
@@ -125,13 +121,13 @@ class StatusBar(QStatusBar):
         self._make_room()
 
     def show_rate(self, rate_hz: float) -> None:
-        """How often the window is drawn, for who asks by the pointer."""
+        """Show the refresh rate of the window in the tooltip."""
         self.tracking.setToolTip(
             self.tr("The window is refreshed {} times a second").format(round(rate_hz))
         )
 
     def show_latencies(self) -> None:
-        """What the pointer would show over the latency: each stage's."""
+        """Show the tooltip of the latency: the latency of each stage."""
         chip = self.chips["latency"]
         QToolTip.showText(chip.mapToGlobal(chip.rect().topLeft()), chip.toolTip(), chip)
 
@@ -140,7 +136,7 @@ class StatusBar(QStatusBar):
         self.recording.show_state(colour, "●", text)
 
     def _watch(self) -> None:
-        """Show the newest job under way, or nothing."""
+        """Show the newest running job, or nothing."""
         self._watched = self._tasks.tasks[-1] if self._tasks.tasks else None
         for widget in (self._task_name, self._bar, self._cancel):
             widget.setVisible(self._watched is not None)
@@ -154,7 +150,7 @@ class StatusBar(QStatusBar):
         if self.sender() is not self._watched or self._watched is None:
             return
         if self._shown_at.isValid() and self._shown_at.elapsed() < PROGRESS_MS:
-            return  # each value has the window painted at once
+            return  # each value repaints the window at once
         self._shown_at.start()
         self._bar.setRange(0, 0 if fraction < 0 else 100)
         self._bar.setValue(round(100 * max(0.0, fraction)))

@@ -32,9 +32,9 @@ class Colours:
     accent: str
     on_accent: str
     scene: str  # background of the 3D view
-    danger: str  # of what records, or is wrong: contrast 4.5 or more
+    danger: str  # of recording, and of errors: contrast 4.5 or more
     tick: str  # a drawing in the colour of `on_accent`
-    notice: tuple[str, str] = ("#6B2A00", "#FFE9DC")  # background and text of what went wrong
+    notice: tuple[str, str] = ("#6B2A00", "#FFE9DC")  # background and text of errors
     good: tuple[str, str] = ("#0B4F3C", "#FFE9DC")
     warning: tuple[str, str] = ("#5A3A00", "#FFE3B0")
 
@@ -81,10 +81,10 @@ def colours(theme: str) -> Colours:
 
 
 def apply(app: QApplication, theme: str) -> Colours:
-    """Dress the whole application; returns what it wears now."""
+    """Apply the theme to the whole application; returns its colours."""
     c = colours(theme)
     sheet = style_sheet(c)
-    if app.styleSheet() != sheet:  # else it wears this already, and dressing takes half a second
+    if app.styleSheet() != sheet:  # else it is applied already, which takes half a second
         with _nothing_collected():
             app.setStyle("Fusion")
             app.setPalette(_palette(c))
@@ -95,8 +95,8 @@ def apply(app: QApplication, theme: str) -> Colours:
 
 @contextmanager
 def _nothing_collected() -> Iterator[None]:
-    """Qt walks over all widgets that there were at first, and tells each in Python: where that set
-    Python's garbage collector off, Qt would come to widgets that are gone."""
+    """Qt notifies a list of widgets made at the beginning, each in Python. If that started a
+    garbage collection, Qt would reach deleted widgets."""
     before = gc.isenabled()
     gc.disable()
     try:
@@ -138,7 +138,7 @@ def style_sheet(c: Colours) -> str:
 
 
 def _frame(c: Colours) -> str:
-    """Bars, docks and tabs: quiet, so that images and hand stand out."""
+    """Bars, docks and tabs: low contrast, so that images and hand are prominent."""
     return f"""
     QMainWindow::separator {{ background: {c.window}; width: {TIGHT}px; height: {TIGHT}px; }}
     QMainWindow::separator:hover {{ background: {c.accent}; }}
@@ -205,7 +205,7 @@ def _words(c: Colours) -> str:
 
 
 def _tick(c: Colours) -> str:
-    """Its file, as style sheets want it."""
+    """The path of its file for a style sheet."""
     return Path(str(folder("icons")), c.tick).as_posix()
 
 

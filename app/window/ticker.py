@@ -1,4 +1,8 @@
-"""The window's one timer: it asks for the latest and shows it, in the panels and the status bar."""
+"""The window's timer: it shows the latest data in the panels and the status bar.
+
+Tracking and window share a computer and Python's lock. When the computer is too slow, images are
+left out of tracking and lost, so the window is drawn less often first.
+"""
 
 from __future__ import annotations
 
@@ -19,19 +23,19 @@ from app.words import tr
 from tracker.messages import Tracking
 
 SPARE = 4.0
-"""A panel rests this many times as long as its last refresh took: on a busy machine the image
-slows down, not the tracking."""
-SPARING = 4.0  # times its period that a panel waits which is spared
+"""A panel pauses for this many times the duration of its last refresh: on a loaded machine the
+image slows down, not the tracking."""
+SPARING = 4.0  # times its period, for a panel that is refreshed less often under load
 REST_S = 5.0  # after a failure
 _log = logging.getLogger(__name__)
-HURRIED = 0.6
-"""Share of a processor that the window takes, painting included, where a motor or a robot waits
-for the hand. What tracks it shares Python's lock: a window that paints all the time holds up every
-packet. Where only people look it may take all there is."""
+LOW_LATENCY_SHARE = 0.6
+"""Largest share of a processor for the window, painting included, while a motor or a robot waits
+for the hand: tracking shares Python's lock, and constant painting delays every packet. Without such
+a consumer there is no limit."""
 LEAST, LESS, MORE = 0.3, 0.8, 0.01
-"""While images are left out the share shrinks by `LESS` at each look, down to `LEAST`; else it
-grows by `MORE`: back within twenty seconds, so that it does not swing."""
-SLOWEST = 1 / 20  # s between two drawings that hold it to no share: it must not look stuck
+"""While images are left out the share shrinks by `LESS` at each update, down to `LEAST`; else it
+grows by `MORE`: it recovers within 20 s and does not oscillate."""
+SLOWEST = 1 / 20  # s between two drawings, whatever the share: the window must not look frozen
 TICK_MS = 16
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
@@ -39,9 +43,9 @@ NO_HAND_AFTER = 3.0  # s
 
 
 class Refresher:
-    """Refreshes panels in sight or at work, each at its own pace.
+    """Refreshes panels that are visible or working, each at its own rate.
 
-    ``failed`` gets a sentence, once a panel.
+    ``failed`` receives a sentence, once per panel.
     """
 
     def __init__(
@@ -53,7 +57,7 @@ class Refresher:
     ) -> None:
         self._panels, self._tick, self._failed, self._clock = panels, tick, failed, clock
         self._due: dict[str, float] = {}
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
 
     def clear(self) -> None:
         """Let every panel show that there is no engine."""
@@ -61,11 +65,11 @@ class Refresher:
             self._refresh(panel, None)
 
     def refresh(self, view: Snapshot) -> None:
-        """Those that are due. ``tick`` is the s between two calls."""
+        """Refresh the panels that are due. ``tick`` is the s between two calls."""
         now = self._clock()
         for panel in self._panels:
-            unseen = panel.visibleRegion().isEmpty() and not panel.works_unseen
-            if now < self._due.get(panel.name, 0.0) or unseen:
+            hidden = panel.visibleRegion().isEmpty() and not panel.works_unseen
+            if now < self._due.get(panel.name, 0.0) or hidden:
                 continue
             began = self._clock()
             fine = self._refresh(panel, view)
@@ -73,52 +77,52 @@ class Refresher:
             self._due[panel.name] = now + max(rest, SPARE * (self._clock() - began))
 
     def _period(self, panel: Panel, view: Snapshot) -> float:
-        """s; longer where the engine says that the computer is too slow for all panels."""
+        """s; longer while the engine reports that the computer is too slow for all panels."""
         spared = panel.spared_at is not None and view.shed >= panel.spared_at
         return panel.period * (SPARING if spared else 1.0)
 
     def _refresh(self, panel: Panel, view: Snapshot | None) -> bool:
-        """Whether that went well."""
+        """Returns whether it succeeded."""
         PAINTING.give_way()
         try:
             panel.refresh(view)
         except Exception as error:  # noqa: BLE001  one panel's fault must not stop the others
-            self._tell(panel, error)
+            self._report(panel, error)
             return False
         return True
 
-    def _tell(self, panel: Panel, error: Exception) -> None:
-        if panel.name not in self._told:
-            self._told.add(panel.name)
+    def _report(self, panel: Panel, error: Exception) -> None:
+        if panel.name not in self._reported:
+            self._reported.add(panel.name)
             _log.exception("The panel %s failed.", panel.name)
             self._failed(
-                tr("The panel {} failed and rests ({}: {}); the rest goes on.").format(
+                tr("Panel {} failed and is paused ({}: {}). Everything else continues.").format(
                     panel.windowTitle().replace("&&", "&"), type(error).__name__, error
                 )
             )
 
 
 class Pace:
-    """Whether it is time to draw again; times in s, ``spent`` is the processor time of the thread
-    that draws."""
+    """Decides when to draw again; times in s, ``spent`` is the processor time of the drawing
+    thread."""
 
     def __init__(self) -> None:
         self.share = 1.0
-        self._last = (0.0, 0.0)  # when it was drawn last, and what was spent by then
+        self._last = (0.0, 0.0)  # the time of the last drawing, and ``spent`` then
 
     def look(self, strained: bool) -> None:
-        """Told a few times a second whether images are left out, or anything else."""
+        """Adapt the share, a few times a second; ``strained``: images are left out."""
         if strained:
             self.share = max(LEAST, LESS * self.share)
         else:
             self.share = min(1.0, self.share + MORE)
 
     def is_due(self, now: float, spent: float, hurried: bool) -> bool:
-        """Whether to draw ``now``; then what follows is counted from here. ``hurried``: something
-        follows the hand that cannot wait."""
+        """Whether to draw ``now``; if so, the share is counted from here. ``hurried``: a consumer
+        of the hand needs low latency."""
         since, used = now - self._last[0], spent - self._last[1]
         held = self.share < 1.0 and used > self.share * since and since < SLOWEST
-        if held or (hurried and used > HURRIED * since):
+        if held or (hurried and used > LOW_LATENCY_SHARE * since):
             return False
         self._last = now, spent
         return True
@@ -127,9 +131,9 @@ class Pace:
 class Ticker(QObject):
     """Runs from `start` to `stop`; ``ticks`` is counted for measuring the window's rate.
 
-    ``colours_unfit``: the colours find patches and no hand, or no longer so. ``no_hand``: for
-    `NO_HAND_AFTER` s after the start packets and images have come and no hand; once an engine.
-    ``is_waited_for``: whether something follows the hand that cannot wait; then panels rest more.
+    ``colours_unfit``: patches were detected and no hand was found, or that has ended. ``no_hand``:
+    `NO_HAND_AFTER` s of packets and images after the start without a hand; once per engine.
+    ``is_waited_for``: whether a consumer of the hand needs low latency; then panels pause longer.
     """
 
     colours_unfit = Signal(bool)
@@ -166,7 +170,7 @@ class Ticker(QObject):
         self._timer.stop()
 
     def _begin(self) -> None:
-        """Another engine."""
+        """Begin with another engine."""
         self._handless_since, self._hand_missed = None, False
 
     def _clear(self) -> None:
@@ -193,11 +197,11 @@ class Ticker(QObject):
             self._show_rate(now)
 
     def _miss_hand(self, view: Snapshot | None, now: float) -> None:
-        """Tell of a start that finds no hand."""
+        """Emit `no_hand` where the start finds none."""
         if self._hand_missed or view is None or view.status is None or not view.setup.whole:
             return
         if view.status.tracking != Tracking.SEARCHING:
-            self._hand_missed = True  # it was found once: what is lost now comes back by itself
+            self._hand_missed = True  # it was found once and will be found again
         elif not (view.packets_arrive and view.images_arrive):
             self._handless_since = None
         elif self._handless_since is None:
@@ -207,7 +211,7 @@ class Ticker(QObject):
             self.no_hand.emit()
 
     def _show_rate(self, now: float) -> None:
-        """Over a second and more: a quarter of one counts too roughly."""
+        """Over at least 1 s: a quarter of a second is too coarse."""
         since, ticks = self._counted
         if now - since >= RATE_OVER_S:
             if since:

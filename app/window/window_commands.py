@@ -1,4 +1,4 @@
-"""The list of the window's commands: what they are called and where they stand."""
+"""The commands of the window: their names, menus and shortcuts."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ from app.platform.guide import site
 from app.platform.translation import ENGLISH, SYSTEM, languages
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
-from app.widgets.icons import beside, dress
+from app.widgets.icons import dress, text_by_icon
 from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
 from app.window.contributions import AddedCommand
 from app.window.dialogs import Dialogs
 from app.window.layout_keeper import LayoutKeeper
+from app.window.recordings import RecordingChecks
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
 from app.window.status_bar import StatusBar
-from app.window.takes import Takes
 from app.words import tr
 from tracker.engine.kinds import engine_kinds
 
 
 class Window(Protocol):
-    """What commands ask of the window itself."""
+    """What commands call of the window itself."""
 
     store: SettingsStore
 
@@ -59,7 +59,7 @@ class Targets:
 
     window: Window
     dialogs: Dialogs
-    takes: Takes
+    checks: RecordingChecks
     host: EngineHost
     sources: Sources
     plan: RecordingPlan
@@ -78,7 +78,7 @@ class Targets:
 
 
 def add_commands(on: Targets, commands: Commands) -> None:
-    """Every command, in menu order."""
+    """Add every command, in menu order."""
     for group in (_file, _set_up, _tracking, _replay, _camera, _view):
         for command in group(on):
             commands.add(command)
@@ -109,9 +109,9 @@ def _file(on: Targets) -> list[Command]:
     return [
         Command("demo", menu, w.tr("Start the &demo"), on.sources.open_demo, "Ctrl+D"),
         Command("hardware", menu, w.tr("&Glove and camera"), on.sources.open_devices, "Ctrl+G"),
-        Command("open", menu, w.tr("&Open a session…"), choose_session, "Ctrl+O"),
+        Command("open", menu, w.tr("&Open recording…"), choose_session, "Ctrl+O"),
         Command("export", menu, w.tr("&Export…"), export_selected, "Ctrl+E"),
-        Command("close", menu, w.tr("&Close the session"), on.host.shut_down, "Ctrl+W"),
+        Command("close", menu, w.tr("&Close"), on.host.shut_down, "Ctrl+W"),
         Command("quit", menu, w.tr("&Quit"), w.close, "Ctrl+Q", separator=True),
     ]
 
@@ -132,8 +132,8 @@ def _set_up(on: Targets) -> list[Command]:
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
-        Command("save_wearer", menu, w.tr("Save the &wearer…"), on.calibration.wearer.ask_name),
-        Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
+        Command("save_wearer", menu, w.tr("Save &wearer profile…"), on.calibration.wearer.ask_name),
+        Command("lock_camera", menu, w.tr("&Lock the current exposure"), on.set_up.lock_camera),
     ]
 
 
@@ -144,14 +144,12 @@ def _tracking(on: Targets) -> list[Command]:
         Command("start", menu, w.tr("&Start tracking"), on.host.start, "F5"),
         Command("stop", menu, w.tr("S&top tracking"), on.host.stop, "Shift+F5"),
         Command("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
-        Command(
-            "pause", menu, w.tr("&Pause the recording"), on.host.recording.toggle_pause, "Ctrl+P"
-        ),
-        Command("note", menu, w.tr("Add a &note…"), on.takes.ask_note, "N"),
+        Command("pause", menu, w.tr("&Pause recording"), on.host.recording.toggle_pause, "Ctrl+P"),
+        Command("note", menu, w.tr("Add a &note…"), on.checks.ask_note, "N"),
         Command(
             "pose_reset",
             menu,
-            w.tr("R&eset the pose"),
+            w.tr("R&eset pose"),
             on.pose_reset.press,
             w.store.value.pose_reset_key,
             separator=True,
@@ -180,23 +178,25 @@ def _engines(on: Targets, menu: str) -> list[Command]:
 
 def _replay(on: Targets) -> list[Command]:
     w, bar = on.window, on.library.transport
-    beside = partial(on.library.compare_selected, beside=True)
+    side_by_side = partial(on.library.compare_selected, beside=True)
     menu = w.tr("&Replay")
     return [
-        Command("live", menu, w.tr("Back to the li&ve hand"), on.sources.go_live, "Ctrl+L"),
+        Command("live", menu, w.tr("Return to li&ve tracking"), on.sources.go_live, "Ctrl+L"),
         Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space", separator=True),
-        Command("step_back", menu, w.tr("The image &before"), lambda: bar.step(-1), ","),
-        Command("step", menu, w.tr("The &next image"), lambda: bar.step(1), "."),
-        Command("note_before", menu, w.tr("The note &earlier"), lambda: bar.jump(-1), "Ctrl+,"),
-        Command("note_after", menu, w.tr("The note la&ter"), lambda: bar.jump(1), "Ctrl+."),
-        Command("in_point", menu, w.tr("&In point here"), bar.set_in, "I", separator=True),
-        Command("out_point", menu, w.tr("&Out point here"), bar.set_out, "O"),
-        Command("whole", menu, w.tr("&Whole session"), bar.clear_range),
-        Command("crop", menu, w.tr("&Crop to a new session"), on.library.crop),
-        Command("loop", menu, w.tr("&Loop on or off"), bar.toggle_loop, "L"),
+        Command("step_back", menu, w.tr("&Previous image"), lambda: bar.step(-1), ","),
+        Command("step", menu, w.tr("&Next image"), lambda: bar.step(1), "."),
+        Command("note_before", menu, w.tr("Pr&evious note"), lambda: bar.jump(-1), "Ctrl+,"),
+        Command("note_after", menu, w.tr("Nex&t note"), lambda: bar.jump(1), "Ctrl+."),
+        Command(
+            "in_point", menu, w.tr("Set the &start of the range"), bar.set_in, "I", separator=True
+        ),
+        Command("out_point", menu, w.tr("Set the &end of the range"), bar.set_out, "O"),
+        Command("whole", menu, w.tr("&Clear the range"), bar.clear_range),
+        Command("crop", menu, w.tr("C&rop to a new session"), on.library.crop),
+        Command("loop", menu, w.tr("&Loop"), bar.toggle_loop, "L"),
         Command("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
         Command("compare", menu, w.tr("Co&mpare two sessions"), on.library.compare_selected),
-        Command("beside", menu, w.tr("Two takes side by si&de"), beside),
+        Command("beside", menu, w.tr("Two recordings side by si&de"), side_by_side),
     ]
 
 
@@ -209,14 +209,14 @@ def _camera(on: Targets) -> list[Command]:
         on.cameras.right.fit()
 
     return [
-        Command("freeze", menu, w.tr("&Freeze the images"), on.cameras.freeze.toggle, "F"),
+        Command("freeze", menu, w.tr("&Freeze images"), on.cameras.freeze.toggle, "F"),
         Command("fit", menu, w.tr("&Whole image"), fit_images, "Ctrl+0"),
         Command("view_back", menu, w.tr("Hand from the &back"), _look(on, "back"), "1"),
         Command("view_palm", menu, w.tr("Hand from the &palm"), _look(on, "palm"), "2"),
         Command("view_side", menu, w.tr("Hand from the &side"), _look(on, "side"), "3"),
         Command("view_camera", menu, w.tr("Hand from the &camera"), _look(on, "camera"), "4"),
-        Command("undo", menu, w.tr("&Undo the colour change"), on.colours.undo, "Ctrl+Z"),
-        Command("redo", menu, w.tr("&Redo the colour change"), on.colours.redo, "Ctrl+Y"),
+        Command("undo", menu, w.tr("&Undo colour change"), on.colours.undo, "Ctrl+Z"),
+        Command("redo", menu, w.tr("&Redo colour change"), on.colours.redo, "Ctrl+Y"),
     ]
 
 
@@ -224,19 +224,19 @@ def _view(on: Targets) -> list[Command]:
     w = on.window
     menu = w.tr("&View")
     views = {
-        "auto": w.tr("3D view: chosen b&y itself"),
-        "card": w.tr("3D view: by the &graphics card"),
-        "painted": w.tr("3D view: &painted"),
+        "auto": w.tr("3D view: &automatic"),
+        "card": w.tr("3D view: &graphics card"),
+        "painted": w.tr("3D view: soft&ware"),
     }
     themes = {
-        "light": w.tr("&Light"),
-        "dark": w.tr("&Dark"),
-        "system": w.tr("As the &system"),
+        "light": w.tr("Theme: &light"),
+        "dark": w.tr("Theme: &dark"),
+        "system": w.tr("Theme: s&ystem"),
     }
     return [
         Command("palette", menu, w.tr("&Command palette…"), on.dialogs.palette, "Ctrl+K"),
-        Command("latencies", menu, w.tr("Latency of &each stage"), on.bar.show_latencies),
-        Command("reset_layout", menu, w.tr("&Reset the layout"), on.layouts.reset, "Ctrl+Shift+0"),
+        Command("latencies", menu, w.tr("Latency p&er stage"), on.bar.show_latencies),
+        Command("reset_layout", menu, w.tr("&Reset layout"), on.layouts.reset, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), on.dialogs.full_screen, "F11"),
         *_hands(on, menu),
         *_choices(on, menu, ("view", "view_3d"), views, on.hand.chooser.choose),
@@ -246,7 +246,7 @@ def _view(on: Targets) -> list[Command]:
 
 
 def _hands(on: Targets, menu: str) -> list[Command]:
-    """Which of two hands the panels of one hand show."""
+    """Commands that choose which of two hands the panels show."""
     w = on.window
     titles = {"left": w.tr("Show the left &hand"), "right": w.tr("Show the r&ight hand")}
 
@@ -274,7 +274,7 @@ def _choices(
     titles: Mapping[str, str],
     choose: Callable[[str], None],
 ) -> list[Command]:
-    """One of several, ticked where it is chosen; ``names``: of the commands, of the setting."""
+    """A command per choice, checked if selected; ``names`` of the commands and of the setting."""
     return [
         Command(
             f"{names[0]}_{value}",
@@ -293,20 +293,20 @@ def _is_set(on: Targets, name: str, value: str) -> Callable[[], bool]:
 
 
 def add_help(on: Targets, commands: Commands) -> None:
-    """The last menu; it comes after the docks have been listed under View."""
+    """Add the last menu, after the docks have been listed under View."""
     w = on.window
     menu = w.tr("&Help")
     commands.add(Command("guide", menu, w.tr("&Guide"), on.dialogs.guide, "F1"))
     if site() is not None:
-        text = w.tr("&Documentation in the browser")
+        text = w.tr("Open &documentation in the browser")
         commands.add(Command("documentation", menu, text, on.dialogs.documentation))
-    commands.add(Command("keys", menu, w.tr("&Keys"), on.dialogs.keys, "Ctrl+F1"))
+    commands.add(Command("keys", menu, w.tr("&Keyboard shortcuts"), on.dialogs.keys, "Ctrl+F1"))
     commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
     commands.add(Command("about", menu, w.tr("&About Glovetrack"), on.dialogs.about))
 
 
 def enable_commands(on: Targets, commands: Commands) -> None:
-    """Those that make sense in the state the engine is in."""
+    """Enable the commands that make sense in the present state of the engine."""
     host, w = on.host, on.window
     opened = host.setup is not None
     tracks = host.setup is not None and host.setup.player is None
@@ -324,7 +324,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("pose_reset", on.pose_reset.available),
         ("guided", host.running and guided),
         ("save_wearer", on.calibration.profiles.link.available),
-        ("note", host.recording.is_possible),  # a replay's file is not written to again
+        ("note", host.recording.is_possible),  # a replayed file is not modified
         ("live", on.sources.can_go_live),
     ):
         commands.enable(key, able)
@@ -333,18 +333,18 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     name = w.tr("Stop &recording") if recording else w.tr("&Record")
     action = commands.actions["record"]
     action.setText(name)
-    action.setIconText(beside(w.tr("Stop recording") if recording else w.tr("Record")))
+    action.setIconText(text_by_icon(w.tr("Stop recording") if recording else w.tr("Record")))
     dress(action, "circle-stop" if recording else "circle-dot")
 
 
 def _languages(on: Targets, menu: str) -> list[Command]:
-    """Those that are complete, in their own words; none where English is all there is."""
+    """Complete translations, by their native names; none where only English is available."""
     codes = languages()
     if len(codes) < 2:
         return []
     own = {code: QLocale(code).nativeLanguageName() for code in codes}
     own[ENGLISH] = QLocale.languageToString(QLocale(ENGLISH).language())  # not "American English"
-    titles = {SYSTEM: on.window.tr("Language: as the system"), **own}
+    titles = {SYSTEM: on.window.tr("Language: system default"), **own}
     return [
         Command(
             f"language_{code}",

@@ -29,7 +29,7 @@ from app.engines.camera_choice import (
     by_name,
     by_names,
     is_address,
-    told_count,
+    stated_count,
 )
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
@@ -147,7 +147,7 @@ class CameraSetup(FormDialog):
             title = f"{camera.name} ({camera.path or camera.index})"
             self.left.addItem(title, camera)
             self.right.addItem(title, camera)
-        count, chosen = told_count(chosen)
+        count, chosen = stated_count(chosen)
         self.right.setCurrentIndex(count)
         self._show_choice(chosen)
         self._shown = self.choice()

@@ -5695,22 +5695,22 @@ change {}: {}</source>
       <translation>Das Fenster wird {}-mal pro Sekunde aufgefrischt</translation>
     </message>
     <message>
-      <location filename="app/window/takes.py" />
+      <location filename="app/window/recordings.py" />
       <source>Name of the recording</source>
       <translation>Name der Aufnahme</translation>
     </message>
     <message>
-      <location filename="app/window/takes.py" />
+      <location filename="app/window/recordings.py" />
       <source>What happened?</source>
       <translation>Was ist geschehen?</translation>
     </message>
     <message>
-      <location filename="app/window/takes.py" />
+      <location filename="app/window/recordings.py" />
       <source>{} is in the bin.</source>
       <translation>{} ist im Papierkorb.</translation>
     </message>
     <message>
-      <location filename="app/window/takes.py" />
+      <location filename="app/window/recordings.py" />
       <source>{} recordings are in the bin.</source>
       <translation>{} Aufnahmen sind im Papierkorb.</translation>
     </message>

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from app.engines import found_gloves
-from app.engines.found_gloves import find_worn
+from app.engines.found_gloves import find_hand_gloves
 from app.storage.bound_gloves import BoundGlove, as_bound, bound, with_bound
 from app.storage.settings import AppSettings, SettingsStore
 from app.wizards.glove.choice import ChoicePage
@@ -102,7 +102,7 @@ def both_bound() -> AppSettings:
 
 
 def test_gloves_on_ports_that_no_list_shows_are_found_where_they_were(bluetooth) -> None:
-    found = find_worn(lambda _share, _text: None, both_bound()).gloves
+    found = find_hand_gloves(lambda _share, _text: None, both_bound()).gloves
     assert {g.side: g.report.path for g in found} == {
         "left": "/dev/rfcomm1",
         "right": "/dev/rfcomm0",
@@ -111,7 +111,7 @@ def test_gloves_on_ports_that_no_list_shows_are_found_where_they_were(bluetooth)
 
 def test_one_that_is_away_is_awaited_where_it_was(bluetooth) -> None:
     bluetooth.discard("/dev/rfcomm0")
-    left, right = find_worn(lambda _share, _text: None, both_bound()).gloves
+    left, right = find_hand_gloves(lambda _share, _text: None, both_bound()).gloves
     assert left.report is not None and right.report is None
     assert (right.side, right.glove_id, right.port) == ("right", 11, "/dev/rfcomm0")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from app.engines import found_gloves
-from app.engines.found_gloves import find_worn
+from app.engines.found_gloves import find_hand_gloves
 from app.storage.settings import AppSettings
 from app.wizards.glove.choice import ChoicePage
 from tracker.base.errors import DeviceError
@@ -34,14 +34,14 @@ def asked(monkeypatch):
 
 
 def test_both_speeds_are_asked_and_the_one_that_answers_is_used(asked):
-    (found,) = find_worn(lambda _share, _text: None, AppSettings()).gloves
+    (found,) = find_hand_gloves(lambda _share, _text: None, AppSettings()).gloves
     assert found.report.baud == found.link().params.baud == 115_200
     assert asked == [("/dev/ttyUSB3", BAUDS)]
 
 
 def test_a_chosen_speed_is_the_only_one_asked(asked):
     with pytest.raises(DeviceError, match="Silence"):
-        find_worn(lambda _share, _text: None, AppSettings(baud=250_000))
+        find_hand_gloves(lambda _share, _text: None, AppSettings(baud=250_000))
     assert asked == [("/dev/ttyUSB3", (250_000,))]
 
 

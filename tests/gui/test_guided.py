@@ -316,7 +316,7 @@ def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock
 def test_kept_of_somebody_new_it_offers_to_save(guided, window, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     guided.outcome.keep_button.click()
-    assert "while this session runs" in window.banner.text()
+    assert "until this session ends" in window.banner.text()
 
 
 def test_the_calibration_panel_and_the_set_up_list_lead_to_it(guided, window):

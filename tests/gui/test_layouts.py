@@ -82,11 +82,11 @@ def test_a_layout_kept_on_a_small_screen_is_the_same_on_a_large_one_and_back(wat
     watched.layouts.choose(job.name)
     size_to(watched, SMALL, qtbot)
     before = shares_of(watched, watched.docks)
-    watched.layouts.named.keep("mine")
+    watched.layouts.named.save("mine")
     watched.layouts.choose("all" if job.name != "all" else "watch")
     for size in (LARGE, SMALL):
         size_to(watched, size, qtbot)
-        watched.layouts.named.put_on("mine")
+        watched.layouts.named.apply("mine")
         qtbot.wait(50)
         after = shares_of(watched, watched.docks)
         assert after.keys() == before.keys()
@@ -135,7 +135,7 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
 ):
     assert not watched.commands.actions["rename_layout"].isEnabled()
     watched.layouts.choose("look")
-    watched.layouts.named.keep("lab")
+    watched.layouts.named.save("lab")
     assert watched.commands.actions["rename_layout"].isEnabled()
     watched.layouts.named.rename("lab", "Lab A")
     assert [a.text() for a in watched.layouts.named._menu.actions()] == ["Lab A"]
@@ -151,7 +151,7 @@ def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     assert in_sight(again) == JOB_OF["look"].shown
     again.layouts.named.delete("Lab A")
     assert not again.layouts.named._menu.isEnabled() and store.value.layouts == {}
-    assert again.banner.text() == "The layout Lab A was deleted."
+    assert again.banner.text() == "Layout Lab A deleted."
     again.banner.buttons[0].click()
     assert [a.text() for a in again.layouts.named._menu.actions()] == ["Lab A"]
     again.layouts.named._menu.actions()[0].trigger()
@@ -272,7 +272,7 @@ def test_closing_during_a_replay_does_not_make_review_the_layout_of_the_next_sta
 
 @pytest.mark.parametrize("job", [j for j in JOBS if j.name != "all"], ids=lambda job: job.name)
 def test_panels_that_messages_and_commands_show_do_not_stay_in_the_layout(watched, qtbot, job):
-    """*Export…* shows the library, *Show the set-up* the list, a failure the log."""
+    """*Export…* shows the library, *Show checklist* the list, a failure the log."""
     watched.layouts.choose(job.name)
     size_to(watched, SMALL, qtbot)
     before = shares_of(watched, watched.docks)

@@ -178,7 +178,7 @@ def test_sessions_go_to_the_bin_with_a_word_and_come_back_with_undo(
     qtbot.waitUntil(lambda: shown(library) == {"P01_pinch"}, timeout=20_000)
     names = {"P01_fist.mcap", "P01_fist.tags.json", "P02_pinch.mcap"}
     assert {p.name for p in (trash / "files").iterdir()} == names
-    assert window.banner.text() == "2 recordings are in the bin."
+    assert window.banner.text() == "2 recordings moved to the trash."
     library.rescan()  # as the watched folder does
     qtbot.wait(500)
     assert library.table.selected() == []
@@ -196,7 +196,7 @@ def test_sessions_go_to_the_bin_with_a_word_and_come_back_with_undo(
 def test_undo_does_not_replace_a_newer_file_of_that_name(library, window, folder, trash, tracked):
     select(library, "P01_fist")
     library.page.actions_of["bin"].trigger()
-    assert window.banner.text() == "P01_fist is in the bin."
+    assert window.banner.text() == "P01_fist moved to the trash."
     shutil.copy(tracked, folder / "P01_fist.mcap")
     window.banner.buttons[0].click()
     assert "exists again" in window.banner.text()

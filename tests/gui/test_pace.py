@@ -3,7 +3,7 @@
 import numpy as np
 
 from app.viewmodels.signal_curves import FIRST_CAPACITY, TimedRows
-from app.window.ticker import HURRIED, LEAST, SLOWEST, Pace
+from app.window.ticker import LEAST, LOW_LATENCY_SHARE, SLOWEST, Pace
 
 COST = 0.02  # s of processor time a drawing, at 60 calls a second
 
@@ -49,7 +49,7 @@ def test_a_dear_window_is_drawn_as_often_as_it_must_not_to_look_stuck():
 
 def test_beside_a_robot_the_share_is_held_whatever_the_rate():
     _, share = drawings(Pace(), 10.0, hurried=True, cost=0.1)
-    assert share <= HURRIED
+    assert share <= LOW_LATENCY_SHARE
 
 
 def test_rows_of_the_last_seconds_are_kept_whatever_the_room():

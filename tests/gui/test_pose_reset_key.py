@@ -98,7 +98,7 @@ def test_another_key_is_set_shown_in_the_menu_and_kept(both, qtbot, store, reset
     assert action.shortcut().toString() == "F7"
     table = KeysDialog(both.commands.menus(), both).table
     rows = [[table.item(r, c).text() for c in range(2)] for r in range(table.rowCount())]
-    assert ["F7", "Reset the pose"] in rows
+    assert ["F7", "Reset pose"] in rows
     qtbot.keyClick(both, Qt.Key.Key_R)
     assert resets == []
     qtbot.keyClick(both, Qt.Key.Key_F7)

@@ -75,7 +75,7 @@ def test_start_note_and_stop_by_udp_are_as_the_keys(window, engine, qtbot):
     assert not again["ok"] and again["error"] == f"{path.name} is being recorded already."
     before = monotonic()
     assert say(do="note", text="the cup")["ok"]
-    (note,) = window.host.notes.standing.values()
+    (note,) = window.host.notes.current.values()
     assert note.text == "the cup" and before <= note.t <= monotonic()
     assert say(do="status")["recording"] is True
     stopped = say(do="stop")
@@ -98,8 +98,8 @@ def test_a_note_is_of_its_arrival_though_the_window_was_busy(window, engine, qtb
             time.sleep(0.001)
         arrived = monotonic()
         time.sleep(0.02)  # and stays so: twenty times what the stamp may be late
-        qtbot.waitUntil(lambda: bool(window.host.notes.standing), timeout=5_000)
-        (note,) = window.host.notes.standing.values()
+        qtbot.waitUntil(lambda: bool(window.host.notes.current), timeout=5_000)
+        (note,) = window.host.notes.current.values()
         assert note.t <= arrived + 0.001
         client.settimeout(5)
         assert json.loads(client.recv(9999))["ok"]

@@ -9,9 +9,9 @@ import pytest
 
 from app.engines.replay.engine import ReplayEngine, open_replay
 from app.engines.replay.hands import LATE, OfFile, ReplayMoment
+from app.engines.replay.marker_matches import MarkerMatcher
 from app.engines.replay.references import ReferenceTrack
 from app.engines.replay.sights import pairs
-from app.engines.replay.tell_markers import MarkerTeller
 from app.engines.replay.thread import marked
 from app.engines.snapshot import HandLooks, Snapshot
 from app.panels.library.transport import TransportBar
@@ -468,7 +468,7 @@ def test_a_replay_tells_which_patch_is_which_marker():
     """By a hand that is 4 mm and 3 degrees off the simulated one, as a tracked one is."""
     hand, glove, _ = models()
     scene = simulation().scene
-    teller, told, right = MarkerTeller(hand, glove, scene.rig), 0, 0
+    matcher, matched, right = MarkerMatcher(hand, glove, scene.rig), 0, 0
     turn = so3.exp(np.deg2rad(3.0) * np.array([0.0, 0.6, 0.8]))
     for k in range(10, 160, 15):
         _, blobs = frame_and_blobs(k)
@@ -479,17 +479,17 @@ def test_a_replay_tells_which_patch_is_which_marker():
             segment_p=(true.segment_p - true.segment_p[0]) @ turn.T + true.segment_p[0] + 0.0023,
         )
         uv = scene.markers_seen(scene.instant(blobs.t), right=False).uv
-        for marker, blob in enumerate(teller.tell(blobs, [off]).match_left.tolist()):
+        for marker, blob in enumerate(matcher.match(blobs, [off]).match_left.tolist()):
             if blob >= 0:
-                told += 1
+                matched += 1
                 right += np.linalg.norm(blobs.left.uv[blob] - uv[marker]) < 3.0  # px
-    assert told > 10 * 10  # of 37 markers at least ten are seen in an image
-    assert right / told > 0.95
+    assert matched > 10 * 10  # of 37 markers at least ten are seen in an image
+    assert right / matched > 0.95
 
 
-def test_nothing_is_told_of_an_image_without_a_tracked_hand(sessions):
+def test_nothing_is_matched_of_an_image_without_a_tracked_hand(sessions):
     with SessionReader(sessions["chain"]) as reader:
         info = reader.info
         frame = next(iter(reader.messages((BlobFrame,))))
-    result = MarkerTeller(info.hand, info.glove, info.rig).tell(frame, [])
+    result = MarkerMatcher(info.hand, info.glove, info.rig).match(frame, [])
     assert (result.match_left < 0).all() and np.isnan(result.predicted_left).all()

@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from app.platform.screens import answers, has_screen
-from app.window.start import ENDS, close_when_told
+from app.window.start import ENDS, close_on_signals
 from tests.gui.environments import without_screen
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -89,7 +89,7 @@ def test_a_signal_closes_the_window_but_never_amid_other_work(qtbot, handlers, n
     window = Window()
     qtbot.addWidget(window)
     window.show()
-    close_when_told(window)
+    close_on_signals(window)
     with busy:
         signal.raise_signal(getattr(signal, name))
         assert closed == []

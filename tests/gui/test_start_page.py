@@ -166,8 +166,8 @@ def test_a_session_that_was_cut_off_says_so_when_it_is_opened(started, sessions,
     assert not started.banner.isVisible()
     shutil.copy(sessions / "P01_pinch.mcap", sessions / "P02_fist_recovered.mcap")
     started.sources.open_session(sessions / "P02_fist.mcap")
-    qtbot.waitUntil(lambda: "whole in P02_fist_recovered.mcap" in started.banner.text())
-    assert started.banner.buttons[0].text() == "Show it", "it has been recovered"
+    qtbot.waitUntil(lambda: "recovered to P02_fist_recovered.mcap" in started.banner.text())
+    assert started.banner.buttons[0].text() == "Show", "it has been recovered"
 
 
 def test_the_library_below_the_start_page_is_wide_and_has_its_buttons(started, qtbot):
@@ -207,7 +207,7 @@ def test_a_start_after_a_crash_says_what_became_of_the_recording(
         qtbot.waitUntil(lambda: window.banner.text().endswith(end), timeout=20_000)
         assert window.banner.text().startswith("Glovetrack ended unexpectedly")
         shown = [b.text() for b in window.banner.buttons if b.isVisibleTo(window.banner)]
-        first = "Show it" if name == WHOLE else "Recover"
+        first = "Show" if name == WHOLE else "Recover"
         assert shown == [first, "Save a bug report…"]
         assert store.value.recording == ""
     finally:

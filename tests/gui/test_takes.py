@@ -384,7 +384,7 @@ def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     assert path.name == "pinch-of-salt.mcap"
     assert recorded.banner.text().startswith("pinch-of-salt is complete")
     assert recorded.store.value.recent == [str(path)]
-    button(recorded, "Show it").click()
+    button(recorded, "Show").click()
     qtbot.waitUntil(lambda: recorded.host.setup.player is not None, timeout=30_000)
     assert recorded.host.setup.player.path == path
     assert not recorded.messages.isVisible()

@@ -140,14 +140,14 @@ def test_palette_finds_and_runs_a_command(live, qtbot):
     palette = CommandPalette(list(live.commands.actions.values()), live)
     qtbot.addWidget(palette)
     palette._query.setText("freeze")
-    assert palette.names()[0] == "Freeze the images"
+    assert palette.names()[0] == "Freeze images"
     qtbot.keyClick(palette._query, Qt.Key.Key_Return)
     assert live.cameras.freeze.isChecked()
 
 
 @pytest.mark.parametrize(
     ("query", "better", "worse"),
-    [("rec", "Record", "Reset the layout"), ("lay", "Reset the layout", "Pause the replay")],
+    [("rec", "Record", "Reset layout"), ("lay", "Reset layout", "Pause the replay")],
 )
 def test_palette_ranks_word_starts_first(query, better, worse):
     good, bad = rank(query, better), rank(query, worse)

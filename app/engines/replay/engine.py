@@ -1,4 +1,4 @@
-"""A recorded session as an engine: what the window asks, and how a file is opened for it."""
+"""A recorded session as an engine for the window."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tracker.vision.rig import StereoRig, ideal_rig
 MAX_EVENTS = 5000
 
 FROM_IMAGES = ("/image/compressed", "/blobs")
-"""Endings of the topics that a camera has."""
+"""Endings of the names of a camera's topics."""
 _log = logging.getLogger(__name__)
 
 
@@ -55,25 +55,24 @@ class ReplayEngine:
 
     @property
     def rig(self) -> StereoRig | None:
-        """None where the session has no camera, or none that was calibrated."""
+        """None if the session has no calibrated camera."""
         return self.info.rig
 
     @property
     def has_camera(self) -> bool:
-        """Whether there was one: described, or with its images or what was found in them."""
+        """Whether the session has a camera: its calibration, images or blobs."""
         return self.rig is not None or any(
             t.endswith(FROM_IMAGES) for t in self._reader.topic_names
         )
 
     def read_events(self) -> None:
-        """Find the notes and events for the timeline, and begin where there is something to see; a
-        damaged end has none."""
+        """Read the notes and events for the timeline, and begin at the first image with blobs."""
         found: list[Event] = []
         try:
             messages = self._reader.messages((Event,))
             found += [m for m in islice(messages, MAX_EVENTS) if isinstance(m, Event)]
         except FileError as error:
-            self.hands.tell(Event.of(0.0, "error", error.notice))
+            self.hands.report(Event.of(0.0, "error", error.notice))
         where = self.player.clamped
         self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
         self._colours = ColoursOfFile(self._colours.at(0.0), self.player.events)
@@ -96,28 +95,28 @@ class ReplayEngine:
 
     @property
     def profile(self) -> ColourProfile:
-        """The colours that were looked for where it stands, or those that are tried."""
+        """The colours that were searched at the position, or those that are tried."""
         return self._colours.at(self.player.position)
 
     def set_profile(self, profile: ColourProfile) -> None:
-        """A replay shows what was found when it was recorded; the colours panel searches anew."""
+        """Try other colours; the colours panel searches images with them."""
         self._colours.tried(profile)
 
     def note(
         self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
     ) -> None:
-        """Only the log has it: a file is not written to again."""
-        self.hands.tell(Event(self.start_t + self.player.position, "note", text))
+        """Add a note to the log; the file is not changed."""
+        self.hands.report(Event(self.start_t + self.player.position, "note", text))
 
 
 def _first_colours(info: SessionInfo, path: Path) -> ColourProfile:
-    """Those that a session began with. Raises FileError."""
+    """The colours at the beginning of a session. Raises FileError."""
     default = (folder("colours") / "fabric-default.toml").read_text("utf-8")
     return parse_profile(info.colours_text or default, f"{path.name}, colours.toml")
 
 
 def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
-    """Open a session file for the window. Raises FileError in words."""
+    """Open a session file for the window. Raises FileError."""
     progress(-1.0, path.name)
     warm_up_view()
     engine = ReplayEngine(path)
@@ -150,11 +149,14 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
 
 
 class ColoursOfFile:
-    """By positions in s from the file's start, from which on they were looked for."""
+    """The colours that a session was searched with, which follow its light, and those tried on it.
+
+    Positions are s from the file's start.
+    """
 
     def __init__(self, first: ColourProfile, events: Sequence[tuple[float, Event]]) -> None:
-        """``first``: those that the session began with."""
-        told = sorted(
+        """``first``: the colours at the beginning of the session."""
+        changes = sorted(
             (
                 (t, str(e.data["colours"]))
                 for t, e in events
@@ -163,22 +165,22 @@ class ColoursOfFile:
             key=lambda of: of[0],
         )
         self._first, self._tried = first, first
-        self._starts = [t for t, _ in told]
-        self._texts = [text for _, text in told]
-        self._read: dict[int, ColourProfile] = {}  # only what was looked at: reading takes a while
+        self._starts = [t for t, _ in changes]
+        self._texts = [text for _, text in changes]
+        self._read: dict[int, ColourProfile] = {}  # only those that were shown: parsing is slow
 
     def tried(self, profile: ColourProfile) -> None:
-        """These are shown everywhere from now on; those of the file end that."""
+        """Show these colours everywhere, until the file's own are set again."""
         self._tried = profile
 
     def at(self, position: float) -> ColourProfile:
-        """Those to be shown there."""
+        """The colours to show at a position."""
         if self._tried is not self._first and self._tried not in self._read.values():
             return self._tried
         return self._of(bisect_right(self._starts, position) - 1)
 
     def _of(self, index: int) -> ColourProfile:
-        """Of a change; what cannot be read, or is of another glove, changes nothing."""
+        """The colours of a change; unreadable ones and those of other hues are ignored."""
         if index < 0:
             return self._first
         if index not in self._read:
@@ -186,7 +188,7 @@ class ColoursOfFile:
             try:
                 new = parse_profile(self._texts[index])
             except GlovetrackError as error:
-                _log.warning("Colours in the session were not taken: %s", error)
+                _log.warning("Colours in the session are ignored: %s", error)
                 new = before
             self._read[index] = new if new.hue_names == before.hue_names else before
         return self._read[index]

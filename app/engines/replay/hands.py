@@ -1,4 +1,4 @@
-"""The hands of a session file: each read by its own reader, their messages in one order."""
+"""The hands of a session file: each has its own reader, their messages are merged in order."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.engines.replay.marker_matches import MarkerMatcher
 from app.engines.replay.references import References
-from app.engines.replay.tell_markers import MarkerTeller
 from tracker.base.damage import reports
 from tracker.live.history import History, SearchedImage
 from tracker.live.listeners import ListenedHand, Listeners
@@ -34,27 +34,29 @@ from tracker.session.holes import LONGEST_FILLED
 from tracker.session.reader import SessionReader
 
 IMAGES_WAITING = 30
-HANDS = 60  # estimates that are kept: an image is some 40 ms older than the newest
+HANDS = 60  # estimates that are stored: an image is about 40 ms older than the newest
 LATE = 0.3  # s after which an image is shown without its blobs, and blobs without their image
 OF_A_HAND = (ImuSample, Estimate, Calibration, Status)
-"""Kinds of messages that are of one hand; all others are of the take."""
+"""Kinds of messages that belong to one hand; all others belong to the whole recording."""
 
 
 class ReplayMoment:
-    """One hand of a replay. Taken by the replay's thread, read by the window's.
+    """One hand of a replay. Updated by the replay's thread, read by the window's.
 
-    ``markers``: how many the glove has. ``has_images``: whether the file holds any, so that blobs
-    wait for theirs. At one arrival time either may come first: images are packed by another process
-    than the one that writes. ``teller`` tells which blob is which marker; None where no camera is
-    known. ``position``: where the replay is, s of the file's monotonic clock.
+    ``markers`` is their number on the glove. ``has_images``: the file contains images, so blobs
+    wait for theirs. Of one arrival time either may be first, because images are compressed by a
+    process of their own. ``matcher`` assigns blobs to markers; None without a calibrated camera.
+    ``position`` returns the replay's position, s of the file's monotonic clock.
     """
 
-    def __init__(self, markers: int, has_images: bool, teller: MarkerTeller | None = None) -> None:
-        self._markers, self._has_images, self._teller = markers, has_images, teller
+    def __init__(
+        self, markers: int, has_images: bool, matcher: MarkerMatcher | None = None
+    ) -> None:
+        self._markers, self._has_images, self._matcher = markers, has_images, matcher
         self._hands: deque[Estimate] = deque(maxlen=HANDS)
         self._estimate: Estimate | None = None
-        self._in_hole: Estimate | None = None  # what is shown after it; None where no hole follows
-        self._hole = np.inf  # s, where that begins
+        self._in_hole: Estimate | None = None  # shown after it begins; None where no hole follows
+        self._hole = np.inf  # s, its begin
         self._is_fresh = False  # whether an estimate was read since the last `forget`
         self.position: Callable[[], float] = lambda: -np.inf
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
@@ -63,7 +65,7 @@ class ReplayMoment:
         self.forget()
 
     def forget(self) -> None:
-        """What belongs to the position that is left; the hand stands until another one comes."""
+        """Discard data of the old position; the hand is shown until the next estimate."""
         self._images: dict[float, StereoFrame] = {}
         self._hands.clear()
         self._is_fresh = False
@@ -71,12 +73,12 @@ class ReplayMoment:
         self._estimates: History[Estimate] = History()
         self._searched: float | None = None  # t of the last blobs, or of the first image
         self._pictured: float | None = None  # t of the last image, or of the first blobs
-        self._waiting: BlobFrame | None = None  # the last blobs, whose image has not come yet
+        self._waiting: BlobFrame | None = None  # the last blobs, whose image has not arrived yet
 
     def take(self, message: Message) -> None:
-        """The next message of the file; an image waits for its blobs.
+        """Process the next message of the file; an image waits for its blobs.
 
-        Events of the file are on the timeline: they did not happen now.
+        Events of the file are shown on the timeline.
         """
         if isinstance(message, ImuSample):
             self._imu.add(message)
@@ -116,26 +118,26 @@ class ReplayMoment:
         if image is not None:
             self._show(image, blobs)
         elif self._has_images and blobs.t - self._pictured <= LATE:
-            self._waiting = blobs  # the image before stands until then
+            self._waiting = blobs  # the previous image is shown until then
         else:
             empty = StereoFrame(blobs.t, blobs.t_arrival, None, None, blobs.pose, blobs.index)
             self._show(empty, blobs)
 
     def _show(self, image: StereoFrame, blobs: BlobFrame) -> None:
-        if self._teller is not None:
-            result = self._teller.tell(blobs, self._hands)
+        if self._matcher is not None:
+            result = self._matcher.match(blobs, self._hands)
         else:
             tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
             result = FrameResult.nothing(blobs.t, tracking, self._markers)
         self._frame = (image, blobs, result)
 
     def begin_hole(self, at: float) -> None:
-        """The hand is lost from ``at`` (s) to the next estimate, as the file has none."""
+        """Show the hand as lost from ``at`` (s) to the next estimate."""
         if self._estimate is not None:
             self._hole, self._in_hole = at, lost(self._estimate)
 
     def arrive(self) -> None:
-        """Where a replay was sent to: what was shown before is not of here."""
+        """The replay is at the position it was sent to: hide the hand if it has none there."""
         if not self._is_fresh:
             self.begin_hole(-np.inf)
 
@@ -159,8 +161,8 @@ class ReplayMoment:
         return self._calibration
 
     def status(self) -> Status:
-        """The latest one, with the state of tracking of the estimate: a status is written once a
-        second, and says nothing of a gap that was interpolated later."""
+        """The latest one, with the tracking state of the estimate: a status is written once a
+        second, and does not know gaps that were interpolated later."""
         hand = self.latest_estimate()
         if hand is None or not (self._is_fresh or self.is_in_hole):
             return self._status
@@ -175,12 +177,12 @@ class ReplayMoment:
         return self._estimates.recent()
 
     def recent_images(self) -> Sequence[SearchedImage]:
-        """None: what the filter made of each image is not in a file."""
+        """Empty: a file does not contain the filter's result for each image."""
         return ()
 
 
 def lost(estimate: Estimate) -> Estimate:
-    """What is known in a hole after this estimate: nothing."""
+    """The estimate during a hole after this one: all values are NaN."""
     known = ("keypoints", "keypoint_q", "keypoint_sd", "angles", "segment_R", "segment_p")
     nothing = {name: np.full_like(getattr(estimate, name), np.nan) for name in known}
     states = {
@@ -191,21 +193,21 @@ def lost(estimate: Estimate) -> Estimate:
 
 
 class OfFile(NamedTuple):
-    """A message, and the side of the hand that it was read with."""
+    """A message, and the side of the hand of its reader."""
 
     side: str
     message: Message
 
     @property
     def arrival(self) -> float:
-        """When it was fed, s."""
+        """The time of its arrival in s."""
         return float(getattr(self.message, "t_arrival", self.message.t))
 
 
 class HandsInFile:
-    """Of one hand or of two. ``main`` reads the one that is shown first, and what is of no hand.
+    """Reads one hand or two. ``main`` reads the one that is shown first, and common messages.
 
-    ``moments``, ``references`` and ``listeners`` are by side. Raises FileError where it is
+    ``moments``, ``references`` and ``listeners`` are by side. Raises FileError if the file is
     unreadable.
     """
 
@@ -214,21 +216,21 @@ class HandsInFile:
         info = self.main.info
         self._others = [SessionReader(path, side=other.side) for other in info.others]
         readers = self._readers = (self.main, *self._others)
-        self._damage_told = 0  # messages
+        self._damage_reported = 0  # messages
         has_images = any("/image" in name for name in self.main.topic_names)
         self.moments = {
-            r.info.side: ReplayMoment(len(r.info.glove.markers), has_images, _teller(r))
+            r.info.side: ReplayMoment(len(r.info.glove.markers), has_images, _matcher(r))
             for r in readers
         }
         self.references = {
             r.info.side: References(path, r.info.side, holds(r, f"/truth/{r.info.side}/"))
             for r in readers
         }
-        self._events: deque[Event] = deque(maxlen=1000)  # of the window
+        self._events: deque[Event] = deque(maxlen=1000)  # for the window
         self.listeners = {r.info.side: self._attach_listeners(r) for r in readers}
 
     def _attach_listeners(self, reader: SessionReader) -> Listeners:
-        listeners = Listeners(lambda what: self.tell(Event.of(0.0, "error", what)))
+        listeners = Listeners(lambda what: self.report(Event.of(0.0, "error", what)))
         listeners.attach(ListenedHand(reader.info.hand, reader.info.glove))
         return listeners
 
@@ -238,7 +240,7 @@ class HandsInFile:
         start: float | None = None,
         end: float | None = None,
     ) -> Iterator[OfFile]:
-        """As those of `SessionReader.messages`, of all hands."""
+        """Like `SessionReader.messages`, for all hands."""
         own = tuple(kind for kind in kinds if kind in OF_A_HAND)
         streams = [_sided(self.main, kinds, start, end)]
         streams += [_sided(other, own, start, end) for other in self._others if own]
@@ -246,11 +248,11 @@ class HandsInFile:
 
     @property
     def frame(self) -> object:
-        """What is shown of the cameras, to be compared with what was shown before."""
+        """The present camera images, to detect a change."""
         return self.moments[self.main.info.side].latest_frame()
 
     def take(self, read: OfFile) -> None:
-        """Show a message with its hand, or with all."""
+        """Process a message of one hand, or of all."""
         if isinstance(read.message, OF_A_HAND):
             self.moments[read.side].take(read.message)
             return
@@ -258,16 +260,16 @@ class HandsInFile:
             moment.take(read.message)
 
     def begin_hole(self, read: OfFile) -> None:
-        """No estimate of this hand follows for longer than `LONGEST_FILLED`."""
+        """Begin a hole: no estimate of this hand follows for `LONGEST_FILLED`."""
         self.moments[read.side].begin_hole(read.arrival + LONGEST_FILLED)
 
     def arrive(self) -> None:
-        """All that is shown is of the position that the replay was sent to."""
+        """The replay is at the position that it was sent to."""
         for moment in self.moments.values():
             moment.arrive()
 
     def follow(self, position: Callable[[], float]) -> None:
-        """``position`` gives where the replay is, s of the file's monotonic clock."""
+        """``position`` returns the replay's position, s of the file's monotonic clock."""
         for moment in self.moments.values():
             moment.position = position
 
@@ -286,29 +288,29 @@ class HandsInFile:
             if due:
                 self.listeners[read.side].feed(message, read.arrival)
 
-    def tell(self, event: Event) -> None:
-        """Report something that happens now, which is not an event of the file."""
+    def report(self, event: Event) -> None:
+        """Report an event of now, which is not an event of the file."""
         self._events.append(event)
 
-    def tell_damage(self, every: bool = False) -> None:
-        """How many messages were left out because they are damaged: at the first one, and when
-        there are twice as many; with ``every``, whenever there are more."""
+    def report_damage(self, every: bool = False) -> None:
+        """Report how many damaged messages were skipped: at the first one, and each time the number
+        has doubled; with ``every``, whenever it has grown."""
         found = [reader.source.left_out for reader in self._readers]
         count = sum(map(len, found))
-        if count > self._damage_told and (every or count >= 2 * self._damage_told):
-            self._damage_told = count
+        if count > self._damage_reported and (every or count >= 2 * self._damage_reported):
+            self._damage_reported = count
             for what in reports(found):
-                self.tell(Event.of(0.0, "error", what))
+                self.report(Event.of(0.0, "error", what))
 
     def drain_events(self) -> list[Event]:
-        """What was told since the last call."""
+        """Return the events since the last call."""
         events = []
         while self._events:
             events.append(self._events.popleft())
         return events
 
     def seek(self, t: float) -> None:
-        """Begin anew with the hands beside, at ``t`` s of the monotonic clock."""
+        """Restart the reference hands at ``t`` s of the monotonic clock."""
         for references in self.references.values():
             references.seek(t)
 
@@ -321,9 +323,9 @@ class HandsInFile:
             listeners.close()
 
 
-def _teller(reader: SessionReader) -> MarkerTeller | None:
+def _matcher(reader: SessionReader) -> MarkerMatcher | None:
     info = reader.info
-    return MarkerTeller(info.hand, info.glove, info.rig) if info.rig is not None else None
+    return MarkerMatcher(info.hand, info.glove, info.rig) if info.rig is not None else None
 
 
 def _sided(

@@ -1,4 +1,4 @@
-"""The hands beside a replayed one: another tracking of the same movement, and the truth."""
+"""Reference hands of a replay: another tracking of the same movement, and the ground truth."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ LEAD = 0.2  # s; an estimate may have been fed this long after its instant
 
 
 class ReferenceTrack:
-    """Goes along with a replay through the estimates of a file, or through its truth.
+    """Follows a replay through the estimates of a file, or through its ground truth.
 
     ``side``: of the hand, in a file of both. ``shift``: s that its clock is ahead of the replay's,
-    where it is of another movement.
+    if it is of another movement.
     """
 
     def __init__(self, path: Path, side: str = "", truth: bool = False, shift: float = 0.0) -> None:
@@ -35,7 +35,7 @@ class ReferenceTrack:
         self._next: Estimate | None = None
 
     def seek(self, t: float) -> None:
-        """Begin anew at ``t`` s of the monotonic clock."""
+        """Restart at ``t`` s of the monotonic clock."""
         self._coming = self._messages(t + self._shift - LEAD)
         self._last = self._next = None
 
@@ -48,7 +48,7 @@ class ReferenceTrack:
             yield message
 
     def advance(self, t: float) -> None:
-        """Go on to the last estimate that is not later than ``t``."""
+        """Advance to the last estimate that is not later than ``t``."""
         while self._next is None or self._next.t <= t + self._shift + 1e-6:
             self._last = self._next if self._next is not None else self._last
             self._next = next(self._coming, None)
@@ -56,7 +56,7 @@ class ReferenceTrack:
                 return
 
     def pose(self, t: float) -> ReferenceHand | None:
-        """The hand there at ``t``; None where it was lost or nothing is known."""
+        """The hand at ``t``; None where it was lost or is unknown."""
         found = self._last
         if found is None or is_hole(found.t - self._shift, t):
             return None
@@ -76,9 +76,9 @@ def origin_rows(hand: HandModel, glove: GloveModel) -> list[int]:
 
 
 class References:
-    """Those of one hand of a replay; ``with_truth``: the file holds what it really did.
+    """Reference hands of one hand of a replay; ``with_truth``: the file contains the ground truth.
 
-    `want` is the window's; the replay's own thread does the rest.
+    `want` is called by the window, everything else by the replay's thread.
     """
 
     def __init__(self, path: Path, side: str, with_truth: bool) -> None:
@@ -94,25 +94,25 @@ class References:
         return None if self._truth is None else ReplayedTruth(self)
 
     def want(self, path: Path | None, shift: float = 0.0) -> None:
-        """The tracking in ``path``, from the next `seek` on. Raises FileError in words."""
+        """The tracking in ``path``, from the next `seek` on. Raises FileError."""
         self._wanted = None if path is None else ReferenceTrack(path, self._side, shift=shift)
 
     def seek(self, t: float) -> None:
-        """Begin anew at ``t`` s of the monotonic clock."""
+        """Restart at ``t`` s of the monotonic clock."""
         self._change()
         for track in (self._truth, self._other):
             if track is not None:
                 track.seek(t)
 
     def _change(self) -> None:
-        """Here and nowhere else, so that no track is closed while it is read."""
+        """The only place that closes a track, so that none is closed while it is read."""
         if self._other is not self._wanted:
             if self._other is not None:
                 self._other.close()
             self._other, self.other_hand = self._wanted, None
 
     def advance(self, t: float) -> None:
-        """To the instant of an estimate of the replay."""
+        """Advance to the instant of an estimate of the replay."""
         if self._truth is not None:
             self._truth.advance(t)
             self.true_hand = self._truth.pose(t)

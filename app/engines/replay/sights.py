@@ -1,4 +1,4 @@
-"""When there is something to see in a session: an image with what was found in it."""
+"""The times of a session's images that have detected blobs."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from tracker.messages import BlobFrame, StereoFrame
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 
-MOST_BEFORE_SIGHT = 500  # messages; what has none of its images by then has none
-APART = 60  # images or blobs that come between the two of a pair, at most
+MOST_BEFORE_SIGHT = 500  # messages; a session without a pair by then has none
+APART = 60  # the most images or blobs between the two of a pair
 
 
 def first_sight(reader: SessionReader) -> float | None:
-    """When (s) the first blobs come whose image is in the file, too: blobs may come first whose
-    image was taken before the recording began. None where there are none."""
+    """The arrival (s) of the first blobs whose image is in the file too; None without any. The
+    image of earlier blobs may have been taken before the recording began."""
     messages = reader.packed_messages((StereoFrame, BlobFrame))
-    with suppress(FileError):  # what is damaged has been told by who read it first
+    with suppress(FileError):  # damage was reported at the first reading
         return next(pairs(islice(messages, MOST_BEFORE_SIGHT)), None)
     return None
 
 
 def sights(reader: SessionReader, begin: float, end: float) -> list[float]:
-    """When (s) something is seen in a span: images with their blobs; where only one of the two is
-    in the file, that by itself. Images are not unpacked."""
+    """The arrivals (s) of images with blobs in a span; of either, where the file contains only
+    one of them. Images are not decompressed."""
     found = list(reader.packed_messages((StereoFrame, BlobFrame), start=begin, end=end))
     either = [m.t_arrival for m in found if isinstance(m, PackedFrame | BlobFrame)]
     return list(pairs(found)) or either
 
 
 def pairs(messages: Iterable[object]) -> Iterator[float]:
-    """Arrival (s) of each image or blobs whose other half came before, in whichever order."""
+    """Arrival (s) of each image or blobs whose other half arrived before, in either order."""
     waiting: dict[float, type] = {}
     for message in messages:
         if not isinstance(message, PackedFrame | BlobFrame):

@@ -1,4 +1,4 @@
-"""Reads a session at its own pace, in one thread, and goes where the transport is sent."""
+"""Plays a session in real time on one thread, at the position of the transport."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from tracker.session.holes import is_hole
 _log = logging.getLogger(__name__)
 
 IDLE_S = 0.03
-LEAD_IN_S = 0.12  # read before the position asked for: an image is older than its blobs
-SAME_S = 1e-6  # what a time may lose as a position and back
-LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the image before is looked for, nearest first
+LEAD_IN_S = 0.12  # read before the requested position: an image is older than its blobs
+SAME_S = 1e-6  # rounding of a time that is converted to a position and back
+LOOK_BACK_S = (0.5, 2.0, 10.0)  # spans searched for the previous image, nearest first
 AHEAD_S = 0.4
-"""How far is read ahead for the next estimate; on an overloaded computer they arrive late, in
-bursts, but have no hole between their instants."""
+"""How far the next estimate is searched ahead: on an overloaded computer estimates arrive late and
+in bursts, but without a hole between their instants."""
 
 
 class ReplayThread:
-    """Brings ``hands`` to where ``transport`` wants them."""
+    """Keeps ``hands`` at the position of ``transport``."""
 
     def __init__(self, hands: HandsInFile, transport: Transport) -> None:
         self._hands, self._transport = hands, transport
@@ -36,8 +36,8 @@ class ReplayThread:
         self.start_t = reader.anchor.monotonic(reader.span_ns[0])
         hands.follow(lambda: self.start_t + transport.position)
         self._thread: threading.Thread | None = None
-        self._shown_at = 0.0  # where the image on screen stands
-        # Without blobs (a session tracked again) there is no image: one steps by estimates.
+        self._shown_at = 0.0  # position of the image on the screen
+        # A session tracked again has no blobs, so no images: steps go from estimate to estimate.
         self._has_blobs = holds(reader, "/camera/")
 
     def start(self) -> None:
@@ -64,10 +64,10 @@ class ReplayThread:
             except GlovetrackError as error:  # damaged here; elsewhere it may be whole
                 _log.warning("Replay stopped at %.3f s: %s", transport.position, error)
                 transport.playing = False
-                self._hands.tell(Event.of(0.0, "error", error.notice))
+                self._hands.report(Event.of(0.0, "error", error.notice))
 
     def _seek_back(self) -> None:
-        """To the image that is ``steps_back`` before the one on screen."""
+        """Go to the image that is ``steps_back`` before the one on the screen."""
         back, self._transport.steps_back = self._transport.steps_back, 0
         before: list[float] = []
         for reach in LOOK_BACK_S:
@@ -79,7 +79,7 @@ class ReplayThread:
         self._transport.seek_to = before[-back] if len(before) >= back else 0.0
 
     def _steps(self, begin: float, end: float) -> list[float]:
-        """Where (s) one steps to between two times."""
+        """The positions (s) of steps between two times."""
         reader = self._hands.main
         if self._has_blobs:
             return sights(reader, begin, end)
@@ -87,8 +87,8 @@ class ReplayThread:
         return [OfFile("", m).arrival for m in found]
 
     def _play_from(self, start: float) -> None:
-        """A paused replay stands exactly there, with the image and the hand of that instant; only
-        where no image is so near before it goes on to the next one."""
+        """Play from a position (s). A paused replay shows the image and the hand of that instant;
+        if no image is near before it, the next one."""
         self._hands.forget()
         self._transport.images_due, self._transport.position = 1, start
         begin = self.start_t + start - LEAD_IN_S
@@ -99,25 +99,26 @@ class ReplayThread:
             if not there and position > start + SAME_S:
                 there = True
                 self._hands.arrive()
-                self._count(shows)  # only now: a step that is asked for meanwhile goes on from here
+                self._count(shows)  # only now: a step requested meanwhile continues from here
             if there and not self._wait_for(position):
                 return
             shown = self._take(read, position >= start - SAME_S)
             if before_hole:
                 self._hands.begin_hole(read)
-            self._hands.tell_damage()
+            self._hands.report_damage()
             shows |= shown
             self._count(shown and there)
         self._hands.arrive()
-        self._hands.tell_damage(every=True)
+        self._hands.report_damage(every=True)
         self._transport.end(self._transport.duration)
 
     def _count(self, shown: bool) -> None:
-        """One less is due where one was shown."""
+        """Count an image that was shown."""
         self._transport.images_due = max(0, self._transport.images_due - shown)
 
     def _take(self, read: OfFile, due: bool) -> bool:
-        """Whether there is another image; ``due``: not of before the position asked for."""
+        """Process a message; returns whether the image changed. ``due``: it is not from before the
+        requested position."""
         before = self._hands.frame
         if due or not isinstance(read.message, Event):
             self._hands.take(read)
@@ -129,12 +130,12 @@ class ReplayThread:
         return True
 
     def _wait_for(self, position: float) -> bool:
-        """Sleep until ``position`` is due; False when stopped or sent elsewhere."""
+        """Sleep until ``position`` is due; returns False if stopped or sent elsewhere."""
         transport = self._transport
         while not transport.sent_elsewhere:
             if not transport.playing and transport.images_due > 0:
                 transport.position = max(transport.position, position)
-                return True  # a paused replay shows the image it was sent to
+                return True  # a paused replay shows the requested image
             if transport.playing and transport.position >= transport.range[1]:
                 transport.end(transport.range[1])
                 continue
@@ -152,7 +153,7 @@ class ReplayThread:
 def marked(messages: Iterable[OfFile]) -> Iterator[tuple[OfFile, bool]]:
     """Each message, and whether it is an estimate after which its hand has a hole.
 
-    At the file's end there is none unless something else goes on for longer than `AHEAD_S`.
+    At the end of the file there is none, unless other messages continue for `AHEAD_S`.
     """
     coming, waiting, is_end = iter(messages), deque[OfFile](), False
     while True:
@@ -168,7 +169,7 @@ def marked(messages: Iterable[OfFile]) -> Iterator[tuple[OfFile, bool]]:
 
 
 def _is_decided(waiting: deque[OfFile]) -> bool:
-    """Whether enough was read ahead for `_is_last` of the first one."""
+    """Whether enough messages were read ahead to apply `_is_last` to the first one."""
     first = waiting[0]
     if not isinstance(first.message, Estimate):
         return True

@@ -1,4 +1,4 @@
-"""Where a replay stands and what the user asked of it: play, seek, step, range, loop, speed."""
+"""The transport of a replay: position, play, seek, step, range, loop, speed."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from tracker.messages import Event
 
 
 class Transport:
-    """Asked by the window's thread, obeyed by the replay's own; times are s from the file's start.
+    """Set by the window's thread, read by the replay's; times are s from the file's start.
 
-    Between the two stand plain attributes, each written as a whole.
+    The threads share plain attributes, each assigned in one step.
     """
 
     def __init__(self, duration: float) -> None:
@@ -23,7 +23,7 @@ class Transport:
         self.position, self.speed = 0.0, 1.0
         self.range = (0.0, duration)  # the in and the out point
         self.seek_to: float | None = 0.0
-        self.images_due = 0  # that a paused replay goes on to show
+        self.images_due = 0  # images that a paused replay is still to show
         self.steps_back = 0
         self.stopping = threading.Event()
 
@@ -51,7 +51,7 @@ class Transport:
         return min(max(position, 0.0), self.duration)
 
     def step(self, images: int) -> None:
-        """Stop, and go that many images on, or back where negative."""
+        """Pause, and go that many images forward, or (negative) back."""
         self.playing = False
         if images > 0:
             self.images_due += images
@@ -60,11 +60,11 @@ class Transport:
 
     @property
     def sent_elsewhere(self) -> bool:
-        """Whether what is being played is to be left."""
+        """Whether the present playback is to end."""
         return self.stopping.is_set() or self.steps_back > 0 or self.seek_to is not None
 
     def end(self, position: float) -> None:
-        """The out point or the file's end: around again, or stop there."""
+        """At the out point or the end of the file: loop, or stop."""
         self.position = position
         if self.looping and self.playing:
             self.seek(self.range[0])
@@ -73,8 +73,8 @@ class Transport:
 
 
 class ReplayPlayer(Transport):
-    """The `Player` of a replay: its transport, what happened in the file, and the hands beside, by
-    their sides."""
+    """The `Player` of a replay: its transport, the events of the file, and the reference hands by
+    side."""
 
     def __init__(
         self,
@@ -86,12 +86,12 @@ class ReplayPlayer(Transport):
     ) -> None:
         super().__init__(duration)
         self.path, self.tracked, self.cut_off = path, tracked, cut_off
-        self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
+        self.events: Sequence[tuple[float, Event]] = ()  # with their positions in s
         self._references = references
         self.is_compared = False
 
     def set_reference(self, path: Path | None, shift: float = 0.0) -> None:
-        """Show the tracking in ``path`` beside this one. Raises FileError in words.
+        """Compare with the tracking in ``path``. Raises FileError.
 
         ``shift``: s that its clock is ahead of this one's.
         """

@@ -100,7 +100,7 @@ def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
     show(panel, stage, engine)
     assert stage.name == "compass"
     assert (painted(panel) != before).mean() > 0.01
-    assert panel.said.text() == "sample 1"
+    assert panel.result.text() == "sample 1"
     assert [e.data["what"] for e in told] == ["begins", "sample"]
     panel.controls.again.click()
     show(panel, stage, engine)
@@ -112,7 +112,7 @@ def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
     for _ in range(2):  # the end of the one before is not the next one's
         panel.choose("compass")
         show(panel, stage, engine)
-        assert panel.said.text() == "sample 1"
+        assert panel.result.text() == "sample 1"
 
 
 def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(staged):
@@ -151,7 +151,7 @@ def test_each_application_says_what_to_do_now():
     for name in OURS:
         waits = instruction(name, progress(placed=1), located=False)
         begins = instruction(name, progress(placed=1), located=True)
-        assert waits == "Hold the hand where the cameras see it." and begins != waits
+        assert waits == "Hold the hand in view of the cameras." and begins != waits
     assert "fingertip" in instruction("touch", progress(placed=1), True)
     assert "Press deeper" in instruction("touch", progress(placed=1, touch=2, release=1), True)
     assert "thumb up" in instruction("arm", progress(placed=1, stop=1), True)
@@ -171,7 +171,7 @@ def test_a_touch_is_followed_by_the_instruction_and_told_with_units(staged, qtbo
     stage.show("touch", {"place": tip.tolist()})
     show(panel, stage, engine)
     assert panel.instruction.text().startswith("Press deeper") and panel.instruction.isVisible()
-    assert panel.said.text().startswith("Touches: ") and " mm deep" in panel.said.text()
+    assert panel.result.text().startswith("Touches: ") and " mm deep" in panel.result.text()
     stage.show("")
     show(panel, stage, engine)
     assert not panel.instruction.isVisible()

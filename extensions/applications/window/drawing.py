@@ -1,4 +1,4 @@
-"""An application's drawing as forms of the 3D view: surfaces, lines and labels."""
+"""An application's drawing in the 3D view: surfaces, lines and labels, and the hand."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from app.widgets.view3d.view_3d import View3D
 from extensions.applications.drawing import Drawing, Line, Mesh, Points, Text
 from tracker.messages import Array, IntArray
 
-LOOK = 7  # numbers of a point's look, as `app.widgets.view3d.shapes.DRESS`
+LOOK = 7  # numbers that describe the look of a point, as `app.widgets.view3d.shapes.DRESS`
 AMBIENT = 0.25
 FIRST_LOOK = np.array([-0.75, 0.25, 0.6])
 PARTS = ShownParts(markers=False, uncertainty=False, camera=False, reference=False)
 ROOM = 1.25  # times the size of what is drawn that the view shows
-FIRST_PART = 3000  # parts of their own, far from those of the hand
+FIRST_PART = 3000  # part numbers above those of the hand
 MOST = 400
-"""Bodies that a scene holds, shown or not, before it is made again."""
-FEWEST = 8  # points that a line has room for
+"""Bodies in a scene, shown or not, after which it is rebuilt."""
+FEWEST = 8  # least number of points of a line
 _A, _B = 0.525731, 0.850651
 BALL = np.array(
     [[-_A, 0, _B], [_A, 0, _B], [-_A, 0, -_B], [_A, 0, -_B], [0, _B, _A], [0, _B, -_A],
@@ -41,12 +41,12 @@ BALL_FACES = np.array(
      [5, 3, 2], [2, 3, 7], [7, 3, 10], [7, 10, 6], [7, 6, 11], [11, 6, 0], [0, 6, 1], [6, 10, 1],
      [9, 11, 0], [9, 2, 11], [9, 5, 2], [7, 11, 2]]
 )  # fmt: skip
-"""An icosahedron: what a small ball looks like from some way off."""
+"""An icosahedron, which looks like a ball if it is small."""
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceForm:
-    """Triangles (F, 3) and where their points are: points, normals (V, 3), looks (V, `LOOK`)."""
+    """Triangles (F, 3) with points and normals (V, 3) and looks (V, `LOOK`)."""
 
     name: str
     faces: IntArray
@@ -57,7 +57,7 @@ class SurfaceForm:
 
 @dataclass(frozen=True, eq=False)
 class LineForm:
-    """A polyline (N, 3), N a power of two: the last point stands where there are fewer."""
+    """A polyline (N, 3), N a power of two: the last point is repeated where there are fewer."""
 
     name: str
     points: Array
@@ -73,19 +73,19 @@ class LabelForm:
 
 
 class DrawingForms:
-    """Makes forms of one drawing after another; remembers what does not change of a mesh."""
+    """Converts drawings to forms; caches the normals of meshes that do not change."""
 
     def __init__(self) -> None:
         self._known: dict[str, tuple[Mesh, Array]] = {}
 
     def surfaces(self, drawing: Drawing) -> list[SurfaceForm]:
-        """Of meshes and balls."""
+        """The surfaces of meshes and balls."""
         out = [self._mesh(d) for d in drawing if isinstance(d, Mesh)]
         return out + [_balls(d) for d in drawing if isinstance(d, Points) and len(d.points)]
 
     def _mesh(self, mesh: Mesh) -> SurfaceForm:
-        kept, normals = self._known.get(mesh.name, (None, np.empty((0, 3))))
-        if kept is None or kept.points is not mesh.points:
+        known, normals = self._known.get(mesh.name, (None, np.empty((0, 3))))
+        if known is None or known.points is not mesh.points:
             normals = vertex_normals(mesh.points, mesh.faces)
             self._known[mesh.name] = mesh, normals
         size = np.cbrt(max(float(np.linalg.det(mesh.R)), 1e-12))
@@ -100,13 +100,13 @@ class DrawingForms:
 
     @staticmethod
     def labels(drawing: Drawing, ink: str) -> list[LabelForm]:
-        """``ink`` is the colour of those that have none."""
+        """``ink`` is the colour of labels without one."""
         texts = [d for d in drawing if isinstance(d, Text)]
         return [LabelForm(d.text, d.p, d.colour or ink) for d in texts]
 
 
 def vertex_normals(points: Array, faces: IntArray) -> Array:
-    """(V, 3) of length 1, of the triangles around each point by their size."""
+    """(V, 3) unit normals: those of the triangles around each point, weighted by area."""
     a, b, c = (points[faces[:, k]] for k in range(3))
     flat = np.cross(b - a, c - a)
     out = np.zeros_like(points)
@@ -116,7 +116,7 @@ def vertex_normals(points: Array, faces: IntArray) -> Array:
 
 
 def bounds(drawing: Drawing) -> tuple[Array, Array] | None:
-    """Least and greatest corner (3,) m of all that is drawn; None of nothing."""
+    """Least and greatest corner (3,) m of a drawing; None if it is empty."""
     every = [d.points @ d.R.T + d.p for d in drawing if isinstance(d, Mesh) and len(d.points)]
     every += [d.points for d in drawing if isinstance(d, Line | Points) and len(d.points)]
     if not every:
@@ -147,7 +147,7 @@ def _look(colour: str, opacity: float) -> Array:
 
 
 class ApplicationBodies:
-    """In one scene, beside others' bodies."""
+    """The bodies of a drawing in one scene, which has others too."""
 
     def __init__(self, scene: BodyScene) -> None:
         self._scene = scene
@@ -161,7 +161,7 @@ class ApplicationBodies:
         return len(self._surfaces) + len(self._lines) > MOST
 
     def update(self, surfaces: list[SurfaceForm], lines: list[LineForm]) -> None:
-        """Show these and no others."""
+        """Show these forms and hide all others."""
         for form in surfaces:
             self._surface(form)
         for line in lines:

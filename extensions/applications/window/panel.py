@@ -1,4 +1,4 @@
-"""Applications of the tracked hand: which one runs, its settings, and what it has drawn."""
+"""The Applications panel: which application runs, its settings, and its drawing."""
 
 from __future__ import annotations
 
@@ -54,9 +54,9 @@ class ApplicationsPanel(Panel):
         self.form.setFixedWidth(FORM_WIDTH)
         self.form.hide()
         self.controls = ApplicationControls()
-        self.instruction, self.said = QLabel(), QLabel()
+        self.instruction, self.result = QLabel(), QLabel()
         self.instruction.setProperty("role", "figure")
-        for label in (self.instruction, self.said):
+        for label in (self.instruction, self.result):
             label.setWordWrap(True)
         self.legend = ValidityLegend()
         self.legend.row.addStretch(1)
@@ -79,11 +79,11 @@ class ApplicationsPanel(Panel):
         column.addWidget(self.instruction)
         column.addLayout(middle, 1)
         column.addWidget(self.legend)
-        column.addWidget(self.said)
+        column.addWidget(self.result)
 
     def _connect(self) -> None:
         row = self.controls
-        row.choice.currentIndexChanged.connect(lambda _i: self._run(row.chosen, self._usual()))
+        row.choice.currentIndexChanged.connect(lambda _i: self._run(row.chosen, self._initial()))
         row.again.clicked.connect(self._restart)
         row.fit.clicked.connect(self.view.fit_next)
         row.settings.toggled.connect(self.form.setVisible)
@@ -93,7 +93,7 @@ class ApplicationsPanel(Panel):
         self.host.closed.connect(self._clear)
         self.host.hand_changed.connect(self._follow_hand)
 
-    # --- what is wanted
+    # --- commands
 
     def choose(self, name: str, settings: dict[str, Any] | None = None) -> None:
         """Run an application by its name; empty for none."""
@@ -111,13 +111,13 @@ class ApplicationsPanel(Panel):
         problem = self.model.show(name, settings)
         self.form.show_rows(self.model.rows())
         self.view.fit_next()
-        self._say(problem)
+        self._report(problem)
         for button in (self.controls.again, self.controls.settings):
             button.setEnabled(bool(name) and not problem)
         self.view.setAccessibleDescription(self.controls.choice.currentText())
 
-    def _usual(self) -> dict[str, Any] | None:
-        """Settings that the chosen application is to begin with; None: its own defaults."""
+    def _initial(self) -> dict[str, Any] | None:
+        """The initial settings of the chosen application; None: its defaults."""
         name, settings = self.model.expected if self.model is not None else ("", {})
         return settings if name == self.controls.chosen else None
 
@@ -126,18 +126,18 @@ class ApplicationsPanel(Panel):
             self.model.stage.restart()
 
     def _set(self, key: str, value: object) -> None:
-        self._say(self.model.set(key, value) if self.model is not None else "")
+        self._report(self.model.set(key, value) if self.model is not None else "")
 
     def _show_page(self, on: bool) -> None:
-        self._say(self.model.show_page(on) if self.model is not None else "")
+        self._report(self.model.show_page(on) if self.model is not None else "")
 
-    def _say(self, text: str) -> None:
+    def _report(self, text: str) -> None:
         self._problem = text
-        self.said.setText(text)
+        self.result.setText(text)
         self._instruct()
 
     def _instruct(self) -> None:
-        """What to do now, where there is something to be done."""
+        """Show what to do now, if there is something to do."""
         text = self.model.instruction() if self.model is not None and not self._problem else ""
         self.instruction.setText(text)
         self.instruction.setVisible(bool(text))
@@ -161,7 +161,7 @@ class ApplicationsPanel(Panel):
             self.choose(name, settings)
 
     def _follow_hand(self, setup: EngineSetup) -> None:
-        """What runs goes on with the hand that is shown now, page and all."""
+        """Run the application with the hand that is shown now, with its page."""
         name, settings = self.model.leave() if self.model is not None else ("", {})
         page = self.controls.page.isChecked()
         self._open(setup)
@@ -174,7 +174,7 @@ class ApplicationsPanel(Panel):
         self.view.clear()
         self.controls.clear()
         self.form.show_rows([])
-        self._say("")
+        self._report("")
 
     # --- drawing
 
@@ -184,7 +184,7 @@ class ApplicationsPanel(Panel):
             return
         self.view.draw(view, self.model.drawing, self.model.runs)
         if view is not None and not self._problem:
-            self.said.setText(self.model.line())
+            self.result.setText(self.model.line())
         self._instruct()
 
     def shut_down(self) -> None:
@@ -192,7 +192,7 @@ class ApplicationsPanel(Panel):
 
 
 class ApplicationControls(OneLine):
-    """Widgets; `ApplicationsPanel` does what they ask."""
+    """The line of controls, used by `ApplicationsPanel`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -200,11 +200,11 @@ class ApplicationControls(OneLine):
         self.choice.setAccessibleName(self.tr("Application"))
         self.again = QPushButton(self.tr("Restart"))
         self.fit = QPushButton(self.tr("Show all"))
-        self.fit.setToolTip(self.tr("Move the eye until all that is drawn is in sight"))
+        self.fit.setToolTip(self.tr("Move the viewpoint until the whole drawing is visible"))
         self.settings, self.page = QToolButton(), QToolButton()
         self.settings.setText(self.tr("Settings"))
         self.page.setText(self.tr("Page"))
-        self.page.setToolTip(self.tr("Show it in browsers of this machine, a headset's too"))
+        self.page.setToolTip(self.tr("Show it in browsers on this computer, including a headset's"))
         for button in (self.settings, self.page):
             button.setCheckable(True)
         for widget in (self.choice, self.again, self.fit, self.settings, self.page):
@@ -212,16 +212,16 @@ class ApplicationControls(OneLine):
 
     @property
     def chosen(self) -> str:
-        """The application's name; empty for none."""
+        """The name of the selected application; empty for none."""
         return str(self.choice.currentData() or "")
 
     def choose(self, name: str) -> None:
-        """Show this one as chosen, without asking for it."""
+        """Select this application without emitting a signal."""
         with QSignalBlocker(self.choice):
             self.choice.setCurrentIndex(max(0, self.choice.findData(name)))
 
     def offer(self, titles: Mapping[str, str], has_page: bool) -> None:
-        """Applications by name."""
+        """Offer applications, by name."""
         with QSignalBlocker(self.choice):
             self.choice.addItem(self.tr("No application"), "")
             for name, title in titles.items():
@@ -230,7 +230,7 @@ class ApplicationControls(OneLine):
         self.page.setEnabled(has_page)
 
     def clear(self) -> None:
-        """There is nothing to choose from."""
+        """Offer nothing."""
         with QSignalBlocker(self.choice), QSignalBlocker(self.page):
             self.choice.clear()
             self.page.setChecked(False)
@@ -239,7 +239,7 @@ class ApplicationControls(OneLine):
 
 
 class SettingsForm(QWidget):
-    """Tells of each change that the user makes."""
+    """A form of settings; emits each change of the user."""
 
     changed = Signal(str, object)
 
@@ -250,7 +250,7 @@ class SettingsForm(QWidget):
         self.fields: dict[str, QWidget] = {}
 
     def show_rows(self, rows: Sequence[SettingRow]) -> None:
-        """Offer these in place of what is there."""
+        """Replace the rows."""
         while self._lines.rowCount():
             self._lines.removeRow(0)
         self.fields.clear()

@@ -1,4 +1,4 @@
-"""What the Applications panel says: which there are, their settings, what they have told."""
+"""The state of the Applications panel: applications, settings, instructions and results."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class SettingRow:
 
 
 class ApplicationsModel:
-    """Of one open engine."""
+    """The applications of one open engine."""
 
     def __init__(self, setup: EngineSetup) -> None:
         self._setup = setup
@@ -43,8 +43,8 @@ class ApplicationsModel:
 
     @property
     def expected(self) -> tuple[str, dict[str, Any]]:
-        """Name and settings of the application of this hand that a session holds, or that a
-        simulated wearer uses; empty where there is none."""
+        """Name and settings of the application that was recorded with this hand, or that a
+        simulated wearer uses; empty without one."""
         player, side = self._setup.player, self._setup.hand.side
         for _, event in player.events if player is not None else ():
             begins = event.kind == KIND and event.data.get("what") == BEGINS
@@ -55,7 +55,7 @@ class ApplicationsModel:
         return name, dict(settings)
 
     def show(self, name: str, settings: dict[str, Any] | None = None) -> str:
-        """Run it; why it cannot be, in words, or empty."""
+        """Run an application; returns why that is impossible, or empty."""
         if self.stage is None:
             return tr("Applications run on a tracked hand: open the demo, devices or a session.")
         try:
@@ -70,14 +70,14 @@ class ApplicationsModel:
         return self.stage is not None and bool(self.stage.name)
 
     def rows(self) -> list[SettingRow]:
-        """The settings of what runs."""
+        """The settings of the running application."""
         settings = self.stage.settings if self.stage is not None else None
         if settings is None:
             return []
         return [SettingRow(f.name, getattr(settings, f.name)) for f in fields(settings)]
 
     def set(self, key: str, value: Any) -> str:
-        """Change one; why it cannot be, or empty."""
+        """Change a setting; returns why that is impossible, or empty."""
         try:
             if self.stage is not None:
                 self.stage.set(key, value)
@@ -86,7 +86,7 @@ class ApplicationsModel:
         return ""
 
     def leave(self) -> tuple[str, dict[str, Any]]:
-        """End what runs, for another hand to take it over: its name and settings."""
+        """End the application; returns its name and settings, to continue with another hand."""
         stage = self.stage
         if stage is None or not stage.name:
             return "", {}
@@ -96,7 +96,7 @@ class ApplicationsModel:
         return left
 
     def show_page(self, on: bool) -> str:
-        """Serve the page on this machine, or end it: where it is, or why it cannot be, in words."""
+        """Serve the page on this computer, or end that; returns its address, or why it failed."""
         stage = self.stage
         if stage is None:
             return ""
@@ -116,16 +116,16 @@ class ApplicationsModel:
         except StreamError as error:
             return error_text(error)
         stage.viewers.append(page)
-        return tr("For browsers of this machine, a headset's too: {}").format(page.url)
+        return tr("For browsers on this computer, including a headset's: {}").format(page.url)
 
     @property
     def drawing(self) -> Drawing:
-        """The newest; empty before the first."""
+        """The latest drawing; empty before the first."""
         outcome = self.stage.outcome if self.stage is not None else None
         return outcome.drawing if outcome is not None else ()
 
     def instruction(self) -> str:
-        """What the wearer is to do now; empty where that is not known."""
+        """What the wearer should do now; empty if unknown."""
         stage = self.stage
         if stage is None or not stage.name or stage.problem:
             return ""
@@ -138,12 +138,12 @@ class ApplicationsModel:
         return Progress(Counter(dict(stage.counts)), last)
 
     def line(self) -> str:
-        """What has happened, in one line."""
+        """The results in one line."""
         stage = self.stage
         if stage is None or not stage.name:
             return ""
         if stage.problem:
-            return tr("It failed and rests: {}").format(stage.problem)
+            return tr("The application failed and is paused: {}").format(stage.problem)
         found = results(stage.name, self._made(stage))
         if found:
             return found
@@ -154,21 +154,21 @@ class ApplicationsModel:
 
 
 def parsed(text: str, like: Any) -> Any:
-    """What a user has written, as a value like ``like``. Raises ValueError."""
+    """Parse the text of a user as a value of the type of ``like``. Raises ValueError."""
     if isinstance(like, tuple):
         return [float(part) for part in text.replace(";", ",").split(",") if part.strip()]
     return text
 
 
 def written(value: Any) -> str:
-    """A text or a tuple of numbers as a user writes it."""
+    """Format a text or a tuple of numbers for the user."""
     if isinstance(value, Sequence) and not isinstance(value, str):
         return ", ".join(f"{local(float(v)):g}" for v in value)
     return str(value)
 
 
 class Progress(NamedTuple):
-    """How often each event has happened, and the data of the last one of each kind."""
+    """The number of events of each kind, and the data of the last one."""
 
     counts: Mapping[str, int]
     last: Mapping[str, Mapping[str, Any]]
@@ -176,7 +176,7 @@ class Progress(NamedTuple):
     def count(self, what: str) -> int:
         return self.counts.get(what, 0)
 
-    def goes_on(self, begins: str, ends: str) -> bool:
+    def is_active(self, begins: str, ends: str) -> bool:
         return self.count(begins) > self.count(ends)
 
 
@@ -186,22 +186,21 @@ def is_known(name: str) -> bool:
 
 
 def instruction(name: str, made: Progress, located: bool) -> str:
-    """What to do now; empty for an application of others."""
+    """What to do now; empty for third-party applications."""
     if not is_known(name):
         return ""
     if not located:
-        return tr("Hold the hand where the cameras see it.")
+        return tr("Hold the hand in view of the cameras.")
     return _STEPS[name](made)
 
 
 def results(name: str, made: Progress) -> str:
-    """What has come of it, with units; empty for an application of others, or before there is
-    anything."""
+    """The results with units; empty for third-party applications, or before there are any."""
     return " · ".join(_RESULTS[name](made)) if name in _RESULTS else ""
 
 
 def _touch_step(made: Progress) -> str:
-    if made.goes_on("touch", "release"):
+    if made.is_active("touch", "release"):
         return tr("Press deeper to feel it more, or slide along the surface.")
     if made.count("touch"):
         return tr("Touch the object from another side, or with another finger.")
@@ -209,17 +208,17 @@ def _touch_step(made: Progress) -> str:
 
 
 def _arm_step(made: Progress) -> str:
-    if made.goes_on("stop", "go_on"):
+    if made.is_active("stop", "go_on"):
         return tr("The arm is stopped. Show a thumb up to go on.")
-    if made.goes_on("grab", "release"):
+    if made.is_active("grab", "release"):
         return tr("Move the closed hand to carry the block. Pinch again to open the gripper.")
-    if made.goes_on("clutch", "unclutch"):
+    if made.is_active("clutch", "unclutch"):
         return tr("Move the hand: the arm follows. Pinch at the block to close the gripper.")
-    return tr("Close the hand, by a grasp or a pinch, to move the arm. An open palm stops it.")
+    return tr("Close the hand by a grasp or a pinch to move the arm. Open the palm to stop it.")
 
 
 def _place_step(made: Progress) -> str:
-    if not made.goes_on("choose", "back"):
+    if not made.is_active("choose", "back"):
         return tr("Point at a building with the index finger and hold still to open it.")
     return tr(
         "Grasp the building to move and turn it. Pinch with the middle finger and raise the hand "
@@ -235,12 +234,12 @@ def _swarm_step(made: Progress) -> str:
         return tr("Pinch inside the swarm and move the hand to drag it.")
     if not made.count("stretched"):
         return tr("Grasp inside the swarm and pull to stretch it.")
-    if made.goes_on("split", "merge"):
+    if made.is_active("split", "merge"):
         return tr("Make a fist to join the groups.")
     if not made.count("split"):
         return tr("Cut through the swarm with the open palm to split it.")
     if not made.count("wall"):
-        return tr("Sweep the open palm beside the swarm to leave a wall.")
+        return tr("Sweep the open palm next to the swarm to leave a wall.")
     return tr("Show a thumb up to remove the walls.")
 
 
@@ -260,14 +259,14 @@ def _arm_results(made: Progress) -> list[str]:
     out = []
     if made.count("clutch"):
         out.append(tr("Moves: {}").format(made.count("clutch")))
-        closed = made.goes_on("grab", "release")
+        closed = made.is_active("grab", "release")
         out.append(tr("gripper closed") if closed else tr("gripper open"))
     if made.count("lifted"):
         out.append(tr("block lifted: {} ×").format(made.count("lifted")))
     if made.count("put_down"):
         x, y, _ = made.last["put_down"]["at"]
-        words = tr("put down {:.0f} mm ahead and {:.0f} mm to the left of the arm's foot")
-        out.append(words.format(1e3 * x, 1e3 * y))
+        text = tr("put down {:.0f} mm ahead and {:.0f} mm to the left of the arm's foot")
+        out.append(text.format(1e3 * x, 1e3 * y))
     if made.count("confirm"):
         out.append(tr("marked positions: {}").format(made.count("confirm")))
     return out
@@ -275,7 +274,7 @@ def _arm_results(made: Progress) -> list[str]:
 
 def _place_results(made: Progress) -> list[str]:
     out = []
-    if made.goes_on("choose", "back"):
+    if made.is_active("choose", "back"):
         out.append(tr("Open: {}").format(made.last["choose"]["label"]))
     if made.count("moved"):
         last = made.last["moved"]
@@ -292,9 +291,9 @@ def _swarm_results(made: Progress) -> list[str]:
     out = []
     if made.count("placed"):
         out.append(tr("Drones: {}").format(int(made.last["placed"]["drones"])))
-    for what, words in (("nudge", tr("nudges: {}")), ("split", tr("splits: {}"))):
+    for what, text in (("nudge", tr("nudges: {}")), ("split", tr("splits: {}"))):
         if made.count(what):
-            out.append(words.format(made.count(what)))
+            out.append(text.format(made.count(what)))
     if made.count("dragged"):
         far = 100 * float(np.linalg.norm(made.last["dragged"]["by"]))
         out.append(tr("dragged by {:.0f} cm").format(far))

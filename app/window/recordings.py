@@ -1,4 +1,4 @@
-"""Recordings, from their start to later sessions: gaps, checks, names, recovery, recent files."""
+"""Recordings from start to later use: missing data, checks, names, recovery, recent files."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ from app.widgets.banner import Action
 from app.widgets.question import question
 from app.window.message_bar import MessageBar
 
-ABOUT = "take"
-STARTING_MS = 2000  # after its start an engine's rates say nothing yet
-LOOK_MS = 500  # between two looks at what arrives
+ABOUT = "take"  # the topic of messages about missing data
+STARTING_MS = 2000  # after the start of an engine its rates are not meaningful yet
+LOOK_MS = 500  # between two checks for missing data
 
 
-class Takes(QObject):
-    """Checks each recording in the background and offers what one does with it next."""
+class RecordingChecks(QObject):
+    """Checks each recording in the background and offers the next steps."""
 
     recover = Signal(object)  # Path of a recording that was cut off
 
@@ -64,7 +64,7 @@ class Takes(QObject):
         self._library, self._window = library, window
         self._check: RunningJob | None = None
         self._missing, self._dismissed = MissingWatch(), False
-        self._said: Missing = {}  # what is missing by the last look
+        self._reported: Missing = {}  # what was missing at the last check
         self._running = QElapsedTimer()
         self._looks = QTimer(self)
         self._looks.timeout.connect(self._look)
@@ -75,31 +75,34 @@ class Takes(QObject):
         host.recording.finished.connect(self._finished)
 
     def _begun(self) -> None:
-        """From now on what is missing is reported; the recording goes on nevertheless."""
-        self._missing, self._said, self._dismissed = MissingWatch(), {}, False
+        """Report missing data from now on; the recording continues."""
+        self._missing, self._reported, self._dismissed = MissingWatch(), {}, False
         if self._check is not None:
-            self._check.cancel()  # the disk is wanted for the next one
-        self._messages.hide()  # what it said of the recording before
+            self._check.cancel()  # the next recording needs the disk
+        self._messages.hide()  # a message about the previous recording
         self._looks.start(LOOK_MS)
         self._look()
 
     def _look(self) -> None:
-        """Name what does not arrive, for as long as it does not."""
+        """Name the data that are missing, as long as they are."""
         setup = self._host.setup
         if setup is None or self._host.recording.request is None:
             self._looks.stop()
             self._messages.no_longer(ABOUT)
             return
         if self._running.isValid() and self._running.elapsed() < STARTING_MS:
-            return  # devices that have just been opened send nothing yet
+            return  # devices that were just opened do not send yet
         rate = setup.camera.device.fps if setup.camera.device is not None else 0.0
         hands = [_now(hand) for hand in setup.hands]
         self._report(self._missing.look(missing_now(hands, rate if setup.camera.present else None)))
 
     def _report(self, missing: Missing) -> None:
-        """Again where something else is missing, or where another message is gone by now."""
-        changed, added = missing.keys() != self._said.keys(), missing.keys() - self._said.keys()
-        self._said = missing
+        """Show it again where something else is missing, or another message has closed."""
+        changed, added = (
+            missing.keys() != self._reported.keys(),
+            missing.keys() - self._reported.keys(),
+        )
+        self._reported = missing
         self._dismissed = self._dismissed and not added
         if not missing:
             self._messages.no_longer(ABOUT)
@@ -107,7 +110,7 @@ class Takes(QObject):
             self._messages.say(missing_text(missing), about=ABOUT)
 
     def _note_dismissed(self, about: str) -> None:
-        """The user has read what is missing: it is not said again."""
+        """The user has read it: do not show it again."""
         self._dismissed = self._dismissed or about == ABOUT
 
     def _finished(self, path: Path) -> None:
@@ -119,17 +122,17 @@ class Takes(QObject):
 
     def _checked(self, report: RecordingReport) -> None:
         if self._host.recording.request is not None:
-            return  # the next one is under way
+            return  # the next one is in progress
         path, ended_by = report.path, self._host.recording.ended_by
         recover = (self.tr("Recover"), partial(self.recover.emit, path))
         self._messages.say(
             " ".join(filter(None, (ended_by, report_text(report)))),
             *([recover] if report.cut_off else []),
-            (self.tr("Show it"), partial(self._show, path)),
+            (self.tr("Show"), partial(self._show, path)),
             (self.tr("Export…"), partial(self._library.ask_export_of, [path])),
             (self.tr("Rename…"), partial(self._ask_name, report)),
             good=not report.problem and not ended_by,
-            stays=True,  # a dialog that is cancelled has changed nothing
+            stays=True,  # a cancelled dialog changes nothing
         )
 
     def _show(self, path: Path) -> None:
@@ -137,10 +140,10 @@ class Takes(QObject):
         self._library.replay.emit(path)
 
     def _binned(self, sessions: tuple[Binned, ...]) -> None:
-        """The bin was not asked about: it can be undone instead."""
-        text = self.tr("{} is in the bin.").format(sessions[0].path.stem)
+        """Offer to undo the deletion, which was not confirmed."""
+        text = self.tr("{} moved to the trash.").format(sessions[0].path.stem)
         if len(sessions) > 1:
-            text = self.tr("{} recordings are in the bin.").format(len(sessions))
+            text = self.tr("{} recordings moved to the trash.").format(len(sessions))
         undo = (self.tr("Undo"), partial(self._library.files.restore, sessions))
         able = all(session.can_be_restored for session in sessions)
         self._messages.say(text, *([undo] if able else []), good=True)
@@ -148,9 +151,9 @@ class Takes(QObject):
     # --- notes
 
     def ask_note(self) -> None:
-        """The note is of the instant at which it is begun, not of that at which it is written."""
+        """Ask for a note; its time is the instant of this call, not of the end of typing."""
         t = self._host.notes.now()
-        dialog = question(self._window, self.tr("Note"), self.tr("What happened?"))
+        dialog = question(self._window, self.tr("Note"), self.tr("Text of the note"))
         dialog.textValueSelected.connect(lambda text: self._note(text.strip(), t))
         dialog.open()
 
@@ -158,31 +161,31 @@ class Takes(QObject):
         if text:
             self._host.notes.add(text, t)
 
-    # --- another name
+    # --- renaming
 
     def _ask_name(self, report: RecordingReport) -> None:
         title = self.tr("Rename {}").format(report.path.name)
-        words = self.tr("Name of the recording")
-        dialog = question(self._window, title, words, report.path.stem)
+        prompt = self.tr("Name of the recording")
+        dialog = question(self._window, title, prompt, report.path.stem)
         dialog.textValueSelected.connect(lambda name: self.rename(report, name))
         dialog.open()
 
     def rename(self, report: RecordingReport, name: str) -> None:
-        """Give it another name and offer the rest again."""
+        """Rename the recording and offer the other steps again."""
         path = self._library.files.rename(report.path, name)
         if path is not None:
             self._checked(replace(report, path=path))
 
 
 def _now(setup: EngineSetup) -> HandNow:
-    """Of the hand that it is seen from."""
+    """The state of the hand that the setup is seen from."""
     hand = setup.tracked
     imus = setup.glove.imu_names
     return HandNow(setup.side, hand.status(), hand.recent_imu(), imus, setup.connection.present)
 
 
 class RecentSessions(QObject):
-    """Remembers what is opened and recorded; looks back when the window starts."""
+    """Stores which sessions were opened and recorded; lists them when the window starts."""
 
     def __init__(
         self,
@@ -198,7 +201,7 @@ class RecentSessions(QObject):
         self._messages, self._library = messages, library
         host.opened.connect(self._opened)
         self._host = host
-        self._interrupted = store.value.recording  # by the end of the last run
+        self._interrupted = store.value.recording  # by the end of the previous run
         host.recording.begun.connect(self._begun)
         host.recording.finished.connect(self._finished)
         page.recover.connect(self.recover)
@@ -209,7 +212,7 @@ class RecentSessions(QObject):
         self.look()
 
     def look(self) -> None:
-        """Anew, in the background; a first start has nothing to look at."""
+        """List earlier sessions in the background; at a first start there are none."""
         known, folder = tuple(self._store.value.recent), sessions_folder(self._store.value)
         if not known and not newest(folder):
             return
@@ -228,7 +231,7 @@ class RecentSessions(QObject):
             self._offer_recovery(path)
 
     def _begun(self) -> None:
-        """A start after a crash asks for the file that was being written."""
+        """Store the path of the file, for the start after a crash."""
         request = self._host.recording.request
         if request is not None:
             self._store.update(recording=str(request.path.absolute()))
@@ -239,7 +242,7 @@ class RecentSessions(QObject):
         self._remember(path)
 
     def explain_crash(self, sentence: str, report: Action) -> None:
-        """After ``sentence``, say what became of the recording that the crash interrupted."""
+        """Show ``sentence``, and the state of the recording that the crash interrupted."""
         path, self._interrupted = Path(self._interrupted), ""
         if not path.is_file():
             return
@@ -254,24 +257,24 @@ class RecentSessions(QObject):
                 return
             self._remember(path)
             text = self.tr("{} Your recording {} is complete.").format(sentence, path.stem)
-            show = (self.tr("Show it"), partial(self._library.replay.emit, path))
+            show = (self.tr("Show"), partial(self._library.replay.emit, path))
             self._messages.say(text, show, report)
 
         title = self.tr("Checking {}").format(path.name)
         self._tasks.run(title, job, done, self.look)
 
     def _offer_recovery(self, path: Path, before: str = "", *others: Action) -> None:
-        """Of one that was recovered before, the recovered one; ``before``: the sentence before."""
+        """Offer to recover, or to open the recovered file; ``before`` is the first sentence."""
         whole = recovered(path)
         if whole.exists():
-            text = self.tr("The recording {} was cut off. What it holds is whole in {}.")
-            show = (self.tr("Show it"), partial(self._library.replay.emit, whole))
+            text = self.tr("Recording {} was cut off. Its contents were recovered to {}.")
+            show = (self.tr("Show"), partial(self._library.replay.emit, whole))
             text = f"{before} {text.format(path.name, whole.name)}".strip()
             self._messages.say(text, show, *others)
         else:
-            text = self.tr("The recording {} was cut off. What it holds can be recovered.")
-            help_it = (self.tr("Recover"), partial(self.recover, path))
-            self._messages.say(f"{before} {text.format(path.name)}".strip(), help_it, *others)
+            text = self.tr("Recording {} was cut off. Its contents can be recovered.")
+            recover = (self.tr("Recover"), partial(self.recover, path))
+            self._messages.say(f"{before} {text.format(path.name)}".strip(), recover, *others)
 
     def _remember(self, path: Path) -> None:
         self._store.update(recent=with_recent(self._store.value.recent, path))
@@ -280,22 +283,22 @@ class RecentSessions(QObject):
         self._store.update(recent=renamed(self._store.value.recent, before, path))
 
     def _changed(self) -> None:
-        """The library can stand beside the start page."""
+        """The library can be shown next to the start page."""
         if not self._page.isHidden():
             self.look()
 
     def recover(self, path: Path) -> None:
-        """Make a whole file of it, in the background; the original stays."""
+        """Recover its contents to a new file, in the background; the original is not changed."""
         title = self.tr("Recovering {}").format(path.name)
         self._tasks.run(title, recover_job(path), self._recovered, self.look)
 
     def _recovered(self, path: Path) -> None:
-        text = self.tr("What could be read of the recording is in {}.").format(path.name)
+        text = self.tr("Recovered the recording to {}.").format(path.name)
         self._library.rescan()
         self.offer(path, text)
 
     def offer(self, path: Path, text: str) -> None:
-        """A new session has come to be: what one does with it next."""
-        show = (self.tr("Show it"), partial(self._library.replay.emit, path))
+        """Offer the next steps with a new session."""
+        show = (self.tr("Show"), partial(self._library.replay.emit, path))
         export = (self.tr("Export…"), partial(self._library.ask_export_of, [path]))
         self._messages.say(text, show, export, good=True)

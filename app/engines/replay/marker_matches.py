@@ -1,8 +1,8 @@
-"""Which patch was which marker, told again in a replay.
+"""Assignment of recorded patches to markers in a replay.
 
-A session holds the patches that were found and the hand that was made of them, not which was which.
-From the recorded hand every marker has its place in the image; the nearest free patch of its hue is
-taken to be it. Nothing is estimated anew, so there are no ellipses of what was expected.
+A session contains the detected patches and the estimated hand, but not their assignment. Each
+marker is projected from the recorded hand into the image; the nearest free patch of its hue is
+assigned to it. Nothing is estimated again, so there are no covariances of predictions.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from tracker.messages import (
 )
 from tracker.vision.rig import StereoRig
 
-REACH = 0.012  # m from a marker's place within which a patch is taken to be it
-AT_IMAGE = 0.02  # s between an image and an estimate that tells of it
-FACING = 0.15  # cosine between a marker's normal and the way to the camera, from which it is seen
+REACH = 0.012  # m, the largest distance between a marker and its patch
+AT_IMAGE = 0.02  # s between an image and the estimate used for it
+FACING = 0.15  # least cosine between a visible marker's normal and the direction to the camera
 
 
-class MarkerTeller:
-    """For a hand that wears a glove before a rig."""
+class MarkerMatcher:
+    """Matches patches to the markers of a glove."""
 
     def __init__(self, hand: HandModel, glove: GloveModel, rig: StereoRig) -> None:
         self._rig = rig
@@ -39,8 +39,8 @@ class MarkerTeller:
         self._normal = np.array([m.normal for m in glove.markers]).reshape(-1, 3)
         self._hues = [m.hue for m in glove.markers]
 
-    def tell(self, blobs: BlobFrame, estimates: Sequence[Estimate]) -> FrameResult:
-        """Of the estimate at the image; nothing matched where there is none that is tracked."""
+    def match(self, blobs: BlobFrame, estimates: Sequence[Estimate]) -> FrameResult:
+        """Match with the estimate at the image; without a tracked one nothing is matched."""
         hand = min(estimates, key=lambda e: abs(e.t - blobs.t), default=None)
         nothing = FrameResult.nothing(
             blobs.t, hand.tracking if hand else Tracking.SEARCHING, len(self._hues)
@@ -77,7 +77,7 @@ class MarkerTeller:
         )
 
     def _pixels(self, p_C: Array, right: bool) -> Array:
-        """(M, 2) px in the image as recorded; NaN beside it."""
+        """(M, 2) px in the image as recorded; NaN outside."""
         camera = self._rig.right if right else self._rig.left
         flat = self._rig.project(p_C, right=right)
         raw = np.full_like(flat, np.nan)
@@ -107,7 +107,7 @@ class MarkerTeller:
 
 
 def _residual(uv: Array, match: IntArray, blobs: Blobs | None) -> Array:
-    """(M, 2) px from each marker's place to the blob that is matched to it; NaN for none."""
+    """(M, 2) px from each marker to its blob; NaN for none."""
     out = np.full((len(match), 2), np.nan)
     matched = match >= 0
     if blobs is not None:
