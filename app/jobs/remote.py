@@ -166,7 +166,9 @@ class RemoteAnswers(QObject):
             return Reply(False, request.do, limit)
         motor = MOTORS.index(request.finger)
         if not glove.vibrate(motor, request.amplitude, request.duration_ms):
-            return Reply(False, request.do, "The glove's line has no room; the motor was not told.")
+            return Reply(
+                False, request.do, "The glove's send queue is full; the motor was not run."
+            )
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
     def _glove(self, side: str) -> GloveDevice | None:
