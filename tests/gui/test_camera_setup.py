@@ -85,7 +85,7 @@ def exposure_step(window):
 def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls):
     step = exposure_step(window)
     assert not step.done
-    assert step.reason == "The camera changes exposure, white balance by itself."
+    assert step.reason == "The camera changes exposure, white balance automatically."
     window.checklist.action.emit(step.command)
     assert controls.wanted == Locks(exposure=250.0, white_balance=4600.0)
     assert window.store.value.camera_locks == "exposure=250 white_balance=4600"

@@ -270,7 +270,7 @@ def finished(guided, clock, engine, qtbot) -> None:
 def test_what_was_learned_is_said_in_words_and_in_figures(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
     words = guided.outcome.words.text()
-    assert "The end joint of your index finger bends 6° more than was thought." in words
+    assert "The end joint of your index finger bends 6° more than estimated before." in words
     table = guided.outcome.table
     row = next(
         r for r in range(table.rowCount()) if "index finger, bent" in table.item(r, 0).text()

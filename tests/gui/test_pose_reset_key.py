@@ -89,7 +89,7 @@ def test_another_key_is_set_shown_in_the_menu_and_kept(both, qtbot, store, reset
     dialog = settings(both)
     dialog.key.setKeySequence(QKeySequence("N"))
     dialog.save.click()
-    assert "N is the key of “Add a note…”" in dialog.problem.text()
+    assert "N is already assigned to “Add a note…”" in dialog.problem.text()
     dialog.key.setKeySequence(QKeySequence("F7"))
     dialog.countdown.setValue(0)
     dialog.save.click()

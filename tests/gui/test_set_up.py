@@ -102,7 +102,7 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     collect(dialog, qtbot, 10)
     before = len(dialog.watching.views())
-    qtbot.waitUntil(lambda: "off by 0." in dialog.collect.list.item(0).text(), timeout=30_000)
+    qtbot.waitUntil(lambda: "error 0." in dialog.collect.list.item(0).text(), timeout=30_000)
     dialog.collect.list.setCurrentRow(0)
     first = dialog.watching.views()[0]
     dialog.collect.remove.click()
@@ -360,7 +360,7 @@ def test_images_may_come_from_the_chosen_camera_all_others_and_a_simulation(wind
     window.store.update(camera="name:ZED-M")
     titles = [c.title for c in image_choices(window.host, window.store.value, cameras)]
     assert titles == [
-        "Chosen camera: ZED-M",
+        "Selected camera: ZED-M",
         "Webcam (/dev/video0)",
         "ZED-M (/dev/video2)",
         "Simulated board (demo)",
