@@ -20,7 +20,7 @@ import numpy as np
 import serial
 from numpy.typing import NDArray
 
-HELLO, SAMPLES, STATUS, ERROR, PULSE = 0x01, 0x02, 0x03, 0x04, 0x05
+HELLO, SAMPLES, STATUS, ERROR, PULSE, TEMPERATURES = 0x01, 0x02, 0x03, 0x04, 0x05, 0x06
 ASK_HELLO, START, STOP, RATE, HAPTIC = 0x81, 0x82, 0x83, 0x84, 0x85
 IMUS = 7
 NO_READING = -32768
@@ -35,9 +35,22 @@ class Frame:
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """The fields of a HELLO, SAMPLES, STATUS or PULSE, in the order of the wire."""
-        layout = {HELLO: "<BBBBIBHBHB", SAMPLES: "<HI42h", STATUS: "<HhHH", PULSE: "<HI"}[self.kind]
-        return struct.unpack(layout, self.payload)
+        """The fields of a frame in the order of the wire; of a HELLO without `chips`."""
+        layout = {
+            HELLO: "<BBBBIBHBHB",
+            SAMPLES: "<HI42h",
+            STATUS: "<HhHH",
+            PULSE: "<HI",
+            TEMPERATURES: "<7h",
+        }[self.kind]
+        size = struct.calcsize(layout)
+        assert len(self.payload) == size + (2 * IMUS if self.kind == HELLO else 0)
+        return struct.unpack(layout, self.payload[:size])
+
+    @property
+    def chips(self) -> list[tuple[int, int]]:
+        """Of a HELLO, per IMU: WHO_AM_I and flags of the self-test (1, 2 failed, 0x80 absent)."""
+        return list(struct.iter_unpack("<BB", self.payload[-2 * IMUS :]))
 
     @property
     def text(self) -> str:

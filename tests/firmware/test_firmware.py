@@ -23,6 +23,7 @@ from tests.firmware.glove_oracle import (
     START,
     STATUS,
     STOP,
+    TEMPERATURES,
     encode,
     samples,
     simulated_glove,
@@ -54,7 +55,7 @@ def test_says_hello_each_second_and_nothing_else_until_start(build: Path) -> Non
         first = glove.wait_for(HELLO, 4)[0]
         report = glove.stop()
     assert {f.kind for f in glove.frames} == {HELLO}
-    assert first.numbers == (1, 1, 2, 0, 7, IMUS, 2000, 16, 100, 3)
+    assert first.numbers == (1, 1, 3, 0, 7, IMUS, 2000, 16, 100, 3)
     # Start-up and self-test take half a second, then one a second; a busy machine stops late.
     assert 3 < report["simulated_s"] < 7
 
@@ -229,6 +230,60 @@ def test_the_self_test_finds_weak_sensors_and_only_those(build: Path) -> None:
         "gyroscope self-test failed on IMU 2 4",
     ]
     assert len(glove.of(ERROR)) == 2
+
+
+def chip(imu: int, who_am_i: int) -> str:
+    return f"0:chip {256 * imu + who_am_i}"
+
+
+def test_relatives_of_the_chip_and_clones_that_pass_are_used(build: Path) -> None:
+    """MPU-6500 (0x70), MPU-9255 (0x73), and two ids that no data sheet has."""
+    ids = (0x71, 0x70, 0x73, 0x74, 0x75, 0x71, 0x71)
+    with simulated_glove(build, *(chip(j, who) for j, who in enumerate(ids))) as glove:
+        first = glove.wait_for(HELLO)[0]
+        glove.send(START)
+        _, _, raw = samples(glove.wait_for(SAMPLES, 20))
+    assert first.chips == [(who, 0) for who in ids]
+    assert glove.of(STATUS)[0].numbers[2] == 0b1111111
+    assert not glove.of(ERROR)
+    assert np.all(raw == [0, 0, 2048, 0, 0, 0])
+
+
+def test_a_clone_that_fails_its_self_test_is_not_used_and_a_known_chip_is(build: Path) -> None:
+    events = (chip(3, 0x74), "0:weak-gyro 3", "0:weak-accel 5", "0:unplug 6")
+    with simulated_glove(build, *events) as glove:
+        first = glove.wait_for(HELLO)[0]
+        glove.read_until(lambda: len(glove.of(ERROR)) == 4)
+        texts = [f.text for f in glove.of(ERROR)]
+        glove.send(START)
+        _, _, raw = samples(glove.wait_for(SAMPLES, 130))  # longer than a second
+    assert first.chips[3:] == [(0x74, 2), (0x71, 0), (0x71, 1), (0, 0x80)]
+    assert texts == [
+        "no answer from IMU 6",
+        "unknown chip, not used: IMU 3",
+        "accelerometer self-test failed on IMU 5",
+        "gyroscope self-test failed on IMU 3",
+    ]
+    assert glove.of(STATUS)[0].numbers[2] == 0b0110111
+    assert np.all(raw[:, [3, 6]] == NO_READING)
+    assert np.all(raw[:, 5, 2] == 2048)
+
+
+def test_an_untested_clone_is_not_used_when_it_is_plugged_in_later(build: Path) -> None:
+    with simulated_glove(build, "0:unplug 2", chip(2, 0x75)) as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 20)
+        glove.tell("plug 2")
+        _, _, raw = samples(glove.wait_for(SAMPLES, 230))
+    assert np.all(raw[-20:, 2] == NO_READING)
+
+
+def test_every_imu_has_its_own_temperature(build: Path) -> None:
+    with simulated_glove(build, "0:warm 265", "0:unplug 6") as glove:
+        glove.start()
+        warmth = [f.numbers for f in glove.wait_for(TEMPERATURES, 2)]
+    expected = [3100, 3100 + 900, 3100, 3100, 3100, 3100, NO_READING]  # 265 = 256 + 9 °C
+    assert warmth[-1] == pytest.approx(expected, abs=2)
 
 
 def test_motors_run_for_their_time_on_their_own_pins(build: Path) -> None:

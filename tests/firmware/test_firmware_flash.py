@@ -35,7 +35,7 @@ def bootloader() -> Iterator[Bootloader]:
 def test_the_image_says_what_it_is_and_takes_a_number(baud: int) -> None:
     image = shipped_image(baud)
     other = image.for_glove(0x01020304)
-    assert image.version == (1, 2, 0)
+    assert image.version == (1, 3, 0)
     assert (image.glove_id, other.glove_id) == (1, 0x01020304)
     differs = [i for i, (a, b) in enumerate(zip(image.data, other.data, strict=True)) if a != b]
     assert len(differs) == 4 and differs[-1] - differs[0] == 3
@@ -131,4 +131,4 @@ def test_without_avrdude_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPa
 def test_an_old_version_is_said_and_a_newer_one_is_not() -> None:
     newer = advice((1, 0, 0))
     assert newer is not None and newer.values["installed"] == "1.0.0" and is_old((1, 0, 9))
-    assert advice((1, 2, 0)) is None and advice((2, 0, 0)) is None
+    assert advice((1, 3, 0)) is None and advice((2, 0, 0)) is None

@@ -8,18 +8,37 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.firmware.glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
+from tests.firmware.glove_oracle import (
+    HELLO,
+    IMUS,
+    SAMPLES,
+    STATUS,
+    TEMPERATURES,
+    samples,
+    simulated_glove,
+)
 from tracker.base.notices import warning
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, serial_port
-from tracker.sensors.protocol import GloveStatus, Haptic, Hello, Rate, Samples, Start, Stop, encode
+from tracker.sensors.protocol import (
+    GloveStatus,
+    Haptic,
+    Hello,
+    Rate,
+    Samples,
+    Start,
+    Stop,
+    Temperatures,
+    encode,
+)
 
 
 def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
     with simulated_glove(build, "0:battery 3900", "0:unplug 6") as glove:
         glove.start()
         glove.wait_for(SAMPLES, 60)
+        glove.wait_for(TEMPERATURES)
     decoder = FrameDecoder()
     frames = decoder.feed(bytes(glove.raw))
     assert decoder.counters.errors == 0
@@ -33,6 +52,10 @@ def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
     told = glove.of(HELLO)[0].numbers
     assert (hello.protocol, *hello.firmware, hello.glove_id, hello.imu_count) == told[:6]
     assert (hello.gyro_range_dps, hello.accel_range_g, hello.rate_hz) == told[6:9]
+    assert hello.chips == tuple(glove.of(HELLO)[0].chips)
+    warmth = next(f for f in frames if isinstance(f, Temperatures))
+    assert warmth.values_cC[:6] == glove.of(TEMPERATURES)[0].numbers[:6]
+    assert warmth.values_cC[6] is None  # unplugged
     status = next(f for f in frames if isinstance(f, GloveStatus))
     wire = glove.of(STATUS)[0].numbers
     assert (status.battery_mV, status.temperature_cC, status.imu_ok, status.dropped) == wire

@@ -19,10 +19,12 @@ from tracker.sensors.protocol import (
     Haptic,
     Hello,
     HelloRequest,
+    ImuChip,
     Rate,
     Samples,
     Start,
     Stop,
+    Temperatures,
     crc16,
     encode,
 )
@@ -67,6 +69,8 @@ def test_crc_check_value() -> None:
 
 FRAMES: list[Frame] = [
     Hello(0xDEADBEEF, 7, 2000, 16, 200, 3, (1, 2, 3)),
+    Hello(3, 2, chips=(ImuChip(0x71, 0), ImuChip(0x74, 2))),
+    Temperatures((2513, None, -40)),
     GloveStatus(None, -1250, 0x7F, 65535),
     GloveStatus(3900, 2500, 0x3F, 0),
     ErrorText("IMU 3 fehlt: Überlauf"),
@@ -80,6 +84,20 @@ FRAMES: list[Frame] = [
 
 def test_every_frame_survives_the_wire() -> None:
     assert FrameDecoder().feed(b"".join(encode(f) for f in FRAMES)) == FRAMES
+
+
+def test_a_greeting_of_older_firmware_has_no_chips() -> None:
+    older, newer = encode(Hello(3, 2)), encode(Hello(3, 2, chips=(ImuChip(0x70, 0),) * 2))
+    assert len(newer) == len(older) + 4
+    first, second = FrameDecoder().feed(older + newer)
+    assert isinstance(first, Hello) and first.chips == ()
+    assert isinstance(second, Hello) and len(second.chips) == 2
+
+
+def test_a_greeting_cut_off_in_its_chips_is_dropped() -> None:
+    decoder = FrameDecoder()
+    assert decoder.feed(encode(Hello(3, 5, chips=(ImuChip(0x70, 0),) * 2))) == []
+    assert decoder.counters.length_errors == 1
 
 
 def test_bytes_on_the_wire_are_those_of_the_contract() -> None:

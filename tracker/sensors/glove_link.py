@@ -27,6 +27,7 @@ from tracker.sensors.glove_messages import (
 )
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.glove_report import GloveReport
+from tracker.sensors.imu_watch import CHIPS, ImuWatch
 from tracker.sensors.link_figures import Announcements, LinkFigures, LowBattery
 from tracker.sensors.packet_clock import SEQ_BITS, PacketClock
 from tracker.sensors.protocol import (
@@ -39,11 +40,13 @@ from tracker.sensors.protocol import (
     Haptic,
     Hello,
     HelloRequest,
+    ImuChip,
     Pulse,
     Rate,
     Samples,
     Start,
     Stop,
+    Temperatures,
     encode,
 )
 from tracker.sensors.serial_line import Port as Port
@@ -111,7 +114,7 @@ class GloveLink:
         self.state = LinkState.UNPLUGGED
         self.hello: Hello | None = None
         self.decoder = FrameDecoder()
-        self.figures = LinkFigures(counters=self.decoder.counters)
+        self.figures = LinkFigures(counters=self.decoder.counters, imus=ImuWatch(imu_count))
         self._battery = LowBattery()
         self._imu_ok = (1 << imu_count) - 1
         self._ranges: Ranges | None = None
@@ -191,6 +194,7 @@ class GloveLink:
             temperature_cC=figures.temperature_cC,
             latency_ms=figures.latency_ms,
             skew_ppm=figures.skew_ppm,
+            imus=figures.imus.reports(hello.chips if hello else ()),
         )
 
     def close(self) -> None:
@@ -280,6 +284,8 @@ class GloveLink:
                 self._events.report(warning("glove.message", text=frame.text))
             case Pulse():
                 self._events.add(pulse_event(frame, self._packet_clock, now))
+            case Temperatures():
+                self.figures.imus.temperatures_cC = frame.values_cC
         return []
 
     def _greeted(self, hello: Hello, now: float) -> None:
@@ -294,6 +300,9 @@ class GloveLink:
         self.hello = hello
         if hello.accel_range_g and hello.gyro_range_dps:
             self._ranges = Ranges(hello.accel_range_g, hello.gyro_range_dps)
+        for j, chip in enumerate(hello.chips):
+            if chip.who_am_i and chip.who_am_i not in CHIPS:
+                self._events.once(f"chip {j}", _unknown_chip(j, chip))
         if hello.imu_count != self._imu_count:
             has = warning("glove.imu_count", imus=hello.imu_count, expected=self._imu_count)
             self._events.once("count", has)
@@ -360,7 +369,11 @@ class GloveLink:
             _judge_rate(self._packet_clock.rate_hz, self.params.rate_hz, self._events)
         if self._ranges is None:
             self._ranges = range_at_rest(frame, time_of.t_device, self._at_rest, self._events)
-        return [si_sample(frame, time_of, now, self._ranges, self._imu_ok)]
+        trusted = self._imu_ok
+        for j in np.flatnonzero(self.figures.imus.add(frame.raw)):
+            trusted &= ~(1 << int(j))
+            self._events.once(f"saturated {j}", warning("glove.imu_saturated", imu=j))
+        return [si_sample(frame, time_of, now, self._ranges, trusted)]
 
     def _status(self, status: GloveStatus) -> None:
         self.figures.battery_mV, self.figures.dropped = status.battery_mV, status.dropped
@@ -398,6 +411,13 @@ def _stranger(place: GlovePort, glove_id: int | None) -> Notice:
     if glove_id is None:
         return warning("glove.stranger_unknown", port=place.path, glove_id=place.glove_id)
     return warning("glove.stranger", port=place.path, found=glove_id, glove_id=place.glove_id)
+
+
+def _unknown_chip(imu: int, chip: ImuChip) -> Notice:
+    values = {"imu": imu, "chip": f"0x{chip.who_am_i:02X}"}
+    if chip.selftest:
+        return warning("glove.chip_refused", **values)
+    return notice("glove.chip_unknown", **values)
 
 
 def _judge_rate(rate_hz: float | None, asked_hz: int, events: Announcements) -> None:

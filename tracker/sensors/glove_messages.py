@@ -102,7 +102,8 @@ def pulse_event(pulse: Pulse, clock: PacketClock, now: float) -> Event:
 def si_sample(
     frame: Samples, time_of: PacketTime, now: float, ranges: Ranges | None, imu_ok: int
 ) -> ImuSample:
-    """Returns a packet in SI units, arrived at ``now`` (s); bit j of ``imu_ok``: IMU j responds.
+    """Returns a packet in SI units, arrived at ``now`` (s); bit j of ``imu_ok``: IMU j
+    can be trusted, since it responds and is not saturated.
 
     Nothing is valid while the ``ranges`` are unknown.
     """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from tracker.sensors.imu_watch import ImuReport
 from tracker.sensors.serial_line import UsbPort
 
 
@@ -32,3 +33,4 @@ class GloveReport(NamedTuple):
     temperature_cC: int | None
     latency_ms: int | None
     skew_ppm: float | None
+    imus: tuple[ImuReport, ...] = ()

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from tracker.base.notices import Notice, warning
 from tracker.messages import Event
 from tracker.sensors.decoder import LinkCounters
+from tracker.sensors.imu_watch import ImuWatch
 
 LOW_BATTERY_MV = 3500  # of a lithium cell: some tenth of its charge is left
 RECOVERED_MV = 100  # above it, until a warning may be given again
@@ -29,6 +30,7 @@ class LinkFigures:
     skew_ppm: float | None = None  # host's time gained on the glove's clock
     latency_ms: int | None = None  # that the USB adapter holds bytes back
     counters: LinkCounters = field(default_factory=LinkCounters)
+    imus: ImuWatch = field(default_factory=lambda: ImuWatch(0))
 
     @property
     def reopened(self) -> int:
@@ -53,7 +55,8 @@ class LinkFigures:
             "glove_dropped": self.dropped,
             "glove_skew_ppm": self.skew_ppm,
         }
-        return {key: float(value) for key, value in known.items() if value is not None}
+        found = {key: float(value) for key, value in known.items() if value is not None}
+        return found | self.imus.values()
 
 
 class Announcements:

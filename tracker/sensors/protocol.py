@@ -10,6 +10,7 @@ import binascii
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,13 +30,27 @@ _SAMPLES = struct.Struct("<HI")
 _STATUS = struct.Struct("<HhHH")
 _PULSE = struct.Struct("<HI")
 _HAPTIC = struct.Struct("<BBH")
+_CHIP = struct.Struct("<BB")
+_TEMPERATURE = struct.Struct("<h")
+NO_TEMPERATURE = -32768
 _IMU_BYTES = 12
 _ERROR_BYTES = 60
 
 
+class ImuChip(NamedTuple):
+    """One IMU's chip: its WHO_AM_I, 0 where none responds, and the flags of its self-test."""
+
+    who_am_i: int
+    selftest: int
+
+
+SELFTEST_ACCEL, SELFTEST_GYRO, SELFTEST_ABSENT = 0x01, 0x02, 0x80
+"""Flags: the accelerometer failed, the gyroscope failed, the IMU did not respond."""
+
+
 @dataclass(frozen=True)
 class Hello:
-    """The glove says what it is."""
+    """The glove's description of itself. ``chips`` is empty with firmware before 1.3."""
 
     glove_id: int
     imu_count: int
@@ -45,6 +60,7 @@ class Hello:
     haptic_channels: int = 0
     firmware: tuple[int, int, int] = (1, 0, 0)
     protocol: int = VERSION
+    chips: tuple[ImuChip, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +98,13 @@ class Pulse:
 
 
 @dataclass(frozen=True)
+class Temperatures:
+    """Of every IMU, once a second; None where an IMU does not respond. Firmware from 1.3."""
+
+    values_cC: tuple[int | None, ...]
+
+
+@dataclass(frozen=True)
 class HelloRequest:
     """Host: who are you?"""
 
@@ -113,7 +136,17 @@ class Haptic:
 
 
 Frame = (
-    Hello | Samples | GloveStatus | ErrorText | Pulse | HelloRequest | Start | Stop | Rate | Haptic
+    Hello
+    | Samples
+    | GloveStatus
+    | ErrorText
+    | Pulse
+    | Temperatures
+    | HelloRequest
+    | Start
+    | Stop
+    | Rate
+    | Haptic
 )
 
 
@@ -149,7 +182,7 @@ def parse(body: bytes) -> Frame:
 
 
 def _pack_hello(h: Hello) -> bytes:
-    return _HELLO.pack(
+    head = _HELLO.pack(
         h.protocol,
         *h.firmware,
         h.glove_id,
@@ -159,13 +192,17 @@ def _pack_hello(h: Hello) -> bytes:
         h.rate_hz,
         h.haptic_channels,
     )
+    return head + b"".join(_CHIP.pack(*chip) for chip in h.chips)
 
 
 def _unpack_hello(payload: bytes) -> Hello:
-    protocol, major, minor, patch, glove_id, imus, gyro, accel, rate, haptic = _HELLO.unpack(
-        payload
-    )
-    return Hello(glove_id, imus, gyro, accel, rate, haptic, (major, minor, patch), protocol)
+    head, rest = payload[: _HELLO.size], payload[_HELLO.size :]
+    protocol, major, minor, patch, glove_id, imus, gyro, accel, rate, haptic = _HELLO.unpack(head)
+    if len(rest) not in (0, _CHIP.size * imus):
+        raise LengthError(f"{len(payload)} bytes of a greeting with {imus} IMUs")
+    chips = tuple(ImuChip(*fields) for fields in _CHIP.iter_unpack(rest))
+    firmware = (major, minor, patch)
+    return Hello(glove_id, imus, gyro, accel, rate, haptic, firmware, protocol, chips)
 
 
 def _pack_samples(s: Samples) -> bytes:
@@ -202,6 +239,19 @@ def _unpack_error(payload: bytes) -> ErrorText:
     return ErrorText(payload.decode(errors="replace"))
 
 
+def _pack_temperatures(t: Temperatures) -> bytes:
+    values = (NO_TEMPERATURE if v is None else v for v in t.values_cC)
+    return b"".join(map(_TEMPERATURE.pack, values))
+
+
+def _unpack_temperatures(payload: bytes) -> Temperatures:
+    count = len(payload) / _TEMPERATURE.size
+    if not (1 <= count <= MAX_IMUS and count.is_integer()):
+        raise LengthError(f"{len(payload)} bytes of temperatures")
+    values = (v for (v,) in _TEMPERATURE.iter_unpack(payload))
+    return Temperatures(tuple(None if v == NO_TEMPERATURE else v for v in values))
+
+
 def _unpack_rate(payload: bytes) -> Rate:
     return Rate(*struct.unpack("<H", payload))
 
@@ -225,6 +275,7 @@ _CODECS: dict[type, tuple[int, Callable[..., bytes], Callable[[bytes], Frame]]] 
         lambda f: _PULSE.pack(f.number, f.t_us),
         lambda payload: Pulse(*_PULSE.unpack(payload)),
     ),
+    Temperatures: (0x06, _pack_temperatures, _unpack_temperatures),
     HelloRequest: (0x81, lambda f: b"", _empty(HelloRequest)),
     Start: (0x82, lambda f: b"", _empty(Start)),
     Stop: (0x83, lambda f: b"", _empty(Stop)),

@@ -28,14 +28,18 @@ from tracker.sensors.protocol import (
     GloveStatus,
     Hello,
     HelloRequest,
+    ImuChip,
     Samples,
     Start,
     Stop,
+    Temperatures,
     encode,
 )
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two looks at the line, and at the clock where nothing is due before
+MPU_9250 = 0x71
+WARM_UP_CC, WARM_UP_S = 600.0, 300.0
 SYSTEM_KEEPS = 65536  # bytes that the system buffers without a reader, as Linux does
 
 
@@ -60,9 +64,10 @@ class GloveDeviceParams:
     start_us: int = 4_000_000  # on the glove's clock at its start
     seed: int = 0
     says_hello: bool = True
-    firmware: tuple[int, int, int] = (1, 1, 0)
+    firmware: tuple[int, int, int] = (1, 3, 0)
     rate_hz: int = 100  # as HELLO says; the samples come as their source gives them
     accel_range_g: int = ACCEL_RANGE_G
+    chips: bool = True  # HELLO and temperatures as from firmware 1.3
 
 
 class SimulatedGlove:
@@ -79,6 +84,7 @@ class SimulatedGlove:
         self._source, self._imu_count, self._t_0 = source, imu_count, t_0
         self._rng = np.random.default_rng(self.params.seed)
         self._streaming, self._seq = False, 0
+        self._plugged_at = time.monotonic()
         self._stopping = threading.Event()
         self._lock = threading.Lock()
         self._plug()
@@ -164,10 +170,17 @@ class SimulatedGlove:
                 if now - last_status >= 1.0:
                     last_status = now
                     pending.append(encode(GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0)))
+                    if self.params.chips:
+                        pending.append(encode(self._temperatures(now)))
                 if not self.faults.stalled and now - last_flush >= self.params.bunch:
                     last_flush = now
                     self._write(b"".join(pending))
                     pending.clear()
+
+    def _temperatures(self, now: float) -> Temperatures:
+        """Each IMU warms up by 6 °C with a time constant of five minutes, from its own start."""
+        warm = WARM_UP_CC * (1 - math.exp(-(now - self._plugged_at) / WARM_UP_S))
+        return Temperatures(tuple(2600 + 30 * j + round(warm) for j in range(self._imu_count)))
 
     def _pause(self, sample: ImuSample | None, wire: float) -> float:
         """s until the next packet has to leave, or the line is to be looked at."""
@@ -201,6 +214,7 @@ class SimulatedGlove:
             p.accel_range_g,
             p.rate_hz,
             firmware=p.firmware,
+            chips=(ImuChip(MPU_9250, 0),) * self._imu_count if p.chips else (),
         )
         if p.says_hello:
             self._write(encode(hello))

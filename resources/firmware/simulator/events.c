@@ -45,6 +45,21 @@ static void weak_gyro(spi_bus_t *bus, imu_model_t *imu, int number)
     imu->weak_gyro = WEAK;
 }
 
+/* `number` is 256 times the IMU's number plus what WHO_AM_I reads. */
+static void chip(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    imu = &bus->imu[number / 256];
+    imu->chip = number % 256;
+    imu_power_on(imu, bus_time(bus->avr));
+}
+
+/* `number` is 256 times the IMU's number plus how much warmer than 31 °C it is. */
+static void warm(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    imu = &bus->imu[number / 256];
+    imu->warmer = number % 256;
+}
+
 static void battery(spi_bus_t *bus, imu_model_t *imu, int number)
 {
     (void)imu;
@@ -85,6 +100,8 @@ static const struct {
     {"brownout", brownout, BUS_IMUS - 1},
     {"weak-accel", weak_accel, BUS_IMUS - 1},
     {"weak-gyro", weak_gyro, BUS_IMUS - 1},
+    {"chip", chip, 256 * BUS_IMUS - 1},
+    {"warm", warm, 256 * BUS_IMUS - 1},
     {"battery", battery, 20000},
     {"pulse", pulse, 1000000},
     {"reset", reset, 0},

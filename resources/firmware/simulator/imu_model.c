@@ -30,12 +30,13 @@ enum {
 #define FLOATING 0xFF
 #define GRAVITY 9.80665
 #define TEMPERATURE_RAW 3339 /* 31 °C: 333.87 per °C from 21 °C */
+#define WARMER_RAW 333.87    /* per °C */
 
 static void reset_registers(imu_model_t *imu)
 {
     memset(imu->registers, 0, sizeof imu->registers);
     imu->registers[PWR_MGMT_1] = 0x01;
-    imu->registers[WHO_AM_I] = 0x71;
+    imu->registers[WHO_AM_I] = imu->chip;
     for (int axis = 0; axis < 3; axis++) { /* each chip has its own factory codes; one has none */
         imu->registers[SELF_TEST_X_ACCEL + axis] = imu->number ? 80 + 9 * imu->number + axis : 0;
         imu->registers[SELF_TEST_X_GYRO + axis] = imu->number ? 120 + 9 * imu->number + axis : 0;
@@ -44,7 +45,7 @@ static void reset_registers(imu_model_t *imu)
 
 void imu_init(imu_model_t *imu, int number, const motion_t *motion)
 {
-    *imu = (imu_model_t){.number = number, .motion = motion, .present = true};
+    *imu = (imu_model_t){.number = number, .motion = motion, .present = true, .chip = 0x71};
     imu->weak_accel = imu->weak_gyro = 1;
     imu_power_on(imu, 0);
 }
@@ -90,7 +91,7 @@ static void sample_all(imu_model_t *imu, double t)
                   0.45 * 16384, imu->weak_accel);
     sample_sensor(imu, GYRO_CONFIG, SELF_TEST_X_GYRO, GYRO_XOUT_H, felt + 3, 250 * M_PI / 180,
                   100 * 131, imu->weak_gyro);
-    put_big_endian(imu->registers + TEMP_OUT_H, TEMPERATURE_RAW);
+    put_big_endian(imu->registers + TEMP_OUT_H, TEMPERATURE_RAW + WARMER_RAW * imu->warmer);
     imu->registers[INT_STATUS] |= DATA_READY;
 }
 

@@ -13,6 +13,8 @@ typedef struct {
     bool present;         /* false: nothing drives MISO */
     double weak_accel;    /* share of the factory's self-test response; 1 is healthy */
     double weak_gyro;
+    uint8_t chip;         /* what WHO_AM_I reads */
+    double warmer;        /* than 31 °C */
     unsigned violations;  /* of the data sheet's rules, by the master */
 
     uint8_t registers[128];

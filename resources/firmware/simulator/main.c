@@ -17,7 +17,8 @@
 static const char usage[] =
     "Usage: simulate_glove FIRMWARE.elf [options]\n"
     "  --motion FILE   what the IMUs feel: rows of t and 7 times ax ay az gx gy gz (SI)\n"
-    "  --at T:COMMAND  unplug, plug, brownout, weak-accel, weak-gyro IMU, battery MV, pulse US,\n"
+    "  --at T:COMMAND  unplug, plug, brownout, weak-accel, weak-gyro IMU, chip or warm\n"
+    "                  256*IMU+VALUE, battery MV, pulse US,\n"
     "                  reset;\n"
     "                  the same commands are taken, one a line, from standard input\n"
     "  --for SECONDS   of simulated time; otherwise until it is told to stop\n"

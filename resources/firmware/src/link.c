@@ -11,7 +11,7 @@
 
 #define PROTOCOL 1
 #define FIRMWARE_MAJOR 1
-#define FIRMWARE_MINOR 2
+#define FIRMWARE_MINOR 3
 #define FIRMWARE_PATCH 0
 
 #ifndef GLOVE_ID
@@ -32,7 +32,7 @@ static const struct {
     GLOVE_ID,
 };
 
-enum { HELLO = 0x01, SAMPLES = 0x02, STATUS = 0x03, ERROR = 0x04, PULSE = 0x05 };
+enum { HELLO = 0x01, SAMPLES = 0x02, STATUS = 0x03, ERROR = 0x04, PULSE = 0x05, TEMPERATURES = 0x06 };
 enum { ASK_HELLO = 0x81, START = 0x82, STOP = 0x83, RATE = 0x84, HAPTIC = 0x85 };
 
 static bool streaming;
@@ -57,6 +57,18 @@ void link_send_hello(void)
     frame_u8(ACCEL_RANGE_G);
     frame_u16(clock_rate());
     frame_u8(HAPTIC_CHANNELS);
+    for (uint8_t i = 0; i < IMU_COUNT; i++) {
+        frame_u8(imus_id(i));
+        frame_u8(imus_selftest(i));
+    }
+    frame_send();
+}
+
+void link_send_temperatures(void)
+{
+    frame_begin(TEMPERATURES);
+    for (uint8_t i = 0; i < IMU_COUNT; i++)
+        frame_u16(imus_temperature_of_cC(i));
     frame_send();
 }
 

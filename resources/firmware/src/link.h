@@ -16,6 +16,9 @@ void link_obey(void);
 void link_send_hello(void);
 void link_send_status(void);
 
+/* The temperature of every IMU. */
+void link_send_temperatures(void);
+
 /* Sends one sample of all IMUs, or counts it as dropped where the port is behind. `skipped` sampling
  * instants before it, which nobody read, are missing numbers too. */
 void link_send_samples(uint32_t t_us, uint8_t skipped, const imu_reading_t readings[IMU_COUNT]);

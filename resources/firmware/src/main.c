@@ -26,15 +26,18 @@ void __attribute__((naked, used, section(".init3"))) disarm_watchdog(void)
     wdt_disable();
 }
 
-static void report_selftest(const uint8_t failed[])
+static void report_selftest(const uint8_t failed[], uint16_t unknown)
 {
-    uint16_t silent = ~imus_ok() & (_BV(IMU_COUNT) - 1), accel = 0, gyro = 0;
+    uint16_t accel = 0, gyro = 0;
+    uint16_t absent = ~imus_ok() & ~unknown & (_BV(IMU_COUNT) - 1);
     for (uint8_t i = 0; i < IMU_COUNT; i++) {
         accel |= failed[i] & SELFTEST_ACCEL ? _BV(i) : 0;
         gyro |= failed[i] & SELFTEST_GYRO ? _BV(i) : 0;
     }
-    if (silent)
-        link_send_error(PSTR("no answer from IMU"), silent);
+    if (absent)
+        link_send_error(PSTR("no answer from IMU"), absent);
+    if (unknown)
+        link_send_error(PSTR("unknown chip, not used: IMU"), unknown);
     if (accel)
         link_send_error(PSTR("accelerometer self-test failed on IMU"), accel);
     if (gyro)
@@ -69,9 +72,10 @@ static void each_second(uint32_t now_us)
         return;
     last_us = now_us;
     imus_revive();
-    if (link_is_streaming())
+    if (link_is_streaming()) {
         link_send_status();
-    else
+        link_send_temperatures();
+    } else
         link_send_hello();
 }
 
@@ -90,6 +94,7 @@ static void sleep_until_interrupt(void)
 static void start(void)
 {
     uint8_t failed[IMU_COUNT];
+    uint16_t unknown;
     wdt_enable(WDTO_1S);
     uart_init();
     spi_init();
@@ -100,10 +105,11 @@ static void start(void)
     sei();
     imus_start();
     selftest_run(failed);
+    unknown = imus_judge(failed);
     imus_read(readings); /* for the temperature in the first STATUS */
     uart_put(0); /* ends a frame that a reset has cut off, so that the HELLO is not lost with it */
     link_send_hello();
-    report_selftest(failed);
+    report_selftest(failed, unknown);
 }
 
 int main(void)

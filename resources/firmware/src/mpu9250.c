@@ -17,8 +17,10 @@ enum {
 };
 
 #define READ 0x80
+#define FLOATING 0xFF /* what a bus without a chip reads, or 0x00 */
+#define MPU6500_ID 0x70
 #define MPU9250_ID 0x71
-#define MPU9255_ID 0x73 /* the same chip to us */
+#define MPU9255_ID 0x73
 #define LOW_PASS_92_HZ 2
 #define H_RESET 0x80
 #define CLOCK_FROM_GYRO 0x01
@@ -53,12 +55,20 @@ void mpu_set_ranges(uint8_t imu, uint8_t gyro_config, uint8_t accel_config)
     write_register(imu, ACCEL_CONFIG, accel_config);
 }
 
-bool mpu_start(uint8_t imu)
+uint8_t mpu_id(uint8_t imu)
 {
     uint8_t id;
     read_registers(imu, WHO_AM_I, &id, 1);
-    if (id != MPU9250_ID && id != MPU9255_ID)
-        return false;
+    return id == FLOATING ? MPU_NO_CHIP : id;
+}
+
+bool mpu_is_known(uint8_t id)
+{
+    return id == MPU6500_ID || id == MPU9250_ID || id == MPU9255_ID;
+}
+
+bool mpu_start(uint8_t imu)
+{
     write_register(imu, PWR_MGMT_1, CLOCK_FROM_GYRO);
     write_register(imu, USER_CTRL, NO_I2C); /* noise on the clock must not look like I²C */
     write_register(imu, SMPLRT_DIV, 0);

@@ -1,4 +1,5 @@
-/* One MPU-9250 behind a chip select (register map RM-MPU-9250A-00, revision 1.6). */
+/* One MPU-9250, or a chip with the same registers, behind a chip select (register map
+ * RM-MPU-9250A-00, revision 1.6). No magnetometer is used. */
 #ifndef MPU9250_H
 #define MPU9250_H
 
@@ -24,7 +25,15 @@ typedef struct {
 /* Returns the chip to its power-on state; it needs 100 ms for that. */
 void mpu_reset(uint8_t imu);
 
-/* Wakes and configures the chip: 1 kHz, 92 Hz low-pass, working ranges. False if none answers. */
+/* WHO_AM_I of the chip; MPU_NO_CHIP if none answers. */
+#define MPU_NO_CHIP 0
+uint8_t mpu_id(uint8_t imu);
+
+/* Whether an id is that of an MPU-6500, 9250 or 9255. Other ids are clones and relatives. */
+bool mpu_is_known(uint8_t id);
+
+/* Wakes and configures the chip: 1 kHz, 92 Hz low-pass, working ranges. False if it does not keep
+ * these settings. */
 bool mpu_start(uint8_t imu);
 
 /* Whether the chip still has the settings of mpu_start: a chip whose supply failed for an instant

@@ -44,6 +44,24 @@ TEXTS = {
         "The camera delivers {rate_hz:.0f} images per second instead of {asked_hz:.0f}. "
         "The exposure is too long in poor light, or the USB port is too slow."
     ),
+    "camera.slow_grant": (
+        "The camera grants only {rate_hz:.0f} images per second at {width} × {height} pixels "
+        "({format}) instead of {asked_hz:.0f}. Plug it into another USB port (USB 3, without a "
+        "hub), or choose a smaller image size."
+    ),
+    "camera.lower_rate": (
+        "The camera grants {rate_hz:.0f} images per second at {width} × {height} pixels "
+        "({format}); {asked_hz:.0f} were requested."
+    ),
+    "camera.size_not_granted": (
+        "The camera grants images of {width} × {height} instead of {asked_width} × "
+        "{asked_height} pixels. Choose a size that the camera has and calibrate for it, or use "
+        "another camera."
+    ),
+    "camera.not_fixed": (
+        "The camera {camera} does not confirm these settings: {settings:words}. Set them with the "
+        "camera's own program."
+    ),
     "camera.one_for_two": (
         "The camera delivers one image, but the calibration is for two. Calibrate it as one camera."
     ),
@@ -119,6 +137,18 @@ TEXTS = {
     "glove.stranger_unknown": (
         "The device at {port} is not a glove, but glove number {glove_id} is expected. To"
         " use another glove, choose it under Set-up, Glove."
+    ),
+    "glove.chip_unknown": (
+        "IMU {imu} of the glove has a chip of an unknown kind ({chip}). It passed its self-test "
+        "and is used."
+    ),
+    "glove.chip_refused": (
+        "IMU {imu} of the glove has a chip of an unknown kind ({chip}) that did not pass its "
+        "self-test. It is not used: keep the glove still and restart it, or replace the IMU."
+    ),
+    "glove.imu_saturated": (
+        "IMU {imu} of the glove is at the end of its range. These samples are not used; move "
+        "more slowly, or protect the glove from impacts."
     ),
     "glove.imu_silent": "IMU {imu} of the glove is not responding.",
     "glove.imu_back": "IMU {imu} of the glove is responding again.",

@@ -1,0 +1,116 @@
+"""What is known of each IMU of a glove: chip, self-test, temperature, saturation, stuck axes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import IntArray
+from tracker.sensors.protocol import (
+    SELFTEST_ABSENT,
+    SELFTEST_ACCEL,
+    SELFTEST_GYRO,
+    ImuChip,
+)
+
+CHIPS = {0x70: "MPU-6500", 0x71: "MPU-9250", 0x73: "MPU-9255"}
+AXES = ("ax", "ay", "az", "gx", "gy", "gz")
+FULL_SCALE = 32767
+STUCK_PACKETS = 200
+"""Identical readings of an axis, while others of the chip change, until it counts as stuck: the
+noise of an MPU-9250 is 2 LSB of its gyroscope and 6 of its accelerometer."""
+
+
+class ImuReport(NamedTuple):
+    """One IMU. Empty or None where the glove's firmware does not report a value."""
+
+    chip: str = ""
+    is_known_chip: bool = True
+    selftest: str = ""
+    """``passed``, ``not run`` or what failed."""
+    temperature_cC: int | None = None
+    saturated: int = 0
+    """Samples at the end of a range, since the link was made."""
+    stuck: tuple[str, ...] = ()
+    """Names of axes that no longer change."""
+
+
+def saturated(raw: NDArray[np.int16]) -> NDArray[np.bool_]:
+    """Which IMUs (n,) have an axis at the end of its range in ``raw`` (n, 6). -32768 on all axes is
+    an IMU that does not respond, and is not saturated."""
+    at_end = np.abs(raw.astype(np.int32)) >= FULL_SCALE
+    return np.asarray(at_end.any(axis=1) & ~(raw == -32768).all(axis=1))
+
+
+class ImuWatch:
+    """Follows the packets of a glove with ``n`` IMUs."""
+
+    def __init__(self, n: int) -> None:
+        self.saturated: IntArray = np.zeros(n, np.int64)
+        self.temperatures_cC: tuple[int | None, ...] = (None,) * n
+        self._last = np.zeros((n, 6), np.int16)
+        self._same: IntArray = np.zeros((n, 6), np.int64)
+
+    def add(self, raw: NDArray[np.int16]) -> NDArray[np.bool_]:
+        """Take a packet (n, 6); returns which IMUs (n,) are saturated in it."""
+        found = saturated(raw)
+        self.saturated += found
+        self._same = np.where(raw == self._last, self._same + 1, 0)
+        self._last = raw
+        return found
+
+    def stuck(self, imu: int) -> tuple[str, ...]:
+        """Axes of an IMU that are stuck while others change."""
+        still = self._same[imu] >= STUCK_PACKETS
+        if still.all():  # the whole IMU does not respond, or the glove is simulated without noise
+            return ()
+        return tuple(axis for axis, is_stuck in zip(AXES, still, strict=True) if is_stuck)
+
+    def reports(self, chips: tuple[ImuChip, ...]) -> tuple[ImuReport, ...]:
+        """All IMUs; ``chips`` as the glove's greeting has them, empty if it has none."""
+        return tuple(
+            self._report(j, chips[j] if j < len(chips) else None)
+            for j in range(len(self.saturated))
+        )
+
+    def _report(self, j: int, chip: ImuChip | None) -> ImuReport:
+        temperatures = self.temperatures_cC
+        return ImuReport(
+            chip_name(chip.who_am_i) if chip else "",
+            chip is None or chip.who_am_i in CHIPS,
+            selftest_text(chip.selftest) if chip else "",
+            temperatures[j] if j < len(temperatures) else None,
+            int(self.saturated[j]),
+            self.stuck(j),
+        )
+
+    def values(self) -> dict[str, float]:
+        """Figures for the status and the recording."""
+        out = {
+            f"imu_{j}_temperature_c": value / 100
+            for j, value in enumerate(self.temperatures_cC)
+            if value is not None
+        }
+        counts = enumerate(self.saturated.tolist())
+        return out | {f"imu_{j}_saturated": float(count) for j, count in counts if count}
+
+
+def chip_name(who_am_i: int) -> str:
+    """Name and number of a chip; empty where none responds."""
+    if who_am_i == 0:
+        return ""
+    return f"{CHIPS.get(who_am_i, 'unknown chip')} (0x{who_am_i:02X})"
+
+
+def selftest_text(flags: int) -> str:
+    """The flags of a self-test in words."""
+    if flags & SELFTEST_ABSENT:
+        return "not run"
+    failed = [
+        name
+        for flag, name in ((SELFTEST_ACCEL, "accelerometer"), (SELFTEST_GYRO, "gyroscope"))
+        if flags & flag
+    ]
+    return f"{' and '.join(failed)} failed" if failed else "passed"
