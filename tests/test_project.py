@@ -219,6 +219,7 @@ CLOCKS = {
     "app/viewmodels/log.py": "the time beside a line",
     "app/viewmodels/recording.py": "names of new files",
     "app/window/bug_reports.py": "names of new files",
+    "app/window/doctor.py": "names of new files",
     "app/window/headless_report.py": "measures",
     "tracker/offline/fill.py": "the date of an edit",
     "tracker/offline/rig_command.py": "ends in time",

@@ -15,11 +15,13 @@ from pathlib import Path
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker.base.errors import DeviceError
+from tracker.base.notices import Notice
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
 from tracker.sensors.image_input import (
     CameraName,
     CaptureFormat,
+    HasShortfalls,
     ImageInput,
     Pair,
     StreamInput,
@@ -55,6 +57,11 @@ class Exchanged:
         if pair is None or pair[1] is None:
             return pair  # a single camera has nothing to exchange
         return pair[1], pair[0]
+
+    def shortfalls(self) -> list[Notice]:
+        """What the devices grant less than was requested."""
+        inner = self._inner
+        return inner.shortfalls() if isinstance(inner, HasShortfalls) else []
 
     def close(self) -> None:
         self._inner.close()

@@ -30,6 +30,7 @@ from tracker.messages import (
 )
 from tracker.sensors.camera import UnfitImages
 from tracker.sensors.camera_controls import CameraReport, Control, Locks
+from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.glove_report import GloveReport
 from tracker.vision.colours import ColourProfile
 
@@ -224,6 +225,8 @@ class CameraControls(Protocol):
     def controls(self) -> tuple[Control, ...]: ...
 
     def reports(self) -> tuple[CameraReport, ...]: ...
+
+    def fixed(self) -> tuple[FixedSetting, ...]: ...
 
     def want(self, locks: Locks) -> None: ...
 

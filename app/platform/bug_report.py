@@ -59,6 +59,7 @@ class Material:
     session_file: Path | None = None
     write_recent: Callable[[Path], None] | None = None
     names: tuple[str, ...] = field(default=())  # personal names to be removed from texts
+    doctor: str = ""  # the report of `tracker.doctor`, if it was run
 
 
 def contents(choice: Choice) -> list[str]:
@@ -70,6 +71,7 @@ def contents(choice: Choice) -> list[str]:
         if choice.personal
         else tr("the window's settings, without participant, task and folders"),
         tr("current rates, latencies and losses"),
+        tr("the last check of computer and devices, if one was run (Help menu)"),
     ]
     if choice.screenshot:
         whole = tr("an image of the window")
@@ -164,6 +166,8 @@ def _texts(material: Material, choice: Choice) -> dict[str, str]:
         "status.json": json.dumps(material.status, indent=2, default=str),
         "versions.txt": "\n".join(f"{k}: {v}" for k, v in material.machine.items()) + "\n",
     }
+    if material.doctor:
+        out["doctor.txt"] = material.doctor
     if material.log_folder is not None:
         for path in sorted(material.log_folder.glob("*.log*")):
             out[f"logs/{path.name}"] = path.read_text("utf-8", "replace")

@@ -51,6 +51,19 @@ def _answer(pipe: Connection) -> None:
     del app
 
 
+def renderer_in_subprocess() -> str:
+    """GL_RENDERER, waiting for the subprocess; empty if there is no OpenGL or it crashes."""
+    pipe, process = start_child("glovetrack-graphics", _answer)
+    try:
+        return str(pipe.recv()) if pipe.poll(PATIENCE_MS / 1000) else ""
+    except (EOFError, OSError):
+        return ""
+    finally:
+        process.terminate()
+        process.join()
+        pipe.close()
+
+
 class GraphicsQuery(QObject):
     """Queries once; ``answered``: the renderer's name, empty after a failure."""
 

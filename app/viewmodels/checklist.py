@@ -204,6 +204,12 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     if open_ones:
         words = tr("The camera changes {} automatically.").format(", ".join(open_ones))
         return SetUpStep(name, False, words, "lock_camera", tr("Lock it now"))
+    if "exposure" not in controls:  # as of a ZED: white balance alone can be locked
+        words = tr(
+            "Cannot be verified: this camera has no exposure control and may change its exposure "
+            "automatically. Keep the light constant."
+        )
+        return SetUpStep(name, False, words, "camera_setup", tr("Show"), check=True)
     if unsure:
         words = tr("Cannot be verified: the camera does not confirm {}.").format(", ".join(unsure))
         return SetUpStep(name, False, words, "camera_setup", tr("Show"), check=True)

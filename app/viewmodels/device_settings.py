@@ -18,7 +18,9 @@ from app.words import local, mark, tr
 from tracker.base.toml_reader import parse_toml
 from tracker.messages import Calibration
 from tracker.sensors.camera_controls import Control, Locks
+from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.glove_report import GloveReport
+from tracker.sensors.imu_watch import ImuReport
 
 Value = str | float | int | bool | None
 AUTOMATIC = "automatic"
@@ -103,6 +105,18 @@ def _entry(
     if unknown and "confirmed" not in more:
         more["confirmed"] = Confirmed.UNKNOWN
     return DeviceValue(f"{prefix}.{name}", path, value, **more)
+
+
+REPORTED_OF_IMU = ("answers", "chip", "selftest", "temperature_c")
+"""Rows of an IMU that the glove reports itself; the others are measured by this program."""
+SELFTESTS = (
+    mark("passed"),
+    mark("not run"),
+    mark("accelerometer failed"),
+    mark("gyroscope failed"),
+    mark("accelerometer and gyroscope failed"),
+)
+"""What `ImuReport.selftest` may be, for translation."""
 
 
 def glove_device(side: str) -> str:
@@ -212,16 +226,33 @@ def _imu(
     answers = report.imu_ok[j] if report is not None and j < len(report.imu_ok) else None
     rows: list[tuple[str, str, Value, str, Confirmed | None]] = [
         ("answers", tr("Responding"), answers, "", None),
+        *_imu_report(report.imus[j] if report is not None and j < len(report.imus) else None),
         ("gyro_bias", tr("Bias of angular rate"), _bias(calibration, name, "gyro"), "°/s", None),
         ("accel_bias", tr("Bias of acceleration"), _bias(calibration, name, "accel"), "m/s²", None),
     ]
     out = []
     for own, text, value, unit, _ in rows:
         known = Confirmed.UNKNOWN if value is None else Confirmed.REPORTED
-        confirmed = Confirmed.MEASURED if value is not None and own != "answers" else known
+        confirmed = known if own in REPORTED_OF_IMU or value is None else Confirmed.MEASURED
         path = (device, group, word, text)
         out.append(DeviceValue(f"{prefix}.{name}_{own}", path, value, unit, confirmed))
     return out
+
+
+def _imu_report(
+    imu: ImuReport | None,
+) -> list[tuple[str, str, Value, str, Confirmed | None]]:
+    """What the glove reports of an IMU, and what its packets show."""
+    if imu is None:
+        return []
+    celsius = imu.temperature_cC / 100 if imu.temperature_cC is not None else None
+    return [
+        ("chip", tr("Chip"), imu.chip or None, "", None),
+        ("selftest", tr("Self-test"), tr(imu.selftest) if imu.selftest else None, "", None),
+        ("temperature_c", tr("Temperature"), celsius, "°C", None),
+        ("saturated", tr("Saturated samples"), imu.saturated, "", None),
+        ("stuck", tr("Stuck axes"), ", ".join(imu.stuck) or tr("none"), "", None),
+    ]
 
 
 def _bias(calibration: Calibration | None, segment: str, kind: str) -> str | None:
@@ -277,7 +308,30 @@ def _camera(view: Snapshot, asked: Mapping[str, Value]) -> list[DeviceValue]:
     return [
         *out,
         *(_control(c, asked) for c in (controls.controls() if controls is not None else ())),
+        *(_fixed(s) for s in (controls.fixed() if controls is not None else ())),
     ]
+
+
+def _fixed(setting: FixedSetting) -> DeviceValue:
+    """A setting that the program makes itself."""
+    words = {
+        "power_line": tr("Power-line frequency"),
+        "autofocus": tr("Autofocus"),
+        "zoom": tr("Digital zoom"),
+        "mirror": tr("Mirrored"),
+        "flip": tr("Upside down"),
+    }
+    value: Value = bool(setting.found)
+    if setting.name == "zoom":
+        value = setting.found
+    elif setting.name == "power_line":
+        value = {0: tr("off"), 1: "50 Hz", 2: "60 Hz"}.get(setting.found, AUTOMATIC)
+    return DeviceValue(
+        f"camera.{setting.name}",
+        (tr("Camera"), tr("Controls"), words[setting.name]),
+        value,
+        confirmed=Confirmed.TAKEN if setting.is_verified else Confirmed.REFUSED,
+    )
 
 
 def _control(control: Control, asked: Mapping[str, Value]) -> DeviceValue:

@@ -20,8 +20,10 @@ from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.log import EventLog
 from app.widgets.banner import Action
+from app.window.doctor import DoctorDialog, devices_in_use
 from app.window.message_bar import MessageBar
 from app.words import event_text
+from tracker.doctor.machine import Machine
 from tracker.messages import Event
 
 
@@ -52,6 +54,7 @@ class BugReports(QObject):
         sources.host.happened.connect(self._offer_for)
         if crashes is not None:
             crashes.happened.connect(self.offer)
+        self._doctor = ""  # the report of the last check of computer and devices
         self.crashed = ""  # a sentence about the previous run, if it crashed
         if crashes is not None and crashes.found is not None:
             self.crashed = self.tr("Glovetrack ended unexpectedly the last time.")
@@ -79,6 +82,20 @@ class BugReports(QObject):
         dialog = BugReportDialog(folder / f"glovetrack-bug_{stamp}.zip", self._window)
         dialog.wanted.connect(self.save)
         dialog.show()
+
+    def examine(self) -> None:
+        """Check the computer and the devices in a dialog; later bug reports include the result."""
+        dialog = DoctorDialog(self._machine, self._tasks, self._window)
+        dialog.finished_checks.connect(self._remember)
+        dialog.show()
+
+    def _remember(self, report: str) -> None:
+        self._doctor = report
+
+    def _machine(self) -> Machine:
+        folder = sessions_folder(self._sources.store.value)
+        folder = folder if folder.is_dir() else Path.home()
+        return Machine(folder, in_use=devices_in_use(self._sources.host.setup))
 
     def save(self, path: Path, choice: Choice) -> None:
         """Collect the material now, write the file in the background, then show its path."""
@@ -115,6 +132,7 @@ class BugReports(QObject):
             session_file=opened,
             write_recent=self._write_recent if host.running else None,
             names=(settings.participant, settings.task, settings.sessions_folder),
+            doctor=self._doctor,
         )
 
     def _status(self) -> dict[str, object]:

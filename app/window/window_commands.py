@@ -301,6 +301,8 @@ def add_help(on: Targets, commands: Commands) -> None:
         text = w.tr("Open &documentation in the browser")
         commands.add(Command("documentation", menu, text, on.dialogs.documentation))
     commands.add(Command("keys", menu, w.tr("&Keyboard shortcuts"), on.dialogs.keys, "Ctrl+F1"))
+    text = w.tr("&Check computer and devices…")
+    commands.add(Command("doctor", menu, text, on.reports.examine))
     commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
     commands.add(Command("about", menu, w.tr("&About Glovetrack"), on.dialogs.about))
 

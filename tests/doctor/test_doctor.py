@@ -25,11 +25,12 @@ from tests.doctor.fake_devices import (
 )
 from tests.sensors.scripted_glove import Scripted
 from tracker.base.errors import DeviceError
+from tracker.base.notices import notice, plain
 from tracker.cli import main
 from tracker.doctor.cameras import cameras
 from tracker.doctor.command import report_text
 from tracker.doctor.computer import disk, graphics
-from tracker.doctor.finding import CHECKS, Check, Verdict, examine, ok
+from tracker.doctor.finding import CHECKS, Check, Finding, Verdict, examine
 from tracker.doctor.gloves import gloves
 from tracker.doctor.machine import Machine, writing_speed
 from tracker.doctor.permissions import permissions
@@ -73,7 +74,7 @@ def test_a_port_in_use_by_another_program_is_an_error(tmp_path: Path) -> None:
 def test_a_port_in_use_by_this_window_is_not_opened(tmp_path: Path) -> None:
     machine = bare(tmp_path, usb_ports=lambda: [PORT], in_use=frozenset({PORT.path}))
     (found,) = gloves(machine)
-    assert found.verdict == Verdict.OK and "was not tested" in found.what
+    assert found.verdict == Verdict.OK and found.what.code == "doctor.in_use"
 
 
 @pytest.mark.parametrize("baud", [57_600, 1_000_000])
@@ -162,7 +163,7 @@ def test_two_adapters_with_one_serial_number_are_pointed_out(tmp_path: Path) -> 
 def test_a_slow_grant_has_the_usb_port_as_remedy(tmp_path: Path) -> None:
     camera = FakeCamera(FakeClock(), fps=10.0, granted=(1280, 720, 10.0))
     (line,) = bad(cameras(with_camera(tmp_path, camera)))
-    assert line.startswith("error") and "grants 10 images per second" in line
+    assert line.startswith("error") and "grants only 10 images per second" in line
     assert "YUYV" in line and "another USB port" in line
 
 
@@ -197,7 +198,7 @@ def test_dark_absent_and_refusing_cameras_are_distinguished(tmp_path: Path) -> N
 
     class Busy(FakeCamera):
         def open(self) -> None:
-            raise DeviceError("The camera 0 cannot be opened: another program uses it.")
+            raise DeviceError(plain("The camera 0 is in use by another program."))
 
     assert "another program" in bad(cameras(with_camera(tmp_path, Busy(FakeClock()))))[0]
 
@@ -244,10 +245,11 @@ def test_a_check_that_fails_does_not_stop_the_others(tmp_path: Path) -> None:
     def fail(machine: Machine):
         raise ZeroDivisionError("oops")
 
-    checks = [Check("b", "B", lambda m: [ok("fine")], 2), Check("a", "A", fail, 1)]
+    fine = Finding(notice("doctor.compiled"))
+    checks = [Check("b", "B", lambda m: [fine], 2), Check("a", "A", fail, 1)]
     results = list(examine(bare(tmp_path), checks))
     assert [r.finding.verdict for r in results] == ["warning", "ok"]
-    assert "oops" in results[0].finding.what
+    assert "oops" in results[0].finding.line
 
 
 def test_the_command_writes_json_and_a_report(
@@ -260,7 +262,7 @@ def test_the_command_writes_json_and_a_report(
     assert main(words) == 1  # a slow disk is an error
     found = json.loads(out.read_text())
     assert not found["ok"]
-    assert {"check", "verdict", "what", "remedy", "values"} == set(found["findings"][0])
+    assert {"check", "verdict", "code", "what", "remedy", "values"} == set(found["findings"][0])
     printed = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in printed] == [f["verdict"] for f in found["findings"]]
     text = report.read_text()
@@ -270,7 +272,9 @@ def test_the_command_writes_json_and_a_report(
 
 
 def test_the_report_does_not_name_the_user(tmp_path: Path) -> None:
-    check = Check("a", "A", lambda machine: [ok(f"The folder {Path.home()}/x.")])
+    check = Check(
+        "a", "A", lambda machine: [Finding(notice("doctor.in_use", device=f"{Path.home()}/x"))]
+    )
     assert str(Path.home()) not in report_text(list(examine(bare(tmp_path), [check])))
 
 
@@ -283,4 +287,4 @@ def test_all_checks_are_registered_in_their_order() -> None:
 def test_the_processor_is_measured_on_simulated_data() -> None:
     from tracker.doctor.speed import detection_s, tracking_s
 
-    assert 0 < detection_s(1) < 1 and 0 < tracking_s() < 5
+    assert 0 < detection_s(1) < 10 and 0 < tracking_s(warm=0.2, span=0.2) < 60

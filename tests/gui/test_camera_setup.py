@@ -28,6 +28,7 @@ from tracker.sensors.camera_controls import (
     ControlledInput,
     Locks,
 )
+from tracker.sensors.camera_fixed import FixedSetting
 from tracker.sensors.image_input import CameraName, StreamInput
 from tracker.vision.rig import ideal_rig
 
@@ -53,6 +54,9 @@ class Controls:
             Control("gain"),
             Control("white_balance", True, w.white_balance or 4600.0, w.white_balance is not None),
         )
+
+    def fixed(self) -> tuple[FixedSetting, ...]:
+        return ()
 
     def reports(self) -> tuple[CameraReport, ...]:
         return ()

@@ -16,7 +16,9 @@ from tests.gui.gui_fakes import (
     with_glove,
 )
 from tracker.base.toml_reader import parse_toml
-from tracker.sensors.camera_controls import CameraReport, Control, Limits, Locks
+from tracker.sensors.camera_controls import CameraReport, Control, Locks
+from tracker.sensors.camera_fixed import FixedSetting
+from tracker.sensors.v4l2 import Limits
 
 RATE = "glove_right.rate_hz"
 
@@ -46,6 +48,9 @@ class Camera:
                 verified=self.wanted.white_balance is None,
             ),
         )
+
+    def fixed(self) -> tuple[FixedSetting, ...]:
+        return ()
 
     def reports(self) -> tuple[CameraReport, ...]:
         return (CameraReport(2560, 720, 60.0, "MJPG", "V4L2", "/dev/video0", "ZED-77"),)

@@ -152,8 +152,10 @@ def test_no_more_images_are_expected_than_a_device_grants(
             return True
 
         def get(self, prop: int) -> float:
-            assert prop == cv2.CAP_PROP_FPS
-            return granted
+            return granted if prop == cv2.CAP_PROP_FPS else -1.0
+
+        def getBackendName(self) -> str:
+            return "V4L2"
 
         def release(self) -> None: ...
 

@@ -9,12 +9,20 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import DeviceError
-from tracker.doctor.finding import Finding, error, ok, warning
+from tracker.base.notices import Severity, failure, notice, warning
+from tracker.doctor.finding import Finding, graded
 from tracker.doctor.machine import Machine
 from tracker.messages import Array
-from tracker.sensors.camera_controls import Capture, HasCaptures, report_of, set_control
-from tracker.sensors.camera_grant import granted_shortfall, measured_shortfall
-from tracker.sensors.image_input import CameraName, CaptureFormat
+from tracker.sensors.camera_controls import HasCaptures, set_control
+from tracker.sensors.camera_format import (
+    CameraReport,
+    Capture,
+    CaptureFormat,
+    is_slow,
+    report_of,
+    shortfall,
+)
+from tracker.sensors.image_input import CameraName
 from tracker.sensors.image_watch import ImageWatch
 
 STEREO_NAMES = ("ZED",)
@@ -30,10 +38,10 @@ def cameras(machine: Machine) -> Iterator[Finding]:
     """Opens each camera of the system once."""
     found = [c for c in machine.cameras() if c.index >= 0]
     if not found:
-        yield warning("There is no camera.", "Plug the camera in.")
+        yield Finding(warning("doctor.no_camera"), notice("doctor.plug_camera"))
     for camera in found:
         if camera.path in machine.in_use:
-            yield ok(f"{camera.name} is in use by this window and was not tested.")
+            yield Finding(notice("doctor.in_use", device=camera.name))
             continue
         yield from _camera(machine, camera)
 
@@ -55,7 +63,8 @@ def _camera(machine: Machine, camera: CameraName) -> Iterator[Finding]:
             yield _exposure(camera, captures[0])
             yield _time_stamps(camera, measured)
     except DeviceError as trouble:
-        yield error(str(trouble), "Close other programs that use it, or plug it in again.")
+        what = trouble.notice.with_severity(Severity.ERROR)
+        yield Finding(what, notice("doctor.camera_busy"))
     finally:
         source.close()
 
@@ -106,28 +115,25 @@ def _measure(machine: Machine, source: HasCaptures) -> _Measured:
 def _rates(
     camera: CameraName, want: CaptureFormat, captures: list[cv2.VideoCapture], measured: _Measured
 ) -> Iterator[Finding]:
+    name = camera.name
     if measured.images < 2:
-        yield error(
-            f"{camera.name} opens but no images arrive.",
-            "Plug it into another USB port; another camera on the same hub may use its bandwidth.",
-        )
+        yield Finding(failure("doctor.no_images", camera=name), notice("doctor.other_port"))
         return
-    granted = report_of(captures[0], camera.path) if captures else None
-    fps = measured.fps
-    values = {"measured_fps": fps} | ({"granted_fps": granted.fps} if granted else {})
-    name = f"{camera.name}: "
-    troubles = [
-        granted_shortfall(want, granted) if granted else None,
-        measured_shortfall(granted.fps if granted and granted.fps else want.fps, fps),
-    ]
-    for trouble in filter(None, troubles):
-        yield error(name + trouble.what, trouble.remedy, **values)
-    if not any(troubles):
-        about = f" of {granted.width} × {granted.height} pixels" if granted else ""
-        kind = f" as {granted.pixel_format}" if granted and granted.pixel_format else ""
-        yield ok(f"{name}{fps:.1f} images per second{about}{kind}.", **values)
+    granted = report_of(captures[0], camera.path) if captures else CameraReport()
+    lacking = shortfall(want, granted)
+    promised, fps = granted.fps or want.fps, measured.fps
+    is_poor = lacking is not None and lacking.severity is Severity.ERROR
+    if is_poor:
+        yield Finding(failure("doctor.camera_grant", camera=name, what=lacking))
+    if is_slow(promised, fps):
+        rates = {"measured_fps": fps, "granted_fps": promised}
+        slow = failure("doctor.camera_slow", camera=name, **rates)
+        yield Finding(slow, notice("doctor.more_light"))
+    elif not is_poor:
+        size = {"width": granted.width, "height": granted.height}
+        yield Finding(notice("doctor.camera", camera=name, measured_fps=fps, **size))
     if measured.black > measured.images / 2:
-        yield warning(f"{name}the image is black.", "Take the cover off the lens.")
+        yield Finding(warning("doctor.black", camera=name), notice("doctor.uncover"))
 
 
 def _exposure(camera: CameraName, capture: Capture) -> Finding:
@@ -135,17 +141,14 @@ def _exposure(camera: CameraName, capture: Capture) -> Finding:
     now = capture.get(cv2.CAP_PROP_EXPOSURE)
     control = set_control(capture, "exposure", now)
     set_control(capture, "exposure", None)
+    name = camera.name
     if not control.available:
-        return warning(
-            f"{camera.name} has no exposure control: its automatic exposure cannot be verified.",
-            "Keep the light constant, or use a camera with a manual exposure.",
-        )
+        absent = warning("doctor.no_exposure", camera=name)
+        return Finding(absent, notice("doctor.constant_light"))
     if not control.locked or not control.verified:
-        return warning(
-            f"{camera.name} does not confirm that its exposure is locked.",
-            "Check the exposure in the camera's own program, and keep the light constant.",
-        )
-    return ok(f"{camera.name}: the exposure can be locked.")
+        unsure = warning("doctor.exposure_unverified", camera=name)
+        return Finding(unsure, notice("doctor.own_program"))
+    return Finding(notice("doctor.exposure", camera=name))
 
 
 def _time_stamps(camera: CameraName, measured: _Measured) -> Finding:
@@ -156,12 +159,9 @@ def _time_stamps(camera: CameraName, measured: _Measured) -> Finding:
     stamped = bool(
         len(stamp) and np.all(stamp > 0) and abs(np.median(stamp) - period) < STAMP_STEP * period
     )
-    values = {"arrival_jitter_ms": jitter_ms}
-    name = f"{camera.name}: images arrive with {jitter_ms:.1f} ms of jitter; the driver stamps "
+    jitter = {"camera": camera.name, "arrival_jitter_ms": jitter_ms}
     if stamped:
         stamp_ms = 1000 * float(np.std(stamp))
-        return ok(f"{name}them itself ({stamp_ms:.1f} ms).", **values, stamp_jitter_ms=stamp_ms)
-    if jitter_ms > JITTER_MS:
-        remedy = "Use another USB port without a hub, and close other programs."
-        return warning(f"{name}none.", remedy, **values)
-    return ok(f"{name}none.", **values)
+        return Finding(notice("doctor.stamps", stamp_jitter_ms=stamp_ms, **jitter))
+    severity = Severity.WARNING if jitter_ms > JITTER_MS else Severity.INFO
+    return graded(notice("doctor.no_stamps", **jitter), severity, notice("doctor.no_hub"))

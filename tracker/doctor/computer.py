@@ -9,7 +9,8 @@ import psutil
 
 from tracker import __version__
 from tracker.base.files import disk_error, free_bytes
-from tracker.doctor.finding import Finding, error, ok, warning
+from tracker.base.notices import Severity, notice, warning
+from tracker.doctor.finding import Finding, graded
 from tracker.doctor.machine import Machine
 from tracker.doctor.speed import detection_s, tracking_s
 from tracker.kernels import are_compiled, compiler
@@ -27,43 +28,47 @@ WRITTEN_MB = 64
 
 def system(machine: Machine) -> Iterator[Finding]:
     """Operating system, memory and compiled code."""
+    about = {"python": platform.python_version(), "platform": platform.platform()}
+    yield Finding(notice("doctor.system", version=__version__, **about))
     cores, memory_gb = psutil.cpu_count() or 1, psutil.virtual_memory().total / 1e9
-    about = f"Glovetrack {__version__}, Python {platform.python_version()}, {platform.platform()}."
-    yield ok(about)
-    what = f"{cores} cores, {memory_gb:.1f} GB of memory."
+    size = notice("doctor.machine", cores=cores, memory_gb=memory_gb)
     if cores < LEAST_CORES or memory_gb < LEAST_MEMORY_GB:
-        remedy = f"Use a computer with at least {LEAST_CORES} cores and 4 GB."
-        yield warning(what, remedy, cores=cores, memory_gb=memory_gb)
+        remedy = notice("doctor.larger_machine", cores=LEAST_CORES)
+        yield Finding(size.with_severity(Severity.WARNING), remedy)
     else:
-        yield ok(what, cores=cores, memory_gb=memory_gb)
+        yield Finding(size)
     if are_compiled():
-        yield ok("The program's numerical code is compiled.")
+        yield Finding(notice("doctor.compiled"))
     else:
-        what = f"The program's numerical code is compiled while it runs (by {compiler()})."
-        yield warning(what, "The first start takes minutes; reinstall the package to avoid this.")
+        slow = warning("doctor.not_compiled", compiler=compiler())
+        yield Finding(slow, notice("doctor.reinstall"))
 
 
 def processor(machine: Machine) -> Iterator[Finding]:
     """How loaded the cores are, and what share of a core tracking takes."""
     load = psutil.cpu_percent(interval=0.5)
-    what = f"Other programs use {load:.0f} % of all cores."
-    if load > LOADED_PERCENT:
-        yield warning(what, "Close other programs before you track.", load_percent=load)
-    else:
-        yield ok(what, load_percent=load)
+    yield graded(
+        notice("doctor.load", load_percent=load),
+        Severity.WARNING if load > LOADED_PERCENT else Severity.INFO,
+        notice("doctor.close_programs"),
+    )
     detection, fusion = 100 * detection_s() * FPS, 100 * tracking_s()
     share = detection + fusion
-    what = (
-        f"Tracking at {FPS:.0f} images per second takes {share:.0f} % of a core at the present "
-        f"load: {detection:.0f} % for the images, {fusion:.0f} % for the filter."
+    what = notice(
+        "doctor.tracking_load",
+        fps=FPS,
+        share_percent=share,
+        detection_percent=detection,
+        filter_percent=fusion,
     )
-    values = {"detection_percent": detection, "filter_percent": fusion}
-    if share > 100:
-        yield error(what, "Close other programs, and choose 30 images per second.", **values)
-    elif share > 60:
-        yield warning(what, "Close other programs, or choose 30 images per second.", **values)
-    else:
-        yield ok(what, **values)
+    yield graded(what, level(share, 60.0, 100.0), notice("doctor.lower_rate"))
+
+
+def level(value: float, warn_above: float, fail_above: float) -> Severity:
+    """The severity of a figure that should be small."""
+    if value > fail_above:
+        return Severity.ERROR
+    return Severity.WARNING if value > warn_above else Severity.INFO
 
 
 def disk(machine: Machine) -> Iterator[Finding]:
@@ -72,29 +77,18 @@ def disk(machine: Machine) -> Iterator[Finding]:
     try:
         speed = machine.writing_speed(folder, WRITTEN_MB)
     except OSError as trouble:
-        yield error(str(disk_error(folder, trouble)), "Choose another folder for recordings.")
+        refused = disk_error(folder, trouble).notice.with_severity(Severity.ERROR)
+        yield Finding(refused, notice("doctor.other_folder"))
         return
-    what = f"The disk of {folder} takes {speed:.0f} MB/s; a recording needs up to {{}} MB/s."
-    what = what.format(f"{RECORDING_MB_S:.0f}")
-    remedy = "Record to another disk, or record without images."
-    if speed < RECORDING_MB_S:
-        yield error(what, remedy, disk_mb_s=speed)
-    elif speed < 2 * RECORDING_MB_S:
-        yield warning(what, remedy, disk_mb_s=speed)
-    else:
-        yield ok(what, disk_mb_s=speed)
-    yield _room(free_bytes(folder) / 1e9)
-
-
-def _room(free_gb: float) -> Finding:
+    needed = {"disk_mb_s": speed, "needed_mb_s": RECORDING_MB_S}
+    what = notice("doctor.disk_speed", folder=folder, **needed)
+    severity = level(-speed, -2 * RECORDING_MB_S, -RECORDING_MB_S)
+    yield graded(what, severity, notice("doctor.other_disk"))
+    free_gb = free_bytes(folder) / 1e9
     minutes = 1000 * free_gb / RECORDING_MB_S / 60
-    what = f"{free_gb:.0f} GB are free: at least {minutes:.0f} minutes of recording with images."
-    remedy = "Delete or move old recordings."
-    if free_gb < LEAST_FREE_GB:
-        return error(what, remedy, free_gb=free_gb)
-    if free_gb < FREE_GB:
-        return warning(what, remedy, free_gb=free_gb)
-    return ok(what, free_gb=free_gb)
+    what = notice("doctor.disk_room", free_gb=free_gb, minutes=minutes)
+    severity = level(-free_gb, -FREE_GB, -LEAST_FREE_GB)
+    yield graded(what, severity, notice("doctor.free_disk"))
 
 
 def graphics(machine: Machine) -> Iterator[Finding]:
@@ -103,15 +97,10 @@ def graphics(machine: Machine) -> Iterator[Finding]:
         return
     nodes = sorted((machine.root / "dev/dri").glob("renderD*"))
     if not nodes:
-        yield warning(
-            "There is no graphics card: the processor draws the 3D view.",
-            "Install the card's driver; tracking itself does not need one.",
-        )
+        yield Finding(warning("doctor.no_graphics"), notice("doctor.graphics_driver"))
     for node in nodes:
         if machine.is_accessible(str(node)):
-            yield ok(f"Graphics card {node.name}.")
+            yield Finding(notice("doctor.graphics", name=node.name))
         else:
-            yield warning(
-                f"This user may not use the graphics card {node.name}.",
-                "Add yourself to its group (sudo usermod -aG render,video $USER) and log in again.",
-            )
+            refused = warning("doctor.graphics_refused", name=node.name)
+            yield Finding(refused, notice("doctor.graphics_group"))

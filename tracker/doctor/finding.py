@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
 from tracker.base.errors import GlovetrackError
-from tracker.base.frozen_dict import FrozenDict
+from tracker.base.notices import Notice, Severity, notice, warning
 from tracker.base.registry import Registry
 from tracker.doctor.machine import Machine
 
@@ -26,31 +26,52 @@ class Verdict(StrEnum):
     """Tracking or recording does not work."""
 
 
+VERDICTS = {
+    Severity.INFO: Verdict.OK,
+    Severity.WARNING: Verdict.WARNING,
+    Severity.ERROR: Verdict.ERROR,
+}
+
+
 @dataclass(frozen=True)
 class Finding:
-    """One line of the result. ``values`` are its figures, with the unit in each name."""
+    """One line of the result. The severity of ``what`` is the verdict. Without a ``remedy``, the
+    sentences of ``what`` after the first one say what to do."""
 
-    verdict: Verdict
-    what: str
-    remedy: str = ""
-    values: FrozenDict[str, float] = field(default_factory=FrozenDict)
+    what: Notice
+    remedy: Notice | None = None
+
+    @property
+    def verdict(self) -> Verdict:
+        return VERDICTS[self.what.severity]
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The figures of ``what``, with the unit in each name."""
+        found = self.what.values.items()
+        return {n: v for n, v in found if isinstance(v, int | float) and not isinstance(v, bool)}
+
+    def texts(self, translate: Callable[[Notice], str] = str) -> tuple[str, str]:
+        """What was found and what to do about it; the second is empty if there is nothing to do."""
+        what = translate(self.what)
+        if self.remedy is not None:
+            return what, translate(self.remedy)
+        if self.verdict is Verdict.OK:
+            return what, ""
+        first, _, rest = what.partition(". ")
+        return f"{first.rstrip('.')}.", rest
 
     @property
     def line(self) -> str:
         """``warning  what was found  what to do about it``."""
-        return "  ".join(filter(None, (f"{self.verdict:7}", self.what, self.remedy)))
+        return "  ".join(filter(None, (f"{self.verdict:7}", *self.texts())))
 
 
-def ok(what: str, **values: float) -> Finding:
-    return Finding(Verdict.OK, what, "", FrozenDict(values))
-
-
-def warning(what: str, remedy: str, **values: float) -> Finding:
-    return Finding(Verdict.WARNING, what, remedy, FrozenDict(values))
-
-
-def error(what: str, remedy: str, **values: float) -> Finding:
-    return Finding(Verdict.ERROR, what, remedy, FrozenDict(values))
+def graded(what: Notice, severity: Severity, remedy: Notice) -> Finding:
+    """A finding that needs its remedy only if it is more than information."""
+    if severity is Severity.INFO:
+        return Finding(what)
+    return Finding(what.with_severity(severity), remedy)
 
 
 @dataclass(frozen=True)
@@ -75,9 +96,16 @@ class Result:
     finding: Finding
 
     def as_json(self) -> dict[str, Any]:
-        found = asdict(self.finding)
-        found["values"] = dict(self.finding.values)
-        return {"check": self.check.name, **found}
+        finding = self.finding
+        what, remedy = finding.texts()
+        return {
+            "check": self.check.name,
+            "verdict": finding.verdict.value,
+            "code": finding.what.code,
+            "what": what,
+            "remedy": remedy,
+            "values": finding.values,
+        }
 
 
 def examine(machine: Machine, checks: Iterable[Check] | None = None) -> Iterator[Result]:
@@ -90,9 +118,9 @@ def examine(machine: Machine, checks: Iterable[Check] | None = None) -> Iterator
         try:
             for finding in check.run(machine):
                 yield Result(check, finding)
-        except (GlovetrackError, OSError) as trouble:
-            yield Result(check, warning(f"{check.title}: {trouble}", ""))
+        except GlovetrackError as trouble:
+            yield Result(check, Finding(trouble.notice.with_severity(Severity.WARNING)))
         except Exception as trouble:  # noqa: BLE001 - another package's check must not end ours
             _log.exception("The check %s failed", check.name)
-            text = f"{check.title}: the check itself failed ({trouble})."
-            yield Result(check, warning(text, "Attach this report to a bug report."))
+            failed = warning("doctor.check_failed", why=str(trouble))
+            yield Result(check, Finding(failed, notice("doctor.attach_report")))

@@ -7,13 +7,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tracker.base.notices import Notice
-from tracker.doctor.finding import Finding, error, ok, warning
+from tracker.base.notices import Notice, Severity, failure, notice, warning
+from tracker.doctor.finding import Finding, graded
 from tracker.doctor.machine import Machine
 from tracker.firmware.versions import advice as firmware_advice
-from tracker.messages import Event, ImuSample
+from tracker.messages import ImuSample
 from tracker.sensors.discovery import PortReport, latency_advice, probe
 from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.imu_watch import ImuReport
 from tracker.sensors.link_figures import is_low
 from tracker.sensors.protocol import BAUDS
 
@@ -34,13 +35,13 @@ def gloves(machine: Machine) -> Iterator[Finding]:
     """Asks every USB serial port, and measures each glove that answers."""
     ports = machine.usb_ports()
     if not ports:
-        yield warning("There is no USB serial port.", "Plug the glove in.")
+        yield Finding(warning("doctor.no_port"), notice("doctor.plug_glove"))
         return
     found = 0
     for port in ports:
         if port.path in machine.in_use:
             found += 1
-            yield ok(f"{port.path} is in use by this window and was not tested.")
+            yield Finding(notice("doctor.in_use", device=port.path))
             continue
         report = probe(
             port.path, machine.open_port(port.path, BAUDS[0]), machine.patience, machine.clock
@@ -49,22 +50,12 @@ def gloves(machine: Machine) -> Iterator[Finding]:
         yield from _port(machine, report)
         late = _latency(machine, port.path)
         if late is not None:
-            yield warning(*_split(late))
+            yield Finding(late.with_severity(Severity.WARNING))
     numbers = [(p.vid, p.pid, p.serial_number) for p in ports if p.serial_number]
     if len(set(numbers)) < len(numbers):
-        yield warning(
-            "Two USB adapters have the same serial number.",
-            "Gloves are then recognised by their own number: give each a different one "
-            "(glovetrack firmware write PORT --glove-id N).",
-        )
+        yield Finding(warning("doctor.twin_adapters"), notice("doctor.number_gloves"))
     if not found:
-        yield warning("No glove responds on any port.", "Check the cable, or write the firmware.")
-
-
-def _split(report: Notice) -> tuple[str, str]:
-    """The first sentence of a notice, and the rest."""
-    what, _, remedy = str(report).partition(". ")
-    return f"{what}.", remedy
+        yield Finding(warning("doctor.no_glove"), notice("doctor.check_cable"))
 
 
 def _latency(machine: Machine, path: str) -> Notice | None:
@@ -72,40 +63,32 @@ def _latency(machine: Machine, path: str) -> Notice | None:
 
 
 def _port(machine: Machine, report: PortReport) -> Iterator[Finding]:
+    trouble = report.trouble
     if report.is_glove:
         yield from _glove(machine, report)
-    elif report.trouble is None:
+    elif trouble is None:
         return
-    elif report.trouble.code == "port.not_opened":
-        what, remedy = _split(report.trouble)
-        yield error(what, remedy or "Close the other program, or choose Retry after that.")
-    elif report.trouble.code == "port.not_glove":
+    elif trouble.code == "port.not_opened":
+        finding = Finding(trouble.with_severity(Severity.ERROR))
+        has_remedy = bool(finding.texts()[1])
+        yield finding if has_remedy else Finding(finding.what, notice("doctor.close_port"))
+    elif trouble.code == "port.not_glove":
         yield _undecoded(machine, report.path)
     else:
-        yield warning(str(report.trouble), "If a glove is connected there, write its firmware.")
+        what = trouble.with_severity(Severity.WARNING)
+        yield Finding(what, notice("doctor.write_if_glove"))
 
 
 def _undecoded(machine: Machine, path: str) -> Finding:
     """Bytes that are not the protocol's: a glove at another speed, or another device."""
-    again = probe(
-        path,
-        machine.open_port(path, OTHER_BAUDS[0]),
-        machine.patience,
-        machine.clock,
-        OTHER_BAUDS,
-    )
+    open_port = machine.open_port(path, OTHER_BAUDS[0])
+    again = probe(path, open_port, machine.patience, machine.clock, OTHER_BAUDS)
     if again.is_glove:
-        return error(
-            f"The glove at {path} sends at {again.baud} baud, which Glovetrack does not use.",
-            f"Write the firmware again: glovetrack firmware write {path} --baud {BAUDS[0]}.",
-            baud=again.baud,
+        return Finding(
+            failure("doctor.other_baud", port=path, baud=again.baud),
+            notice("doctor.write_at_baud", port=path, baud=BAUDS[0]),
         )
-    speeds = " or ".join(str(baud) for baud in BAUDS)
-    return warning(
-        f"{path} sends bytes that cannot be decoded at {speeds} baud.",
-        "If it is a glove, its firmware has another baud rate or the cable is damaged: write the "
-        "firmware again. Otherwise ignore this line.",
-    )
+    return Finding(warning("doctor.not_decoded", port=path, bauds=BAUDS), notice("doctor.if_glove"))
 
 
 @dataclass(eq=False)
@@ -113,7 +96,7 @@ class _Received:
     """What came from a glove in the time of the measurement."""
 
     samples: list[ImuSample] = field(default_factory=list)
-    texts: list[str] = field(default_factory=list)
+    notices: list[Notice] = field(default_factory=list)
 
     @property
     def span(self) -> float:
@@ -122,28 +105,24 @@ class _Received:
 
 
 def _glove(machine: Machine, report: PortReport) -> Iterator[Finding]:
-    hello = report.hello
+    hello, port = report.hello, report.path
     if hello is None:
-        yield warning(
-            f"The glove at {report.path} sends samples but does not answer.",
-            "Unplug it, then plug it in again.",
-        )
+        yield Finding(warning("doctor.no_answer", port=port), notice("doctor.replug"))
         return
-    version = ".".join(map(str, hello.firmware))
-    yield ok(
-        f"Glove {hello.glove_id} at {report.path}: {hello.imu_count} IMUs, firmware {version}, "
-        f"{report.baud} baud.",
-        baud=report.baud,
+    about = {"firmware": ".".join(map(str, hello.firmware)), "baud": report.baud}
+    yield Finding(
+        notice("doctor.glove", glove=hello.glove_id, port=port, imus=hello.imu_count, **about)
     )
     newer = firmware_advice(hello.firmware)
     if newer is not None:
-        yield warning(str(newer), f"glovetrack firmware write {report.path}")
+        what = newer.with_severity(Severity.WARNING)
+        yield Finding(what, notice("doctor.write_firmware", port=port))
     params = LinkParams(baud=report.baud)
-    open_port = machine.open_port(report.path, report.baud)
+    open_port = machine.open_port(port, report.baud)
     link = GloveLink(open_port, hello.imu_count, params, machine.clock)
     try:
         received = _receive(machine, link)
-        yield from _packets(link, received, report.path)
+        yield from _packets(link, received, port)
         yield from _imus(link, received)
         yield from _time_stamps(link, received)
     finally:
@@ -156,38 +135,32 @@ def _receive(machine: Machine, link: GloveLink) -> _Received:
     end = clock() + machine.patience + duration
     while clock() < end and received.span < duration:
         for item in link.poll(POLL):
-            if isinstance(item, Event):
-                received.texts.append(item.text)
-            else:
+            if isinstance(item, ImuSample):
                 received.samples.append(item)
+            elif item.notice is not None:
+                received.notices.append(item.notice)
     return received
 
 
-def _packets(link: GloveLink, received: _Received, path: str) -> Iterator[Finding]:
+def _packets(link: GloveLink, received: _Received, port: str) -> Iterator[Finding]:
     if received.span == 0.0:
-        yield error(
-            f"The glove at {path} answers but sends no samples.",
-            "Unplug it, then plug it in again. If this does not help, write the firmware.",
-        )
+        yield Finding(failure("doctor.no_samples", port=port), notice("doctor.replug_or_write"))
         return
     figures = link.figures
     rate_hz = (len(received.samples) - 1) / received.span
     lost = figures.lost / (figures.lost + len(received.samples))
-    errors = link.decoder.counters.errors
-    what = f"{rate_hz:.1f} packets per second, {100 * lost:.1f} % lost, {errors} damaged."
-    values = {"rate_hz": rate_hz, "lost_percent": 100 * lost, "damaged": float(errors)}
-    if lost > LOST_SHARE or errors > 1:
-        remedy = "Use a shorter cable and another USB port, without a hub, and check the plugs."
-        yield warning(what, remedy, **values)
+    damaged = link.decoder.counters.errors
+    what = notice("doctor.packets", rate_hz=rate_hz, lost_percent=100 * lost, damaged=damaged)
+    severity, remedy = Severity.INFO, notice("doctor.shorter_cable")
+    if lost > LOST_SHARE or damaged > 1:
+        severity = Severity.WARNING
     elif rate_hz < RATE_SHARE * link.params.rate_hz:
-        remedy = f"{link.params.rate_hz} were requested: write the current firmware."
-        yield warning(what, remedy, **values)
-    else:
-        yield ok(what, **values)
+        severity = Severity.WARNING
+        remedy = notice("doctor.packet_rate", rate_hz=link.params.rate_hz)
+    yield graded(what, severity, remedy)
     if figures.battery_mV is not None and is_low(figures.battery_mV):
-        yield warning(
-            f"The glove's battery has {figures.battery_mV / 1000:.2f} V.", "Charge the glove."
-        )
+        low = warning("doctor.battery", volts=figures.battery_mV / 1000)
+        yield Finding(low, notice("doctor.charge"))
 
 
 def _imus(link: GloveLink, received: _Received) -> Iterator[Finding]:
@@ -195,32 +168,50 @@ def _imus(link: GloveLink, received: _Received) -> Iterator[Finding]:
     if not received.samples:
         return
     answering = np.mean([s.valid for s in received.samples], axis=0) > 0.5  # (n,)
-    absent = [str(j) for j in np.flatnonzero(~answering)]
+    absent = np.flatnonzero(~answering).tolist()
     if absent:
-        yield error(
-            f"IMUs that do not respond: {', '.join(absent)}.",
-            "Check the wires of these IMUs: supply, clock, data and select line.",
-            absent=len(absent),
-        )
+        yield Finding(failure("doctor.imus_absent", imus=absent), notice("doctor.imu_wires"))
     else:
-        yield ok(f"All {len(answering)} IMUs respond.", absent=0)
-    for text in dict.fromkeys(t for t in received.texts if "self-test" in t):
-        yield warning(text, "Keep the glove still and restart it; otherwise replace the IMU.")
+        yield Finding(notice("doctor.imus", imus=len(answering)))
+    for what in dict.fromkeys(n for n in received.notices if _is_selftest(n)):
+        yield Finding(what.with_severity(Severity.WARNING), notice("doctor.selftest_again"))
+    for j, imu in enumerate(link.report().imus):
+        yield from _imu(j, imu)
+
+
+def _is_selftest(what: Notice) -> bool:
+    """Whether it is the firmware's message about a failed self-test."""
+    return what.code == "glove.message" and "self-test" in str(what.values["text"])
+
+
+def _imu(j: int, imu: ImuReport) -> Iterator[Finding]:
+    """One IMU's chip, temperature, saturation and stuck axes, as far as they are known."""
+    if imu.chip:
+        about = {"imu": j, "chip": imu.chip, "selftest": imu.selftest}
+        if imu.temperature_cC is None:
+            yield Finding(notice("doctor.imu", **about))
+        else:
+            yield Finding(
+                notice("doctor.imu_warm", temperature_c=imu.temperature_cC / 100, **about)
+            )
+    if imu.stuck:
+        stuck = warning("doctor.imu_stuck", imu=j, axes=imu.stuck)
+        yield Finding(stuck, notice("doctor.replace_imu"))
+    if imu.saturated:
+        at_end = warning("doctor.imu_saturated", imu=j, samples=imu.saturated)
+        yield Finding(at_end, notice("doctor.move_slowly"))
 
 
 def _time_stamps(link: GloveLink, received: _Received) -> Iterator[Finding]:
     if not received.samples:
         return
     delay_ms = 1000 * np.array([s.t_arrival - s.t for s in received.samples])
-    late_ms = float(np.percentile(delay_ms, 95) - np.percentile(delay_ms, 5))
+    spread_ms = float(np.percentile(delay_ms, 95) - np.percentile(delay_ms, 5))
+    severity = Severity.WARNING if spread_ms > LATE_MS else Severity.INFO
+    what = notice("doctor.arrivals", spread_ms=spread_ms)
+    yield graded(what, severity, notice("doctor.latency_timer"))
     skew = link.figures.skew_ppm
-    what = f"Packets arrive within {late_ms:.1f} ms of each other's delay"
-    what += "." if skew is None else f"; the glove's clock differs by {skew:+.0f} ppm."
-    values = {"arrival_spread_ms": late_ms} | ({} if skew is None else {"skew_ppm": skew})
-    if late_ms > LATE_MS:
-        remedy = "Set the adapter's latency timer to 1 ms, and avoid USB hubs."
-        yield warning(what, remedy, **values)
-    elif skew is not None and abs(skew) > SKEW_PPM:
-        yield warning(what, "Replace the board: its crystal is out of tolerance.", **values)
-    else:
-        yield ok(what, **values)
+    if skew is not None:
+        severity = Severity.WARNING if abs(skew) > SKEW_PPM else Severity.INFO
+        clock = notice("doctor.clock", skew_ppm=skew)
+        yield graded(clock, severity, notice("doctor.replace_board"))

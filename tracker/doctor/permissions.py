@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tracker.doctor.finding import Finding, error, ok, warning
+from tracker.base.notices import failure, notice, warning
+from tracker.doctor.finding import Finding
 from tracker.doctor.machine import Machine
 
 RULES = "70-glovetrack.rules"
@@ -20,24 +21,12 @@ def permissions(machine: Machine) -> Iterator[Finding]:
     devices += [(str(path), "video") for path in sorted((machine.root / "dev").glob("video[0-9]*"))]
     refused = [(path, group) for path, group in devices if not machine.is_accessible(path)]
     for path, group in refused:
-        again = "Unplug the device, then plug it in again." if has_rules else ""
-        yield error(
-            f"This user may not open {path}.",
-            again
-            or f"Add yourself to the group {group} (sudo usermod -aG {group} $USER) and log in "
-            f"again, or install the udev rule {RULES} of the package.",
-        )
+        remedy = notice("doctor.replug")
+        if not has_rules:
+            remedy = notice("doctor.join_group", group=group, rule=RULES)
+        yield Finding(failure("doctor.refused", device=path), remedy)
     if devices and not refused:
-        yield ok(f"This user may open all {len(devices)} device files.")
-    if not has_rules:
-        yield from _missing_rules(bool(devices), bool(refused))
-
-
-def _missing_rules(has_devices: bool, has_refused: bool) -> Iterator[Finding]:
-    """Without the rule, the adapter's latency timer stays at 16 ms after each reconnection."""
-    if has_devices and not has_refused:
-        yield warning(
-            f"The udev rule {RULES} is not installed.",
-            "Install the package, or copy the rule to /etc/udev/rules.d: it gives access to new "
-            "devices and sets the latency timer of USB adapters.",
-        )
+        yield Finding(notice("doctor.allowed", devices=len(devices)))
+        if not has_rules:  # the latency timer is 16 ms after each reconnection
+            absent = warning("doctor.no_rule", rule=RULES)
+            yield Finding(absent, notice("doctor.install_rule"))

@@ -14,7 +14,7 @@ from tracker.base.clock import monotonic, nanoseconds, seconds
 from tracker.base.errors import DeviceError
 from tracker.base.notices import Notice, notice, warning
 from tracker.messages import EYES, Event, StereoFrame
-from tracker.sensors.image_input import Image, ImageInput, Pair
+from tracker.sensors.image_input import HasShortfalls, Image, ImageInput, Pair
 from tracker.sensors.image_watch import ImageWatch, WatchParams
 from tracker.vision.rig import StereoRig
 
@@ -128,6 +128,9 @@ class StereoCamera:
         self._open = True
         self._restart_watch()
         self._report("link", notice("camera.connected", camera=self._source.name))
+        if isinstance(self._source, HasShortfalls):
+            for what in self._source.shortfalls():
+                self._report(what.code, what)
         return True
 
     def _due(self, timeout: float) -> bool:

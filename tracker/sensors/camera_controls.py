@@ -10,79 +10,22 @@ images go on meanwhile.
 
 from __future__ import annotations
 
-import os
-import struct
 import threading
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import cv2
 
+from tracker.base.notices import Notice
+from tracker.sensors.camera_fixed import FixedSetting, fix_settings, local_mains_hz, unverified
+from tracker.sensors.camera_format import CameraReport as CameraReport
+from tracker.sensors.camera_format import Capture, report_of
 from tracker.sensors.camera_systems import exposure_switch
-from tracker.sensors.image_input import ImageInput, Pair
-
-QUERY = 0xC0445624  # VIDIOC_QUERYCTRL of a struct of 68 bytes
-_CONTROL = struct.Struct("=II32siiiiI8x")
-DISABLED = 0x0001
-IDS = {
-    "exposure": 0x009A0902,  # V4L2_CID_EXPOSURE_ABSOLUTE
-    "gain": 0x00980913,
-    "white_balance": 0x0098091A,  # V4L2_CID_WHITE_BALANCE_TEMPERATURE
-}
-SYSTEM = Path("/sys/class/video4linux")
-Ioctl = Callable[[int, int, bytearray], int]
-
-
-class Limits(NamedTuple):
-    """Of a control, in the driver's own units."""
-
-    least: float
-    greatest: float
-    step: float
-    default: float
-
-
-def limits_of(path: str, name: str, ioctl: Ioctl | None = None) -> Limits | None:
-    """Returns the limits of a control of the camera at ``path``; None where the driver reports
-    none, and on other systems."""
-    ask = ioctl or _ioctl()
-    if ask is None or not path.startswith("/dev/"):
-        return None
-    try:
-        device = os.open(path, os.O_RDWR | os.O_NONBLOCK)
-    except OSError:
-        return None
-    asked = bytearray(_CONTROL.pack(IDS[name], 0, b"", 0, 0, 0, 0, 0))
-    try:
-        ask(device, QUERY, asked)
-    except OSError:  # EINVAL: the device has no such control
-        return None
-    finally:
-        os.close(device)
-    _, _, _, least, greatest, step, default, flags = _CONTROL.unpack(asked)
-    return None if flags & DISABLED else Limits(least, greatest, step, default)
-
-
-def serial_number(path: str, system: Path = SYSTEM) -> str:
-    """Returns the USB serial number of the camera at ``path``; empty where there is none."""
-    device = (system / Path(path).name / "device").resolve()
-    for folder in (device, *device.parents[:2]):  # the interface, then the device itself
-        try:
-            return (folder / "serial").read_text("utf-8").strip()
-        except OSError:
-            continue
-    return ""
-
-
-def _ioctl() -> Ioctl | None:
-    """The system's own, where there is one."""
-    try:
-        from fcntl import ioctl
-    except ImportError:
-        return None
-    return lambda device, request, data: ioctl(device, request, data, True)
+from tracker.sensors.image_input import HasShortfalls, ImageInput, Pair
+from tracker.sensors.v4l2 import QUERY as QUERY
+from tracker.sensors.v4l2 import Limits as Limits
+from tracker.sensors.v4l2 import limits_of as limits_of
+from tracker.sensors.v4l2 import serial_number as serial_number
 
 
 @dataclass(frozen=True)
@@ -131,34 +74,12 @@ class Control:
 
 
 @dataclass(frozen=True)
-class CameraReport:
-    """What an open camera grants: its image (px), images a second, pixel format and OpenCV's way
-    to it. ``path`` and ``serial_number`` are empty where the system does not report them."""
-
-    width: int = 0
-    height: int = 0
-    fps: float = 0.0
-    pixel_format: str = ""
-    backend: str = ""
-    path: str = ""
-    serial_number: str = ""
-
-
-@dataclass(frozen=True)
 class Locks:
     """A value locks a control, None leaves it to the camera."""
 
     exposure: float | None = None
     gain: float | None = None
     white_balance: float | None = None
-
-
-class Capture(Protocol):
-    """What is used of `cv2.VideoCapture`."""
-
-    def get(self, prop: int) -> float: ...
-
-    def set(self, prop: int, value: float) -> bool: ...
 
 
 class HasCaptures(ImageInput, Protocol):
@@ -178,20 +99,29 @@ class ControlledInput:
     live = True
 
     def __init__(
-        self, inner: HasCaptures, locks: Locks | None = None, paths: tuple[str, ...] = ()
+        self,
+        inner: HasCaptures,
+        locks: Locks | None = None,
+        paths: tuple[str, ...] = (),
+        mains_hz: int = 0,
     ) -> None:
-        """``paths`` of the devices, where the system has any."""
+        """``paths`` of the devices, where the system has any; ``mains_hz`` 50 or 60 for lamps that
+        flicker, 0 for that of the time zone."""
         self._inner, self._paths = inner, paths
         self._reports: tuple[CameraReport, ...] = ()
         self.name, self.fps = inner.name, inner.fps
         self._lock = threading.Lock()
         self._locks, self._changed = locks or Locks(), True
         self._controls: tuple[Control, ...] = tuple(Control(n) for n in PROPERTIES)
+        self._fixed: tuple[FixedSetting, ...] = ()
+        self._mains_hz = mains_hz or local_mains_hz()
 
     def open(self) -> None:
         self._inner.open()
         self.fps = self._inner.fps
+        found = [fix_settings(path, self._mains_hz) for path in self._paths]
         with self._lock:
+            self._fixed = tuple(setting for settings in found for setting in settings)
             self._changed = True
 
     def read(self) -> Pair | None:
@@ -200,6 +130,18 @@ class ControlledInput:
 
     def close(self) -> None:
         self._inner.close()
+
+    def shortfalls(self) -> list[Notice]:
+        """What the devices grant less than was requested, or do not confirm."""
+        refused = unverified(self.name, list(self.fixed()))
+        inner = self._inner
+        found = inner.shortfalls() if isinstance(inner, HasShortfalls) else []
+        return found if refused is None else [*found, refused]
+
+    def fixed(self) -> tuple[FixedSetting, ...]:
+        """Settings that tracking needs, as they were read back when the devices were opened."""
+        with self._lock:
+            return self._fixed
 
     def controls(self) -> tuple[Control, ...]:
         """As they were after the last change."""
@@ -245,28 +187,6 @@ def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -
         all(c.locked for c in found),
         all(c.verified for c in found),
     )
-
-
-def report_of(capture: Capture, path: str) -> CameraReport:
-    """What the device granted; only read, as often as controls change."""
-    backend = capture.getBackendName() if isinstance(capture, cv2.VideoCapture) else ""
-    return CameraReport(
-        width=max(0, int(capture.get(cv2.CAP_PROP_FRAME_WIDTH))),
-        height=max(0, int(capture.get(cv2.CAP_PROP_FRAME_HEIGHT))),
-        fps=max(0.0, float(capture.get(cv2.CAP_PROP_FPS))),
-        pixel_format=_four_letters(int(capture.get(cv2.CAP_PROP_FOURCC))),
-        backend=backend,
-        path=path,
-        serial_number=serial_number(path) if path.startswith("/dev/") else "",
-    )
-
-
-def _four_letters(code: int) -> str:
-    """A FOURCC as text; empty where the device reports none."""
-    if code <= 0:
-        return ""
-    letters = "".join(chr(code >> shift & 0xFF) for shift in (0, 8, 16, 24))
-    return letters.strip() if letters.isprintable() else ""
 
 
 def set_control(capture: Capture, name: str, value: float | None) -> Control:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import cv2
 import numpy as np
@@ -13,7 +12,9 @@ from numpy.typing import NDArray
 
 from tracker.base.clock import monotonic
 from tracker.base.errors import DeviceError
-from tracker.base.notices import notice
+from tracker.base.notices import Notice, notice
+from tracker.sensors.camera_format import Capture, negotiate, report_of, set_format, shortfall
+from tracker.sensors.camera_format import CaptureFormat as CaptureFormat
 from tracker.sensors.camera_systems import CameraName as CameraName
 from tracker.sensors.camera_systems import exposure_switch, is_device_path
 from tracker.sensors.camera_systems import list_cameras as list_cameras
@@ -24,24 +25,6 @@ Pair = tuple[Image, Image | None]
 LEAST_PAIR = 1.9  # width over height
 AT_ONCE = 0.01  # s: an image that comes sooner has waited
 MOST_QUEUED = 20
-
-
-@dataclass(frozen=True)
-class CaptureFormat:
-    """What is asked of a device; 0 and "" leave it to the driver.
-
-    ``exposure``, ``gain`` and ``white_balance`` are in the driver's own units; a value locks it.
-    """
-
-    width: int = 0
-    height: int = 0
-    fps: float = 0.0
-    fourcc: str = ""
-    backend: int = cv2.CAP_ANY
-    exposure: float | None = None
-    gain: float | None = None
-    white_balance: float | None = None
-    timeout_ms: int = 1000
 
 
 class ImageInput(Protocol):
@@ -58,6 +41,13 @@ class ImageInput(Protocol):
         """The next pair; None at the end or when the device is gone."""
 
     def close(self) -> None: ...
+
+
+@runtime_checkable
+class HasShortfalls(Protocol):
+    """An image input that compares what was requested of its devices with what they grant."""
+
+    def shortfalls(self) -> list[Notice]: ...
 
 
 class StreamInput:
@@ -96,6 +86,10 @@ class StreamInput:
     def captures(self) -> list[cv2.VideoCapture]:
         """The open device, for its controls."""
         return [] if self._capture is None else [self._capture]
+
+    def shortfalls(self) -> list[Notice]:
+        """What the open device grants less than was requested."""
+        return _shortfalls(self.captures(), [self._want], [self._source])
 
     def close(self) -> None:
         if self._capture is not None:
@@ -153,10 +147,26 @@ class TwoCameraInput:
         """The open devices, for their controls."""
         return list(self._captures)
 
+    def shortfalls(self) -> list[Notice]:
+        """What the open devices grant less than was requested."""
+        return _shortfalls(self._captures, self._wants, self._sources)
+
     def close(self) -> None:
         for capture in self._captures:
             capture.release()
         self._captures.clear()
+
+
+def _shortfalls(
+    captures: Sequence[Capture], wants: Sequence[CaptureFormat], sources: Sequence[int | str]
+) -> list[Notice]:
+    """Of devices only: files and addresses grant nothing."""
+    found = [
+        shortfall(want, report_of(capture))
+        for capture, want, source in zip(captures, wants, sources, strict=False)
+        if not isinstance(source, str) or is_device_path(source)
+    ]
+    return list(dict.fromkeys(what for what in found if what is not None))
 
 
 class SequenceInput:
@@ -224,13 +234,14 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
         raise DeviceError(notice("camera.not_there", camera=source))
     capture = cv2.VideoCapture()
     # Only FFMPEG knows the timeouts, and another backend refuses to open with them.
-    if isinstance(source, str) and not is_device_path(source):
+    is_device = not isinstance(source, str) or is_device_path(source)
+    if isinstance(source, str) and not is_device:
         capture.open(source, want.backend or cv2.CAP_FFMPEG, timeouts)
     else:
         capture.open(source, want.backend)
     if not capture.isOpened():
         raise DeviceError(notice("camera.not_opened", camera=source))
-    _apply(capture.set, want)
+    _apply(capture, want, is_device)
     return capture
 
 
@@ -254,17 +265,13 @@ def _rate(capture: cv2.VideoCapture, wanted: float, live: bool, source: int | st
     return told if told > 0 or not live else wanted
 
 
-def _apply(put: Callable[[int, float], bool], want: CaptureFormat) -> None:
-    """The pixel format comes first: it decides which sizes and rates there are."""
-    if want.fourcc:
-        put(cv2.CAP_PROP_FOURCC, cv2.VideoWriter.fourcc(*want.fourcc))
-    for prop, value in (
-        (cv2.CAP_PROP_FRAME_WIDTH, want.width),
-        (cv2.CAP_PROP_FRAME_HEIGHT, want.height),
-        (cv2.CAP_PROP_FPS, want.fps),
-    ):
-        if value:
-            put(prop, value)
+def _apply(capture: Capture, want: CaptureFormat, is_device: bool) -> None:
+    """Format, then locks. A file or an address has no formats to choose from."""
+    if is_device:
+        negotiate(capture, want)
+    else:
+        set_format(capture, want)
+    put = capture.set
     by_hand, _ = exposure_switch()
     locks = (
         (cv2.CAP_PROP_AUTO_EXPOSURE, by_hand, cv2.CAP_PROP_EXPOSURE, want.exposure),

@@ -10,6 +10,7 @@ from __future__ import annotations
 from tracker.base.catalogue import (
     colours,
     devices,
+    doctor,
     exports,
     sessions,
     settings,
@@ -19,6 +20,7 @@ from tracker.base.catalogue import (
 
 TEMPLATES: dict[str, str] = {
     **devices.TEXTS,
+    **doctor.TEXTS,
     **tracking.TEXTS,
     **colours.TEXTS,
     **stereo.TEXTS,
