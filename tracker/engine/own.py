@@ -12,8 +12,9 @@ from tracker.vision.rig import StereoRig
 
 def _chain(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
     from tracker.fusion.chain.engine import ChainEngine
+    from tracker.fusion.chain.params import with_measured_noise
 
-    return ChainEngine(hand, glove, rig, settings.chain)
+    return ChainEngine(hand, glove, rig, with_measured_noise(settings.chain, glove))
 
 
 def _vist(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
@@ -23,23 +24,26 @@ def _vist(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings
 
 
 def _switching(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.chain.params import with_measured_noise
     from tracker.fusion.hybrid import HybridEngine
 
-    chain, hybrid = settings.chain, settings.hybrid
+    chain, hybrid = with_measured_noise(settings.chain, glove), settings.hybrid
     return HybridEngine(hand, glove, rig, chain, hybrid, "switching_offset")
 
 
 def _madgwick(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    from tracker.fusion.chain.params import with_measured_noise
     from tracker.fusion.hybrid import HybridEngine
 
-    chain, hybrid = settings.chain, settings.hybrid
+    chain, hybrid = with_measured_noise(settings.chain, glove), settings.hybrid
     return HybridEngine(hand, glove, rig, chain, hybrid, "madgwick_adaptive")
 
 
 def _inertial(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
     from tracker.fusion.chain.inertial import InertialEngine
+    from tracker.fusion.chain.params import with_measured_noise
 
-    return InertialEngine(hand, glove, settings.chain)
+    return InertialEngine(hand, glove, with_measured_noise(settings.chain, glove))
 
 
 def _chain_state() -> type:

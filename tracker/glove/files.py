@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tracker.base.toml_reader import TomlTable, read_text, read_toml
 from tracker.geometry import so3
-from tracker.glove.model import GloveModel, Imu, Keypoint, Marker
+from tracker.glove.model import GloveModel, Imu, ImuNoise, Keypoint, Marker
 from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 
@@ -56,9 +56,21 @@ def _imu(t: TomlTable, hand: HandModel) -> Imu:
         segment=t.text("segment", among=hand.segment_names),
         position=t.vector("position", 3, limit=0.5),
         R_BI=so3.matrix_from_quat(t.unit("orientation_xyzw", 4)),
+        noise=_noise(t.table("noise")) if t.has("noise") else None,
     )
     t.finish()
     return imu
+
+
+def _noise(t: TomlTable) -> ImuNoise:
+    noise = ImuNoise(
+        gyro=t.number("gyro", low=0.0, high=1.0),
+        accel=t.number("accel", low=0.0, high=10.0),
+        gyro_bias=t.number("gyro_bias", 0.0, low=0.0, high=1.0),
+        accel_bias=t.number("accel_bias", 0.0, low=0.0, high=10.0),
+    )
+    t.finish()
+    return noise
 
 
 def _marker(t: TomlTable, hand: HandModel) -> Marker:

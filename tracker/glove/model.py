@@ -15,14 +15,30 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, IntArray
 
 
+@dataclass(frozen=True)
+class ImuNoise:
+    """Measured noise of an IMU at rest (`tracker.offline.imu_noise`)."""
+
+    gyro: float
+    """rad/s/√Hz"""
+    accel: float
+    """m/s²/√Hz"""
+    gyro_bias: float
+    """rad/s/√s: random walk of the bias."""
+    accel_bias: float
+    """m/s²/√s: the same of the accelerometer."""
+
+
 @dataclass(frozen=True, eq=False)
 class Imu:
-    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting."""
+    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting; ``noise`` if it was
+    measured."""
 
     name: str
     segment: str
     position: Array
     R_BI: Array
+    noise: ImuNoise | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
+from tracker.glove.model import GloveModel
+
 
 class RandomWalks(NamedTuple):
     """Densities per √s of what moves the state by itself, each as `NoiseParams` has it."""
@@ -179,6 +181,22 @@ class ChainParams:
     bundle: BundleParams = field(default_factory=BundleParams)
     synergy: SynergyParams = field(default_factory=SynergyParams)
     guided: GuidedParams = field(default_factory=GuidedParams)
+
+
+def with_measured_noise(params: ChainParams, glove: GloveModel) -> ChainParams:
+    """At least the noise that was measured of the glove's IMUs (the worst of them).
+
+    The defaults are above an MPU-9250's data sheet, since they also cover scale errors and cloth:
+    only IMUs that are worse change the filter. A glove file without noise changes nothing.
+    """
+    measured = [imu.noise for imu in glove.imus if imu.noise is not None]
+    if not measured:
+        return params
+    larger = {
+        name: max(getattr(params.noise, name), *(getattr(noise, name) for noise in measured))
+        for name in ("gyro", "accel", "gyro_bias", "accel_bias")
+    }
+    return replace(params, noise=replace(params.noise, **larger))
 
 
 def without_random_walks(params: ChainParams) -> ChainParams:

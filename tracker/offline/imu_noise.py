@@ -1,0 +1,152 @@
+"""Noise of a glove's IMUs from a recording at rest, and its glove file with that noise."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tracker.base.errors import FileError
+from tracker.glove.model import ImuNoise
+from tracker.inertial.allan import AllanCurve, NoiseModel, noise_of
+from tracker.messages import Array
+from tracker.session.raw_imu import RawImu
+
+LEAST_S = 60.0
+WINDOW_S = 1.0
+MOVED = 4.0
+"""Windows whose standard deviation exceeds that of a quiet one by this factor are motion."""
+QUIET_PERCENTILE = 20
+GAPS = 0.02
+"""Largest share of samples that may be missing; they are interpolated."""
+
+
+@dataclass(frozen=True, eq=False)
+class ImuNoiseResult:
+    """One IMU: curves and models of the gyroscope (rad/s) and accelerometer (m/s²), axes x y z."""
+
+    name: str
+    gyro_curve: AllanCurve
+    accel_curve: AllanCurve
+    gyro: list[NoiseModel]
+    accel: list[NoiseModel]
+
+    @property
+    def noise(self) -> ImuNoise:
+        """The worst axis of each, for the glove file."""
+        return ImuNoise(
+            gyro=max(m.white for m in self.gyro),
+            accel=max(m.white for m in self.accel),
+            gyro_bias=max(m.walk for m in self.gyro),
+            accel_bias=max(m.walk for m in self.accel),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class NoiseReport:
+    """Of a rest that began ``start_s`` after the recording and lasts ``duration_s``."""
+
+    rate_hz: float
+    start_s: float
+    duration_s: float
+    imus: list[ImuNoiseResult]
+
+    def as_json(self) -> dict[str, Any]:
+        return {
+            "rate_hz": self.rate_hz,
+            "start_s": self.start_s,
+            "duration_s": self.duration_s,
+            "imus": {i.name: _as_json(i) for i in self.imus},
+        }
+
+    def lines(self) -> list[str]:
+        """A table for people."""
+        out = [
+            f"At rest from {self.start_s:.0f} s for {self.duration_s:.0f} s, "
+            f"{self.rate_hz:.1f} samples per second. Worst axis of each IMU:",
+            f"{'IMU':20}{'gyro °/s/√Hz':>14}{'instability °/h':>17}{'accel µg/√Hz':>14}"
+            f"{'instability µg':>16}",
+        ]
+        for imu in self.imus:
+            dps = np.rad2deg(max(m.white for m in imu.gyro))
+            dph = 3600 * np.rad2deg(max(m.flicker for m in imu.gyro))
+            ug = [
+                1e6 / 9.80665 * max(getattr(m, n) for m in imu.accel) for n in ("white", "flicker")
+            ]
+            out.append(f"{imu.name:20}{dps:14.4f}{dph:17.1f}{ug[0]:14.0f}{ug[1]:16.0f}")
+        return out
+
+    def table(self) -> tuple[list[str], Array]:
+        """Column names and rows (M, 1 + 6 n) of all curves: s, rad/s and m/s²."""
+        names, columns = ["tau_s"], [self.imus[0].gyro_curve.tau[:, None]]
+        for imu in self.imus:
+            for what, curve in (("gyr", imu.gyro_curve), ("acc", imu.accel_curve)):
+                names += [f"{imu.name}_{what}_{axis}" for axis in "xyz"]
+                columns.append(curve.deviation)
+        return names, np.concatenate(columns, axis=1)
+
+
+def _as_json(imu: ImuNoiseResult) -> dict[str, Any]:
+    return {
+        name: [{"white": m.white, "flicker": m.flicker, "walk": m.walk} for m in models]
+        for name, models in (("gyro_rad_s", imu.gyro), ("accel_m_s2", imu.accel))
+    }
+
+
+def imu_noise(raw: RawImu) -> NoiseReport:
+    """Analyses the longest rest of a recording. Raises FileError if it has none of 60 s, or if an
+    IMU is missing in more than 2 % of it."""
+    if len(raw) < 2:
+        raise FileError("The recording has no samples of IMUs.")
+    t = (raw.stamp_ns - raw.stamp_ns[0]) * 1e-9
+    rate_hz = (len(t) - 1) / float(t[-1])  # single steps have the jitter of the time stamps
+    first, last = longest_rest(raw, rate_hz)
+    duration = (last - first) / rate_hz
+    if duration < LEAST_S:
+        raise FileError(
+            f"The longest rest in the recording is {duration:.0f} s; at least {LEAST_S:.0f} s are "
+            "needed, better 10 minutes. Put the glove on a table and do not touch it."
+        )
+    out = []
+    for j, name in enumerate(raw.names):
+        gyro = _without_gaps(raw.gyro[first:last, j], name)
+        accel = _without_gaps(raw.accel[first:last, j], name)
+        gyro_curve, gyro_models = noise_of(gyro, rate_hz)
+        accel_curve, accel_models = noise_of(accel, rate_hz)
+        out.append(ImuNoiseResult(name, gyro_curve, accel_curve, gyro_models, accel_models))
+    return NoiseReport(rate_hz, float(t[first]), duration, out)
+
+
+def longest_rest(raw: RawImu, rate_hz: float) -> tuple[int, int]:
+    """First packet of the longest rest and the one after its last."""
+    size = max(2, round(WINDOW_S * rate_hz))
+    count = len(raw) // size
+    if count == 0:
+        return 0, 0
+    gyro = raw.gyro[: count * size].reshape(count, size, -1)
+    spread = np.full(count, np.inf)
+    for k, window in enumerate(gyro):
+        known = window[np.isfinite(window).all(axis=1)]
+        if len(known) > size / 2:
+            spread[k] = known.std(axis=0).max()
+    if not np.isfinite(spread).any():
+        return 0, 0
+    quiet = np.percentile(spread[np.isfinite(spread)], QUIET_PERCENTILE)
+    still = spread <= MOVED * quiet
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]])))
+    if len(edges) == 0:
+        return 0, 0
+    starts, ends = edges[::2], edges[1::2]
+    k = int(np.argmax(ends - starts))
+    return int(starts[k]) * size, int(ends[k]) * size
+
+
+def _without_gaps(values: Array, name: str) -> Array:
+    """(N, 3) with missing samples interpolated."""
+    known = np.isfinite(values).all(axis=1)
+    missing = 1 - known.mean()
+    if missing > GAPS:
+        raise FileError(f"The IMU {name} is missing in {100 * missing:.0f} % of the rest.")
+    at = np.arange(len(values))
+    return np.stack([np.interp(at, at[known], column[known]) for column in values.T], axis=1)
