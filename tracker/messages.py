@@ -401,7 +401,7 @@ class RobotModel:
 class RobotState(_Frozen):
     """A robot hand after the estimate of ``t``, in the order of its `RobotModel`.
 
-    command (n,) rad that joints are told, joints (n,) rad where they are; palm (7,) and objects
+    command (n,) rad of the joints, joints (n,) rad their positions; palm (7,) and objects
     (m, 7) m and xyzw in the robot's world W (z up); force (5,) N on each fingertip, thumb first.
     ``holding``: it stands still, because the hand is lost. ``t_told`` s: when the command left for
     the robot; NaN of one that a recording drives.

@@ -62,7 +62,7 @@ class FoxglovePublisher:
         origins: Collection[str] = (),
         others: Sequence[Names] = (),
     ) -> None:
-        """``others``: hands that are told of, too, see `beside`.
+        """``others``: further hands, see `beside`.
 
         ``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now.
 

@@ -128,13 +128,13 @@ class MarkerDoor:
         known = math.isfinite(stream.offset)
         to_clock = self._clock() - pylsl.local_clock()
         t = stamp + stream.offset + to_clock if known else arrived
-        told = {
+        marker = {
             "stream": stream.name[:MOST_TEXT],
             "source": stream.source[:MOST_TEXT],
             "stamp": stamp,
             "clock_offset_s": stream.offset if known else None,
         }
-        request = Request("note", t, text=text.strip()[:MOST_TEXT], data={"lsl": told})
+        request = Request("note", t, text=text.strip()[:MOST_TEXT], data={"lsl": marker})
         self._reception.take(partial(_given, request))
 
 

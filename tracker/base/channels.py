@@ -1,7 +1,7 @@
 """How threads hand messages to each other: two bounded queues and a slot of one.
 
 A lost IMU sample is a lost piece of an integral, so samples go through `Fifo`, which never drops in
-silence. An image that nobody had time for is merely old, so images go through `Latest`. A client
+silence. An image that was not processed is merely old, so images go through `Latest`. A client
 wants every estimate but no old ones, so estimates go through `Backlog`.
 """
 
@@ -19,7 +19,7 @@ class Closed(Exception):
 
 
 class Latest(Generic[T]):
-    """A slot of one: a new value takes the place of one nobody fetched; ``dropped`` counts."""
+    """A slot of one: a new value replaces an unread one; ``dropped`` counts these."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()

@@ -16,7 +16,7 @@ def start_child(
 ) -> tuple[Connection, BaseProcess]:
     """Our end of the pipe and the process, which runs ``serve(its end, *args)``.
 
-    It is started anew, since a fork would copy locks that threads hold, and ends with this one.
+    It is spawned, since a fork would copy locks that threads hold, and ends with this one.
     Its end of the pipe is closed here, so that ours tells when it has gone.
     """
     context = mp.get_context("spawn")

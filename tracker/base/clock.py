@@ -64,5 +64,5 @@ class ClockAnchor:
         return seconds(wall_ns - self.wall_ns + self.monotonic_ns)
 
     def at(self, t: float) -> ClockAnchor:
-        """The same two clocks, told at the monotonic time ``t`` (s); no stamp changes by it."""
+        """The same two clocks, read at the monotonic time ``t`` (s); no stamp changes by it."""
         return ClockAnchor(self.wall(t), nanoseconds(t))

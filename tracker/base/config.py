@@ -19,7 +19,7 @@ from tracker.base.toml_reader import parse_toml
 
 T = TypeVar("T")
 Complain = Callable[[str, str], None]
-"""Told the path of a key and what is wrong with it; raises, or lets the default stand."""
+"""Receives the path of an invalid key and the reason; raises, or returns to use the default."""
 
 UNKNOWN = "is not a setting"
 

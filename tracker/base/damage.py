@@ -16,7 +16,7 @@ from pathlib import Path
 from tracker.base.errors import FileError
 from tracker.base.notices import Notice, warning
 
-MOST_KEPT = 100_000  # messages of a file that are told apart; later ones are not counted
+MOST_KEPT = 100_000  # distinct messages per file; later ones are not counted
 MOST_NAMED = 8  # topics that a sentence names
 DAMAGE = (ValueError, KeyError, TypeError, IndexError, OverflowError, struct.error, FileError)
 """What decoding a damaged message raises."""

@@ -79,7 +79,7 @@ def attached(name: str) -> SharedMemory:
 
 
 def forget_name(memory: SharedMemory) -> None:
-    """Nobody attaches to it any more; it lasts as long as someone has it open."""
+    """Remove its name; it exists as long as a process has it open."""
     with suppress(FileNotFoundError):  # the other one was first
         memory.unlink()
 

@@ -40,7 +40,7 @@ _TOKEN = re.compile(
 
 
 class TomlTable:
-    """One table of a file, read key by key; `finish` complains about keys nobody asked for."""
+    """One table of a file, read key by key; `finish` reports unknown keys."""
 
     def __init__(self, data: dict[str, Any], where: str, source: TomlText) -> None:
         self._data, self._where, self._source = data, where, source
@@ -226,7 +226,7 @@ def read_toml(text: str, name: str) -> TomlTable:
 
 
 def parse_toml(text: str, name: str) -> dict[str, Any]:
-    """The tables of a TOML text. Raises FileError if it is none, or nobody could have written it.
+    """The tables of a TOML text. Raises FileError if it is invalid or implausible.
 
     The standard library's parser has no bound of its own on digits and nesting, and takes a time
     that grows with the square of the parts of a dotted key.

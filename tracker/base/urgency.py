@@ -34,7 +34,7 @@ class _Attributes(ctypes.Structure):
 
 
 def run_soon() -> bool:
-    """Ask it for the calling thread; whether the system has heard it. An older Linux hears it and
+    """Request it for the calling thread; whether the system accepted. An older Linux accepts and
     does nothing; what it does not allow is as if it had not been asked."""
     call = CALLS.get(platform.machine())
     if not sys.platform.startswith("linux") or call is None:

@@ -64,7 +64,7 @@ class Board(Protocol):
 
 
 class StopFlag(Protocol):
-    """Set when nobody waits for the results any more; travels to the workers."""
+    """Set when the results are no longer needed; sent to the workers."""
 
     def set(self) -> None: ...
 
@@ -184,7 +184,7 @@ def _notes(board: Board) -> Iterator[tuple[int, float]]:
 
 
 def _outcome(future: Future[Any]) -> TaskOutcome:
-    """A worker that died or could not even start is told like any other failure."""
+    """A worker that died or could not even start is reported like any other failure."""
     error = future.exception()
     if error is None:
         outcome: TaskOutcome = future.result()

@@ -123,8 +123,8 @@ class Hands:
 
     def _search(self, t: float) -> Search:
         """How far a hand may be looked for in the image of ``t`` beside one that is tracked."""
-        again, anew = t - self._last_again >= AGAIN_EVERY, t - self._last_anew >= ANEW_EVERY
-        if anew:
+        again, restarts = t - self._last_again >= AGAIN_EVERY, t - self._last_anew >= ANEW_EVERY
+        if restarts:
             self._last_again = self._last_anew = t
             return Search.ANEW
         if again:
@@ -162,7 +162,7 @@ class Hands:
                 self._part()
 
     def _part(self) -> None:
-        """Of two hands that took the same blobs, the one with fewer markers starts anew.
+        """Of two hands that took the same blobs, the one with fewer markers starts over.
 
         Blobs that a tracked hand expects are kept from the other, so this is a start: both hands
         were looked for in the same image, and one was found where the other is.

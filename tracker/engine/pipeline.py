@@ -100,7 +100,7 @@ class Pipeline:
         self.ahead = Ahead(GloveOnHand(hand, glove), self.engine, self.timing, self.pair_offset)
 
     def with_engine(self, name: str) -> Pipeline:
-        """The same hand with another engine, which looks for it anew.
+        """The same hand with another engine, which searches for it again.
 
         Raises ConfigError for an unknown name.
         """

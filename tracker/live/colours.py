@@ -22,7 +22,7 @@ class FollowedColours:
     """Gives ``vision`` colours for the light as it is; learning them takes a good part of a second.
 
     Who sets other colours meanwhile has the last word: these are followed from then on. A recording
-    is told of both.
+    is notified of both.
     """
 
     def __init__(self, follower: ColourFollower, vision: Vision, journal: Journal) -> None:

@@ -22,7 +22,7 @@ from tracker.messages import BlobFrame, Calibration, Estimate, FrameResult, Stat
 from tracker.vision.region_prediction import RegionPrediction
 
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
-GONE = 2.0  # s without packets after which nobody searches whole images for a hand that is lost
+GONE = 2.0  # s without packets: full-frame search timeout of a lost hand
 OF_ONE = {
     Tracking.SEARCHING: notice("tracking.searching"),
     Tracking.TRACKING: notice("tracking.tracked"),

@@ -24,7 +24,7 @@ MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
 
 @dataclass(frozen=True, eq=False)
 class DetectedFrame:
-    """An image, what the detector found in it, and how many before it nobody had time for."""
+    """An image, its detections, and the number of skipped images before it."""
 
     frame: StereoFrame
     blobs: BlobFrame
@@ -81,7 +81,7 @@ class Inbox:
             self._skipped += self._is_refused(self._frames, found, MAX_FRAMES_BEHIND)
 
     def _is_refused(self, queue: deque[T], item: T, most: int) -> bool:
-        """Append to a queue of at most ``most``, if there is room; once closed nobody counts.
+        """Append to a queue of at most ``most``, if there is room; not counted once closed.
 
         To be called with the lock held.
         """

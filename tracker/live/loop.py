@@ -264,7 +264,7 @@ class LiveLoop:
         return self.seen[side].status(self.telemetry.values(self.clock()))
 
     def set_engine(self, name: str) -> None:
-        """Track with another engine from the next message on; it looks for the hands anew.
+        """Track with another engine from the next message on; it searches for the hands again.
 
         Raises ConfigError for an unknown name.
         """

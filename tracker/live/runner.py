@@ -157,7 +157,7 @@ class LiveTracker:
         return next(iter(self._loop.hands.pipelines.values())).settings
 
     def set_engine(self, name: str) -> None:
-        """Track with another engine from the next message on; it looks for the hand anew.
+        """Track with another engine from the next message on; it searches for the hand again.
 
         Raises ConfigError for an unknown name.
         """
@@ -216,12 +216,12 @@ class HandOfTracker:
     def command(self, work: Callable[[Engine], None]) -> None:
         """Have ``work`` done to the hand's engine, in its own thread, between two messages.
 
-        A GlovetrackError that it raises is told as an event.
+        A GlovetrackError that it raises is reported as an event.
         """
         self._inbox.put(EngineCommand(work, self.side))
 
     def follow(self, follower: Follower | None) -> None:
-        """Have each estimate heard by ``follower`` from now on, or by nobody."""
+        """Send each estimate to ``follower`` from now on; None: to no one."""
         self._hand.followers = (follower,) if follower is not None else ()
 
     def record(self, message: Message) -> None:

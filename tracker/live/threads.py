@@ -98,7 +98,7 @@ class ThreadGroup:
 
     @property
     def stopping(self) -> bool:
-        """Whether the threads were told to end."""
+        """Whether the threads were asked to end."""
         return self._stopping.is_set()
 
     def start(self, name: str, step: Callable[[], None], soon: bool = False) -> None:

@@ -37,8 +37,8 @@ class Job:
 def plan(sources: Sequence[Path], out: Path) -> list[Job]:
     """One file goes to the file ``out``; several, or a folder, into the folder ``out``.
 
-    Sessions of one name are told apart by a number. Raises ConfigError if ``out`` is a file where
-    it must be a folder.
+    Sessions of the same name are distinguished by a number. Raises ConfigError if ``out`` is a file
+    where it must be a folder.
     """
     if len(sources) == 1 and not sources[0].is_dir() and not out.is_dir():
         return [Job(sources[0], out)]

@@ -62,9 +62,9 @@ class SessionLight:
     def lines(self) -> list[str]:
         """For people."""
         figures = self.to_json()
-        told = self.advice or ("Nothing to change: the markers are clear.",)
+        advice = self.advice or ("Nothing to change: the markers are clear.",)
         head = f"{figures['found']} of {figures['markers']} markers found in "
-        return [head + f"{figures['images']} images, noise {figures['noise']:.1f} levels.", *told]
+        return [head + f"{figures['images']} images, noise {figures['noise']:.1f} levels.", *advice]
 
 
 def _mean(values: list[float]) -> float | None:

@@ -69,7 +69,7 @@ def _rig(args: argparse.Namespace) -> int:
     devices = SimulatedRig(_spec(args), args.folder, args.lenses == "apart", args.force)
     if args.board:
         devices.hold_board(True)
-    heard = _Lines(devices.heed)
+    lines = _Lines(devices.heed)
 
     def ready(files: RigFiles) -> None:
         for side, path in files.gloves.items():
@@ -81,7 +81,7 @@ def _rig(args: argparse.Namespace) -> int:
             print(f"{side + ' hand':<13}{1000 * length:.0f} mm long", flush=True)
 
     def stop() -> bool:
-        heard.take()
+        lines.take()
         return time.monotonic() > end
 
     try:

@@ -35,7 +35,7 @@ EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock
 MONOTONIC_NS = 0
 MOST_LATE = 0.05  # s
 GLOVES = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
-"""What a simulated hand of each side wears if not told."""
+"""Default glove of a simulated hand of each side."""
 
 
 def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:

@@ -79,7 +79,7 @@ class Update:
 
 @dataclass(frozen=True, eq=False)
 class Forgotten:
-    """The first ``rows`` error states were set anew: later ones say nothing of earlier ones."""
+    """The first ``rows`` error states were reset: later ones are independent of earlier ones."""
 
     rows: int
 

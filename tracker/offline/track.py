@@ -70,7 +70,7 @@ def track(
 ) -> TrackReport:
     """Track ``source`` again into the new file ``out``, which is there whole or not at all.
 
-    ``threads`` search images, as many as there are cores unless told; the result is the same.
+    ``threads`` search images, default: one per core; the result does not depend on it.
     ``force`` replaces a file that is there, but never ``source``. Raises FileError for a session
     that lacks what tracking needs.
     """

@@ -134,13 +134,15 @@ class StatusClock:
             "imu_readings_lost": float(report.losses.get("imu_readings", 0)),
             "lost_s": report.lost_s,
         }
-        for name, told in (("imu", self._packets), ("frame", self._frames)):
-            while told and told[0][0] < sample.t - STATUS_WINDOW:
-                told.popleft()
-            span = min(max(sample.t - told[0][0], 0.1), STATUS_WINDOW) if told else STATUS_WINDOW
-            values[f"{name}_rate_hz"] = len(told) / span
-            if told:
-                values[f"latency_{name}_ms"] = 1e3 * float(np.median([d for _, d in told]))
+        for name, recent in (("imu", self._packets), ("frame", self._frames)):
+            while recent and recent[0][0] < sample.t - STATUS_WINDOW:
+                recent.popleft()
+            span = (
+                min(max(sample.t - recent[0][0], 0.1), STATUS_WINDOW) if recent else STATUS_WINDOW
+            )
+            values[f"{name}_rate_hz"] = len(recent) / span
+            if recent:
+                values[f"latency_{name}_ms"] = 1e3 * float(np.median([d for _, d in recent]))
         values["estimate_rate_hz"] = values["imu_rate_hz"]
         return Status(sample.t, tracking, values)
 

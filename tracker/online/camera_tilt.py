@@ -29,7 +29,7 @@ class CameraTiltParams:
     gain: float = 0.3  # 1/s, of tilt towards what the accelerometer says
     bias_gain: float = 0.01  # 1/s²
     trust: float = 1.0  # m/s² by which a believable specific force may differ from gravity
-    longest_step: float = 0.2  # s between samples, beyond which the tilt starts anew
+    longest_step: float = 0.2  # s between samples, beyond which the tilt is reset
     memory: float = 1.0  # s that an image may come late
     ahead: float = 0.1  # s beyond the newest sample, after which the camera is taken to rest
 

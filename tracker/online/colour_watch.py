@@ -7,7 +7,7 @@ from tracker.messages import BlobFrame, Tracking
 
 PATIENCE = 2.0  # s
 MANY = 2.0  # patches in one image for each of the glove's markers
-GAP = 1.0  # s without images, after which it begins anew
+GAP = 1.0  # s without images, after which it starts over
 
 
 class ColourWatch:

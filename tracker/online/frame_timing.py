@@ -31,7 +31,7 @@ class TimingParams:
 @dataclass(eq=False)
 class FrameTimingKept:
     """All of it that changes: what was measured, images under way with the instants (s) that the
-    engine was told, and the offset (s) aimed at and taken off."""
+    engine received, and the offset (s) aimed at and taken off."""
 
     offset: TimeOffsetKept
     under_way: list[tuple[float, BlobFrame]]

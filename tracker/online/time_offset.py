@@ -123,7 +123,7 @@ class TimeOffset:
         self._late: deque[_RootView] = deque()  # seen, and waiting for packets
         self._ata = self._atb = self._count = 0.0
         self._rss, self._last, self._last_seen = 0.0, -np.inf, -np.inf
-        self._of_one = False  # images of one camera have told of it
+        self._of_one = False  # estimated from images of one camera
 
     @property
     def estimate(self) -> Offset:

@@ -21,7 +21,7 @@ _log = logging.getLogger(__name__)
 
 
 class CameraDriver(Protocol):
-    """What a plug-in offers; made without arguments, anew for each question."""
+    """A plug-in's interface; created without arguments for each query."""
 
     def cameras(self) -> Sequence[tuple[str, str]]:
         """Cameras that are there: an id, the same each time, and a name for people."""

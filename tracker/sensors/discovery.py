@@ -82,7 +82,7 @@ def probe(
 def _ask(
     path: str, port: Port, patience: float, clock: Callable[[], float], bauds: Sequence[int]
 ) -> PortReport:
-    start, heard, turn, streaming_at = clock(), 0, 0, 0
+    start, received, turn, streaming_at = clock(), 0, 0, 0
     while (began := clock()) - start < patience:
         baud = streaming_at or bauds[turn % len(bauds)]
         if isinstance(port, TunablePort):
@@ -91,13 +91,13 @@ def _ask(
         decoder, turn = FrameDecoder(), turn + 1
         port.write(b"\0" + encode(HelloRequest()))
         hello, streaming = _listen(port, decoder, clock, end)
-        heard += decoder.counters.bytes
+        received += decoder.counters.bytes
         streaming_at = streaming_at or (baud if streaming else 0)
         if hello is not None:
             return PortReport(path, hello, bool(streaming_at), baud=baud)
     if streaming_at:
         return PortReport(path, None, True, baud=streaming_at)
-    return PortReport(path, None, trouble=_silence(path, heard, bauds))
+    return PortReport(path, None, trouble=_silence(path, received, bauds))
 
 
 def _listen(
@@ -113,9 +113,9 @@ def _listen(
     return None, streaming
 
 
-def _silence(path: str, heard: int, bauds: Sequence[int]) -> Notice:
-    if heard:
-        return warning("port.not_glove", port=path, received_bytes=heard, bauds=bauds)
+def _silence(path: str, received: int, bauds: Sequence[int]) -> Notice:
+    if received:
+        return warning("port.not_glove", port=path, received_bytes=received, bauds=bauds)
     return warning("port.no_answer", port=path)
 
 

@@ -121,7 +121,7 @@ class GloveLink:
         self._at_rest = RangeFromRest()
         self._heard: int | None = None  # seq of the last samples since START
         self._before: int | None = None  # the same at a HELLO that may be a late answer
-        self._was_gone = False  # and nobody was told yet that it is back
+        self._was_gone = False  # and its return is not yet reported
         self._packet_clock = self._new_clock()
         self._wanted_rate = self.params.rate_hz  # set by any thread, sent by the one that polls
         self._rate_asked = float("-inf")  # when that was sent
@@ -150,8 +150,8 @@ class GloveLink:
         return [*out, *self._events.drain()]
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
-        """Let a motor run; whether it was told. It is not while the glove is away, nor where the
-        line has no room: this waits for nobody. From any thread."""
+        """Run a motor; whether the command was sent. It is not while the glove is away, nor if the
+        line has no room, since this does not wait. From any thread."""
         if not self._writing.acquire(timeout=MOMENT):
             return False
         try:

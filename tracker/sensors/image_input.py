@@ -259,10 +259,10 @@ def _rate(capture: cv2.VideoCapture, wanted: float, live: bool, source: int | st
     A webcam that was asked for 60 may grant 30, and loses none of them. What FFMPEG says of a
     stream that comes by itself is its guess, of a film the film's own.
     """
-    told = float(capture.get(cv2.CAP_PROP_FPS))
+    granted = float(capture.get(cv2.CAP_PROP_FPS))
     if live and isinstance(source, str) and not is_device_path(source):
         return 0.0
-    return told if told > 0 or not live else wanted
+    return granted if granted > 0 or not live else wanted
 
 
 def _apply(capture: Capture, want: CaptureFormat, is_device: bool) -> None:

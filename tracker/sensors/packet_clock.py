@@ -152,7 +152,7 @@ class PacketClock:
 
     @property
     def skew_ppm(self) -> float | None:
-        """Host microseconds gained per device second; None until it can be told."""
+        """Host microseconds gained per device second; None until it is known."""
         return 1e6 * self._map.skew if self._map.settled else None
 
     def read(self, packet: Samples, now: float) -> PacketTime | None:

@@ -105,7 +105,7 @@ def read_waiting(port: Port, timeout: float) -> bytes:
 
 
 def write_now(port: Port, data: bytes) -> bool:
-    """As much as the line has room for: what is told again soon must not be waited for. Whether
+    """As much as the line has room for: commands that are repeated soon must not wait. Whether
     that was all. Raises OSError."""
     if isinstance(port, SerialPort):
         return port.write_now(data) == len(data)
@@ -114,7 +114,7 @@ def write_now(port: Port, data: bytes) -> bool:
 
 
 def _read_waiting(port: Port, timeout: float) -> bytes:
-    if port.timeout != timeout:  # the line is set anew each time, which takes it a while
+    if port.timeout != timeout:  # setting it configures the line again, which is slow
         port.timeout = timeout
     first = port.read(1)
     waiting = port.in_waiting if first else 0

@@ -32,7 +32,7 @@ class SessionInfo:
     """``moving_camera``: poses come with the frames and ``rig.pose`` is of no account.
 
     ``arithmetic`` is that of the computer that made the estimates, empty where unknown.
-    ``hues`` are the names that blobs' hues index; the glove's unless told. ``extra`` goes into the
+    ``hues`` are the names that blobs' hues index; by default the glove's. ``extra`` goes into the
     metadata record as it is (a tracked file's ``source``, for one). ``others`` are the session's
     other hands, of which hand and glove count.
     """

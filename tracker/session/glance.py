@@ -25,7 +25,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
 PLACELESS = "inertial"  # the engine that tracks no place
-OF_ALL_NS = 1_500_000_000  # within which each hand has told its status, once a second
+OF_ALL_NS = 1_500_000_000  # within which each hand has sent its status, once a second
 
 
 def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:

@@ -19,9 +19,9 @@ Figures = dict[str, dict[str, float]]
 
 
 def latencies_of(path: Path) -> Figures:
-    """Of a session: ``count``, ``median_ms``, ``p99_ms``, ``most_ms`` by what was told.
+    """Of a session: ``count``, ``median_ms``, ``p99_ms``, ``most_ms`` by recipient.
 
-    ``packet``: the host heard of a sample; ``motor``: a motor of the glove was told anew (events of
+    ``packet``: a sample arrived at the host; ``motor``: a motor received a new command (events of
     kind motor); ``robot NAME``: a robot's command left. All are since the instant of the sample.
     Raises FileError.
     """

@@ -133,9 +133,9 @@ class StateRows:
         self._rows = {what: [values] for what, values in self._said.items()}
 
     def feed(self, data: bytes, row: int) -> None:
-        for told in motion.unpack_diagnostics(data)[1]:
-            if told.name in self._names:
-                self._said[told.name] = self._numbers(told.name, told.values)
+        for status in motion.unpack_diagnostics(data)[1]:
+            if status.name in self._names:
+                self._said[status.name] = self._numbers(status.name, status.values)
         self._from.append(row)
         for what, rows in self._rows.items():
             rows.append(self._said[what])
@@ -152,13 +152,13 @@ class StateRows:
         return np.repeat(np.array(self._rows[what]), counts, axis=0)
 
 
-def at_stamps(stamp: IntArray, told: IntArray, values: Array) -> Array:
+def at_stamps(stamp: IntArray, known: IntArray, values: Array) -> Array:
     """The last row of ``values`` (M, …) with each stamp (N,); NaN where there is none."""
-    if not len(told):
+    if not len(known):
         return np.full((len(stamp), *values.shape[1:]), np.nan)
-    order = np.argsort(told, kind="stable")
-    at = np.clip(np.searchsorted(told[order], stamp, side="right") - 1, 0, None)
-    same = (told[order][at] == stamp).reshape(-1, *[1] * (values.ndim - 1))
+    order = np.argsort(known, kind="stable")
+    at = np.clip(np.searchsorted(known[order], stamp, side="right") - 1, 0, None)
+    same = (known[order][at] == stamp).reshape(-1, *[1] * (values.ndim - 1))
     return np.where(same, values[order[at]], np.nan)
 
 
@@ -234,9 +234,9 @@ class TransformRows:
         if not self._blocks:
             empty = np.full((len(stamp), len(self._children), 3), np.nan)
             return empty, np.full((*empty.shape, 3), np.nan)
-        number, told, p, R = (np.concatenate(part) for part in zip(*self._blocks, strict=True))
+        number, known, p, R = (np.concatenate(part) for part in zip(*self._blocks, strict=True))
         order = np.argsort(number)
-        return at_stamps(stamp, told[order], p[order]), at_stamps(stamp, told[order], R[order])
+        return at_stamps(stamp, known[order], p[order]), at_stamps(stamp, known[order], R[order])
 
     def _decode(self) -> None:
         by_length: dict[int, list[int]] = {}

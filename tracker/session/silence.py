@@ -1,6 +1,6 @@
 """For how long nothing came from a device of a session.
 
-A glove that was away has lost no packet by its counter, which begins anew.
+A glove that was away has lost no packet by its counter, which starts from zero.
 """
 
 from __future__ import annotations
@@ -16,18 +16,19 @@ IMAGES = ("compressed", "blobs")  # the ends of their topics' names
 PAUSED = 2.5  # s without a status, of which there is one a second: the recording was held back
 
 
-def silences(heard: Mapping[str, Sequence[int]], span_ns: tuple[int, int]) -> dict[str, float]:
+def silences(received: Mapping[str, Sequence[int]], span_ns: tuple[int, int]) -> dict[str, float]:
     """Seconds of silence by device (``/glove/right``, ``/camera``), of those that were silent.
 
-    ``heard``: log times (ns) by topic. A device is silent where none of its topics says anything,
-    also at the session's ends; a device of which there is no topic is none of the session's.
+    ``received``: log times (ns) by topic. A device is silent where none of its topics says
+    anything, also at the session's ends; a device of which there is no topic is none of the
+    session's.
     """
     devices: dict[str, list[Sequence[int]]] = {}
-    for topic, times in heard.items():
+    for topic, times in received.items():
         device = _device(topic)
         if device:
             devices.setdefault(device, []).append(times)
-    pauses = _pauses(heard.get(topics.STATUS, ()))
+    pauses = _pauses(received.get(topics.STATUS, ()))
     found = {name: _silence(times, span_ns, pauses) for name, times in devices.items()}
     return {name: seconds for name, seconds in found.items() if seconds > 0.0}
 

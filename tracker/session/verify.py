@@ -73,8 +73,8 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
             out += _judge(topic, track, reader.span_ns[0])
         out += _missing(reader, tracks)
         out += _edits(reader)
-        heard = {topic: track.log_times for topic, track in tracks.items()}
-        for device, seconds in silences(heard, reader.span_ns).items():
+        times = {topic: track.log_times for topic, track in tracks.items()}
+        for device, seconds in silences(times, reader.span_ns).items():
             text = f"nothing came for {seconds:.1f} s"
             out.append(FileFinding("warning", text, device, seconds))
         return out

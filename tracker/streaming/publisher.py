@@ -40,7 +40,7 @@ class Publisher(Protocol):
         """What the user calls it, for messages."""
 
     def send(self, estimate: Estimate) -> None:
-        """Hand one estimate on. May raise StreamError or OSError; the next one is tried anew."""
+        """Hand one estimate on. May raise StreamError or OSError; the next one is tried again."""
 
     def close(self) -> None:
         """Free what it holds. May be called again."""

@@ -133,15 +133,15 @@ class ScriptRun:
     def start(self, t: float) -> None:
         """From the first step on."""
         self._zero, self._begun = t, 0
-        self.tick(t, anew=True)
+        self.tick(t, restart=True)
 
     def cancel(self) -> None:
         """No further step."""
         self.cue = StepCue(CuePhase.DONE, self.cue.number)
 
-    def tick(self, t: float, anew: bool = False) -> None:
+    def tick(self, t: float, restart: bool = False) -> None:
         """Look at the clock, s."""
-        if not (anew or self.is_running):
+        if not (restart or self.is_running):
             return
         since = t - self._zero
         while self._begun < len(self.steps) and since >= self._starts[self._begun]:

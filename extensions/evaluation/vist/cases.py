@@ -23,7 +23,7 @@ SETTLING = 5.0
 Feed = Iterator[Message | Event]
 PAPERS_GLOVE, DISTAL_GLOVE = "vist-small", "vist-small-distal"
 GUIDED = {
-    "untold": "poses held, the tracker not told",
+    "untold": "poses held, but not announced to the tracker",
     "guided": "guided poses",
     "badly": "guided poses held badly",
     "known": "known from another session",
@@ -216,14 +216,14 @@ ABLATIONS: dict[str, Ablation] = {
         ),
         Ablation(
             "camera-imu",
-            "no pose is told; the camera's own IMU gives its tilt",
+            "no camera pose is given; the camera's IMU measures its tilt",
             ("chain", "vist"),
             experiment="head",
             camera="imu",
         ),
         Ablation(
             "camera-unknown",
-            "no pose is told: the camera is taken to stand still",
+            "no camera pose is given: the camera is assumed to be stationary",
             ("chain", "vist"),
             experiment="head",
             camera="nothing",

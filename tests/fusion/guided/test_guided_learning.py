@@ -93,7 +93,7 @@ def test_a_pose_that_is_another_one_is_refused(scene):
         if e.data["pose"] in ("flat", "spread")
     ]
     pipeline = run(scene, wrong)
-    assert pipeline.get_state().engine.tracker.guided.told == []
+    assert pipeline.get_state().engine.tracker.guided.accepted == []
     assert thumb_offset(pipeline) == 0.0
 
 

@@ -87,7 +87,7 @@ class ChainEngine(Engine):
     docs/chain.md derives it; numbers such as ``eq. 12`` in its parts are that page's. It goes on
     from Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own filter is `VistEngine`.
 
-    ``tape``, if there is one, is told of all that the filter does. ``wearer`` is what is known of
+    ``tape``, if any, records all operations of the filter. ``wearer`` is what is known of
     the wearer, and takes a user's commands about it.
     """
 

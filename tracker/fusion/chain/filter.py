@@ -44,7 +44,7 @@ class FilterKept:
 
 
 class ChainFilter:
-    """One hand's state. ``tape`` is told of each step and update; with one, no two intervals are
+    """One hand's state. ``tape`` records each step and update; with one, no two intervals are
     gone through at once."""
 
     def __init__(

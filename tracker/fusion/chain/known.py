@@ -102,7 +102,7 @@ class KnownWearer:
     @property
     def end_joints(self) -> dict[str, Array]:
         """By the names of the digits whose end joint is not sensed, and whose way to bend is known
-        or may be told: covariance (3, 3) of its ratio, offset (rad) and aside (rad)."""
+        or may be given: covariance (3, 3) of its ratio, offset (rad) and aside (rad)."""
         P, digits = self.guided.synergies.P, self._distal.digits
         return {
             d.name: P[OWN * k : OWN * (k + 1), OWN * k : OWN * (k + 1)]

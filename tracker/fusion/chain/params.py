@@ -107,7 +107,7 @@ class ConstraintParams:
 class MatchParams:
     """Correspondence and the state of tracking."""
 
-    lost_after: float = 0.2  # s without enough matches before images are searched anew
+    lost_after: float = 0.2  # s without enough matches before images are searched again
     min_markers: int = 4
     least_markers: int = 2  # enough where no more can be seen
     coast_limit: float = 1.0  # s of useful inertial position

@@ -70,7 +70,7 @@ def flat_rows(state: ChainState, layout: ChainLayout) -> tuple[Array, Array, Arr
 
 def doubt_drift(state: ChainState, layout: ChainLayout, frozen: bool) -> None:
     """Before the rows are used where no image is: segments may have drifted about the vertical, and
-    IMUs slipped, by more than the covariance says. Gravity still tells what it told of tilt.
+    IMUs slipped, by more than the covariance says. Gravity still determines tilt.
 
     ``frozen``: the calibration is held, so mountings are.
     """

@@ -170,7 +170,7 @@ def seen_covariance(J: Matrix, cov: Matrix, sd_pixel: float) -> Matrix:
 
 @kernel
 def origin_products(parent: IntVector, origins: OriginJacobians, P: Matrix) -> Stack:
-    """(A, 3, N) H P of the segments' origins: what a parent has is not made anew."""
+    """(A, 3, N) H P of the segments' origins: reuses the parents' products."""
     used, column, value = origins
     out = np.zeros((len(parent), 3, len(P)))
     for c in range(len(parent)):

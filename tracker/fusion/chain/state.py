@@ -155,7 +155,8 @@ def _inject(
     fitting: Written[Fitting],
     dx: Vector,
 ) -> tuple[Stack, Stack, Matrix]:
-    """Adds to the vectors in place; R_GB, R_IB and scale, which other states share, come anew."""
+    """Adds to the vectors in place; R_GB, R_IB and scale are replaced, because other states share
+    them."""
     p, v, bg, ba, joint, marker = (
         dynamic.p, dynamic.v, imus.bg, imus.ba, fitting.joint, fitting.marker
     )  # fmt: skip

@@ -11,7 +11,7 @@ from tracker.messages import Array
 
 
 class Tape(Protocol):
-    """Told in the order in which it happens. Arrays and states are the filter's own: to be copied
+    """Receives operations in order. Arrays and states are the filter's own: to be copied
     where they are kept, unless it says otherwise."""
 
     def step(self, state: ChainState, readings: Moment, dt: float) -> None:
@@ -22,7 +22,7 @@ class Tape(Protocol):
         S (m, m) and the innovation r (m,), all to keep."""
 
     def forgotten(self, rows: int) -> None:
-        """The first ``rows`` error states are set anew: later ones say nothing of earlier ones."""
+        """The first ``rows`` error states are reset: later ones are independent of earlier ones."""
 
     def shown(self, state: ChainState, sensed: Sensed, tip_sd: Array) -> None:
         """``state`` is at the instant of a packet; tip_sd (A,) m of each segment's end, to keep."""

@@ -66,7 +66,7 @@ class TipBends:
         self.kept = TipBendsKept()
 
     def forget(self) -> None:
-        """The hand was found anew."""
+        """Reset, because the hand was found again."""
         self.kept = TipBendsKept()
 
     # ---- what is known
@@ -219,8 +219,8 @@ def _seen(
     B = (raw[2:] - raw[1]).T / STEP_PX
     scale = float(np.sqrt(abs(np.linalg.det(B))))
     expected = ExpectedTip(raw[1].copy(), raw[0].copy(), radius * scale, B @ S @ B.T)
-    told, u, v, uu, uv_, vv = scan_tip(cloth, expected)
-    if not told:
+    found, u, v, uu, uv_, vv = scan_tip(cloth, expected)
+    if not found:
         return None
     back = np.linalg.inv(B)
     return back @ (u, v), back @ np.array([[uu, uv_], [uv_, vv]]) @ back.T

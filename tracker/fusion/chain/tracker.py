@@ -140,7 +140,7 @@ class ChainTracker:
         if another:
             return replace(result, another=True)
         self._judge.looked(frame.t, image.most_blobs)
-        # 4. Now and then the calibration is solved for anew.
+        # 4. Occasionally the calibration is solved for again.
         self.wearer.calibration.refine(self.state, image, found, self._buffer, self.wearer.guided)
         return result
 

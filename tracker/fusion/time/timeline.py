@@ -226,7 +226,8 @@ class Timeline(Generic[S]):
             self._ahead = None
 
     def _go_back(self, t: float) -> None:
-        """A packet of ``t`` has come: if images were used for want of it, use them anew with it."""
+        """A packet of ``t`` has arrived: if images were used without it, process them again with
+        it."""
         ahead, self._ahead = self._ahead, None
         if ahead is None or t > self._filter.state.t:
             return

@@ -79,8 +79,8 @@ def together(
     files: Sequence[ImportedSamples], imus: Sequence[str], wanted: dict[str, str]
 ) -> ImportedPackets:
     """Raises FileError where the files have no time in common, or only some tell the calendar's."""
-    told = {f.began_ns is not None for f in files}
-    if len(told) > 1:
+    has_start = {f.began_ns is not None for f in files}
+    if len(has_start) > 1:
         raise FileError("Only some of the files tell the time of day; they cannot be put together.")
     began = min((f.began_ns for f in files if f.began_ns is not None), default=None)
     shifted = [f.t + (0.0 if began is None else ((f.began_ns or 0) - began) * 1e-9) for f in files]
@@ -137,7 +137,7 @@ def _means(at: Array, values: Array, t: Array, step: float) -> Array:
 FOLDERS_FILE = "Inertial.csv"
 """What x-IMU3's program writes in a folder for each IMU."""
 ENGINE = "inertial"
-"""What such a session is tracked with unless told: it has no images."""
+"""Default engine of such a session, which has no images."""
 
 
 @dataclass(frozen=True)

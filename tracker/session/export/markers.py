@@ -66,7 +66,7 @@ def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
 
 def dorsal_points(reader: SessionReader, m: EstimateSeries) -> Markers:
     """One point above the back of each segment, without which the turn of a bone about its own
-    line, and the bend of a finger that is nearly straight, are hardly told by points."""
+    line, and the bend of a finger that is nearly straight, are poorly determined by points."""
     hand = m.info.hand
     place = np.array([[0.5 * s.length, 0.0, ABOVE] for s in hand.segments])
     return carried(reader, m, dorsal_names(hand), np.arange(len(place)), place)

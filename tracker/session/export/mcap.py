@@ -1,4 +1,4 @@
-"""MCAP: the session itself, or a part of it, without what shall not be told."""
+"""MCAP: the session itself, or a part of it, without personal data."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ def copy_part(
     options: ExportOptions,
     state: bytes | None = None,
 ) -> None:
-    """The messages with log times (ns) of ``span``, and what held before until it is told anew;
-    damaged ones are left out.
+    """The messages with log times (ns) of ``span``, and the last values before it until they are
+    repeated; damaged ones are left out.
 
     ``state``: what an engine knows at the start of the part, as `engine_state.pack` gives it. A
     part says of itself that it began when it does.
@@ -108,7 +108,7 @@ def _write_extras(
 
 
 def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
-    """The same two clocks, told at the start of the part (ns): no stamp changes by it."""
+    """The same two clocks, read at the start of the part (ns): no stamp changes by it."""
     try:
         wall, monotonic = int(values["wall_clock_ns"]), int(values["monotonic_ns"])
     except (KeyError, ValueError):

@@ -166,7 +166,7 @@ def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
 
 
 def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
-    """Leave out what shall not be told, and what would give it away."""
+    """Remove personal data and everything from which they could be inferred."""
     top, inside = set(), set(anonymous)
     if "participant" in anonymous:  # automatic names of files hold it
         top.add("source")

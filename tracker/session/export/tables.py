@@ -20,7 +20,7 @@ from tracker.session.export.series import EstimateSeries, seconds_text, state_wo
 from tracker.session.reader import SessionReader
 
 NUMBERS = ("x", "y", "z", "qx", "qy", "qz", "qw", "sd")
-"""What is told of each keypoint in numbers: its place, how the bone turns, and how sure it is."""
+"""Columns of each keypoint: position, orientation of the bone, and standard deviation."""
 
 
 def numbered(m: EstimateSeries) -> tuple[str, ...]:
@@ -73,7 +73,7 @@ def _cell(value: float) -> str:
 
 
 def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``t`` is a UTC timestamp; states are dictionaries of words; axes and units are told in the
+    """``t`` is a UTC timestamp; states are dictionaries of words; axes and units are stated in the
     schema's metadata. ConfigError without the extra ``parquet``.
     """
     pa, pq = arrow()

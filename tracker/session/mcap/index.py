@@ -224,7 +224,7 @@ class _Scan:
     def _look_back_for(self, ids: frozenset[int]) -> None:
         """Open earlier chunks, the last one first and each once, until these channels are known."""
         while self._closed and not ids <= self._contents.channels.keys():
-            with contextlib.suppress(FileError, *BAD_RECORD):  # told when its messages are read
+            with contextlib.suppress(FileError, *BAD_RECORD):  # reported when its messages are read
                 self._define_from(self._closed.pop())
 
     def _indexed_channels(self, at: int) -> frozenset[int]:

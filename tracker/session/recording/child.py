@@ -152,7 +152,7 @@ def _recorded(begin: Begin, pipe: Connection, inbox: _Inbox) -> bool:
 
 
 def _reply(pipe: Connection, what: object) -> None:
-    with suppress(OSError):  # nobody is there to hear it
+    with suppress(OSError):  # no receiver
         pipe.send(what)
 
 

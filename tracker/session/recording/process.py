@@ -186,7 +186,8 @@ class RecorderProcess:
                 raise reply.error
 
     def end(self) -> None:
-        """Wait until the file is closed. Raises what has failed there and was not told yet."""
+        """Wait until the file is closed. Raises errors of that process that were not reported
+        yet."""
         self._send(End())
         failed: Failed | None = None
         while True:
@@ -249,7 +250,7 @@ class RecorderProcess:
 
 
 def _limit_sending(pipe: Connection) -> None:
-    """Nobody waits longer than `SEND_TIMEOUT` for the other side to read. Not on Windows."""
+    """Sending waits at most `SEND_TIMEOUT` for the other side to read. Not on Windows."""
     if os.name == "posix":
         with socket.socket(fileno=os.dup(pipe.fileno())) as end:
             limit = struct.pack("ll", SEND_TIMEOUT, 0)

@@ -1,7 +1,7 @@
 """Contacts of the wearer's fingers with things that only another program knows.
 
-A contact is told when it begins, whenever it changes, and at least every `LASTS` s: who hangs up
-leaves neither a motor running nor a contact without an end.
+A contact is reported when it begins, whenever it changes, and at least every `LASTS` s: who hangs
+up leaves neither a motor running nor a contact without an end.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ LEAST, MOST = 60, 255  # amplitudes of the faintest and of the strongest contact
 
 @dataclass
 class _Contact:
-    """``told``: when (s) it was told of last."""
+    """``reported``: time (s) of the last report."""
 
     strength: float
-    told: float
+    reported: float
 
 
 class ContactBook:
@@ -44,7 +44,7 @@ class ContactBook:
                     del self._standing[key]
                     events.append(_event(request.t, key, "end", 0.0))
             elif known is not None:
-                known.strength, known.told = request.strength, request.t
+                known.strength, known.reported = request.strength, request.t
             else:
                 if len(self._standing) >= MOST_CONTACTS:
                     first = next(iter(self._standing))
@@ -55,7 +55,7 @@ class ContactBook:
         return events
 
     def expired(self, t: float) -> list[Event]:
-        """Ends of those that were not told of for `LASTS` s at ``t``."""
+        """Ends of contacts that were not reported for `LASTS` s at ``t``."""
         with self._lock:
             return self._expire(t)
 
@@ -66,10 +66,10 @@ class ContactBook:
             return max(mine, default=0.0)
 
     def _expire(self, t: float) -> list[Event]:
-        over = {k: c for k, c in self._standing.items() if t - c.told > LASTS}
+        over = {k: c for k, c in self._standing.items() if t - c.reported > LASTS}
         for key in over:
             del self._standing[key]
-        return [_event(c.told + LASTS, key, "end", 0.0) for key, c in over.items()]
+        return [_event(c.reported + LASTS, key, "end", 0.0) for key, c in over.items()]
 
 
 def motor_of(strength: float) -> tuple[int, int]:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from websockets.asyncio.server import ServerConnection
 
 START_WAIT = 5.0  # s
-ANSWER_WAIT = 10.0  # s after which a WebSocket client is told that nobody acts
+ANSWER_WAIT = 10.0  # s without an answer after which a WebSocket client receives an error
 TOO_MUCH = 1008  # close code: policy violation
 Parse = Callable[[bytes, float], Request | None]
 Encode = Callable[[Reply], bytes]

@@ -89,7 +89,7 @@ class Reply:
         return Reply(False, do, str(why), id=id, notice=why)
 
     def as_json(self, with_folder: bool = False) -> str:
-        """One line. Where the file lies is told to this computer's own user alone."""
+        """One line. The file's path is reported to this computer's user only."""
         out: dict[str, Any] = {"ok": self.ok, "do": self.do}
         out["text" if self.ok else "error"] = self.text
         if self.file is not None:

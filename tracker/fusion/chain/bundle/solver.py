@@ -254,7 +254,7 @@ class Bundle:
         work.calibration, work.frames, work.p, work.R_GB, work.back = None, [], [], [], []
 
     def _drop(self, work: BundleWork) -> None:
-        """Some postures show something else than this hand: begin to collect anew."""
+        """Discard all postures, because some are not of this hand."""
         self._end(work)
         work.keyframes.kept.clear()
 

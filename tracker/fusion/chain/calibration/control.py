@@ -23,7 +23,7 @@ class RenewParams:
 
     gyro_bias: float = 0.01  # rad/s: from switch-on to switch-on, and with temperature
     accel_bias: float = 0.1  # m/s²
-    mounting: float = 0.05  # rad: the glove sits anew
+    mounting: float = 0.05  # rad: the glove was put on again
 
 
 def calibration_rows(layout: ChainLayout, segments: Sequence[str]) -> IntArray:
@@ -88,7 +88,8 @@ def with_held(state: ChainState, layout: ChainLayout, held: WearerProfile) -> Ch
 def renewed(
     profile: WearerProfile, layout: ChainLayout, params: RenewParams | None = None
 ) -> WearerProfile:
-    """A profile of an earlier session: bones stay, the glove sits anew and sensors have drifted."""
+    """A profile of an earlier session: bones are kept, the glove was put on again, and sensors have
+    drifted."""
     params, n = params or RenewParams(), layout.n_dynamic
     P = profile.P.copy()
     diagonal = np.arange(len(P))

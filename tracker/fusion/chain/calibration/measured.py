@@ -26,7 +26,7 @@ def measured_profile(layout: ChainLayout, length: float, sd: float = RULER_SD) -
     """The profile of a hand ``length`` m long, known to ``sd`` m, and otherwise anybody's.
 
     The Kalman update of the prior (docs/chain.md, eq. 19) with one number. Raises ConfigError where
-    nobody's hand is that long.
+    no hand is that long.
     """
     if not SHORTEST <= length <= LONGEST:
         raise ConfigError(

@@ -139,8 +139,8 @@ def _synergies(said: dict[str, Any], layout: ChainLayout) -> Synergies | None:
     if "synergies" not in said:
         return None
     distal = DistalSegments(layout, SynergyParams())
-    told = [said["synergies"][layout.hand.synergies[d.link].angle] for d in distal.digits]
-    rows = [[t["ratio"], t["offset"], t["aside"]] for t in told]
+    tables = [said["synergies"][layout.hand.synergies[d.link].angle] for d in distal.digits]
+    rows = [[t["ratio"], t["offset"], t["aside"]] for t in tables]
     value = _numbers(rows, (len(rows), OWN))
     if np.abs(value).max(initial=0.0) > 2 * np.pi:
         raise ValueError("no joint bends like that")

@@ -85,7 +85,7 @@ class WearerCalibration:
         control.reset_calibration(state, self._layout, self._params.prior, names)
         if segments is None:
             self.kept.known = None
-        elif self.kept.known is not None:  # a state may take a size for granted that nobody told
+        elif self.kept.known is not None:  # a state may assume a size that was not measured
             rest, sd = profile_of(state, self._layout), self.known_size_sd
             self.kept.known = as_unsure(rest, self._layout, sd)
         self._keep_frozen(state)

@@ -1,7 +1,7 @@
 """Poses that were announced, and which instants of one count.
 
 A wearer reaches a pose up to half a second late and may let it go a little early; between, he
-moves about one posture. What is told of the pose comes from the instant that is nearest to it.
+moves about one posture. The rows of the pose are those of the instant nearest to it.
 """
 
 from __future__ import annotations
@@ -34,23 +34,23 @@ class Hold:
         return t > self.end - EARLY
 
 
-@record("chain.guided.sample", shapes={"posture": "a 3"})
+@record("chain.guided.sample", shapes={"posture": "a 3"}, rows="told")
 @dataclass(eq=False)
 class HeldSample:
-    """One instant of a hold: t s; posture (A - 1, 3) rotation vectors of joints; what the pose says
-    of the calibration, in groups."""
+    """One instant of a hold: t s; posture (A - 1, 3) rotation vectors of joints; the pose's rows on
+    the calibration, in groups."""
 
     t: float
     posture: Array
-    told: list[Told]
+    rows: list[ReducedRows]
 
 
 @record(
     "chain.guided.told", shapes={"H": "m C", "H_own": "m e", "r": "m", "R": "m m", "own": "d 3"}
 )
 @dataclass(eq=False)
-class Told:
-    """What a pose says of calibration and synergies alone, the posture eliminated.
+class ReducedRows:
+    """Rows of a pose on calibration and synergies, with the posture eliminated.
 
     Jacobians H (m, C) and H_own (m, 3 d), innovation r (m,) and its noise R (m, m), linearised at
     ``calibration``, a list of the calibration's arrays, and ``own`` (d, 3).

@@ -18,7 +18,7 @@ from scipy.special import chdtri
 from tracker.base.records import record
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.filter import ChainFilter
-from tracker.fusion.chain.guided.holds import HeldSample, Hold, Told, chosen
+from tracker.fusion.chain.guided.holds import HeldSample, Hold, ReducedRows, chosen
 from tracker.fusion.chain.guided.rows import HeldRows, PoseRows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import GuidedParams
@@ -32,7 +32,7 @@ CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker")
 """Of a state, in the order of the error state."""
 
 
-@record("chain.guided")
+@record("chain.guided", accepted="told")
 @dataclass(eq=False)
 class GuidedKept:
     """All of the learning that changes."""
@@ -40,7 +40,7 @@ class GuidedKept:
     over: int = 0  # holds that nothing is expected of any more
     last: float = -np.inf  # s of the last sample
     samples: list[HeldSample] = field(default_factory=list)  # of the hold that goes on
-    told: list[Told] = field(default_factory=list)  # what was believed
+    accepted: list[ReducedRows] = field(default_factory=list)
     synergies: Synergies | None = None  # None: as before the first pose
     base: Synergies | None = None  # what was known before the first pose, None: the hand file
 
@@ -67,8 +67,8 @@ class GuidedLearning:
         return self.kept.base or self._distal.prior()
 
     def put_on(self, known: Synergies | None) -> None:
-        """Begin anew with the synergies of a wearer's profile, or (None) the hand file's."""
-        self.kept.told, self.kept.base, self.kept.synergies = [], known, known
+        """Start over with the synergies of a wearer's profile, or (None) the hand file's."""
+        self.kept.accepted, self.kept.base, self.kept.synergies = [], known, known
 
     # ---- while the filter goes on
 
@@ -90,8 +90,8 @@ class GuidedLearning:
         self.kept.last = state.t
         posture = relative_rotations(state.R_GB, self._layout.parent)
         rows = self._rows(state, self.synergies, POSES[hold.pose])
-        told = [self._reduced(state, hold.pose, r) for r in rows]
-        self.kept.samples.append(HeldSample(state.t, posture, told))
+        reduced = [self._reduced(state, hold.pose, r) for r in rows]
+        self.kept.samples.append(HeldSample(state.t, posture, reduced))
 
     def _finish(self, filter_: ChainFilter, hold: Hold) -> bool:
         """A hold is over: learn from it if it was one."""
@@ -100,11 +100,11 @@ class GuidedLearning:
         sample = chosen(hold, samples, self._params.moving) if hold.held else None
         if sample is None:
             return False
-        believed = [told for told in sample.told if self._learn(filter_, told)]
-        self.kept.told += believed
-        return bool(believed)
+        accepted = [rows for rows in sample.rows if self._learn(filter_, rows)]
+        self.kept.accepted += accepted
+        return bool(accepted)
 
-    def _reduced(self, state: ChainState, pose: str, rows: HeldRows) -> Told:
+    def _reduced(self, state: ChainState, pose: str, rows: HeldRows) -> ReducedRows:
         """``rows`` with the posture eliminated by what P knows of it (eq. 53)."""
         n = self._layout.n_dynamic
         P_cc = state.P[n:, n:]
@@ -114,39 +114,41 @@ class GuidedLearning:
         H = (cho_solve(factor, (HP[:, n:] / unit).T) / unit[:, None]).T
         R = rows.R + HP @ rows.H.T - HP[:, n:] @ H.T
         kept = [np.array(getattr(state, name)) for name in CALIBRATION]
-        return Told(pose, H, rows.H_own, rows.r, (R + R.T) / 2, kept, self.synergies.value.copy())
+        return ReducedRows(
+            pose, H, rows.H_own, rows.r, (R + R.T) / 2, kept, self.synergies.value.copy()
+        )
 
     # ---- what is made of it
 
-    def innovation(self, told: Told, state: ChainState, own: Array) -> Array:
-        """(m,) of ``told`` at another state's calibration and other synergies (d, 3)."""
-        moved = calibration_error(told.calibration, state)
-        return np.asarray(told.r - told.H @ moved - told.H_own @ (own - told.own).ravel())
+    def innovation(self, rows: ReducedRows, state: ChainState, own: Array) -> Array:
+        """(m,) of ``rows`` at another state's calibration and other synergies (d, 3)."""
+        moved = calibration_error(rows.calibration, state)
+        return np.asarray(rows.r - rows.H @ moved - rows.H_own @ (own - rows.own).ravel())
 
-    def _learn(self, filter_: ChainFilter, told: Told) -> bool:
+    def _learn(self, filter_: ChainFilter, rows: ReducedRows) -> bool:
         """Correct calibration and synergies, unless the pose is not what was said (eq. 54)."""
         own, state, n = self.synergies, filter_.state, self._layout.n_dynamic
-        r = self.innovation(told, state, own.value)
-        by_own = told.H_own @ own.P @ told.H_own.T
-        by_state = told.H @ state.P[n:, n:] @ told.H.T
-        distance = float(r @ np.linalg.solve(by_own + by_state + told.R, r))
+        r = self.innovation(rows, state, own.value)
+        by_own = rows.H_own @ own.P @ rows.H_own.T
+        by_state = rows.H @ state.P[n:, n:] @ rows.H.T
+        distance = float(r @ np.linalg.solve(by_own + by_state + rows.R, r))
         if distance > chdtri(len(r), 1 - self._params.gate):
             return False
-        R = told.R * max(1.0, distance / len(r))  # held less well than people usually do
-        filter_.learn(told.H, r, R + by_own)
-        gain = own.P @ told.H_own.T @ np.linalg.inv(by_own + by_state + R)
-        P = own.P - gain @ told.H_own @ own.P
+        R = rows.R * max(1.0, distance / len(r))  # held less accurately than usual
+        filter_.learn(rows.H, r, R + by_own)
+        gain = own.P @ rows.H_own.T @ np.linalg.inv(by_own + by_state + R)
+        P = own.P - gain @ rows.H_own @ own.P
         self.kept.synergies = own.moved(gain @ r, (P + P.T) / 2)
         return True
 
     def again(self, filter_: ChainFilter) -> None:
         """The filter has started from nothing: tell its calibration what poses have said."""
-        if self.kept.told:
-            own, told = self._base, self.kept.told
-            H_own = np.concatenate([t.H_own for t in told])
-            r = np.concatenate([self.innovation(t, filter_.state, own.value) for t in told])
-            R = block_diag(*(t.R for t in told)) + H_own @ own.P @ H_own.T
-            filter_.learn(np.concatenate([t.H for t in told]), r, R)
+        if self.kept.accepted:
+            own, accepted = self._base, self.kept.accepted
+            H_own = np.concatenate([t.H_own for t in accepted])
+            r = np.concatenate([self.innovation(t, filter_.state, own.value) for t in accepted])
+            R = block_diag(*(t.R for t in accepted)) + H_own @ own.P @ H_own.T
+            filter_.learn(np.concatenate([t.H for t in accepted]), r, R)
 
     def information(self, state: ChainState) -> tuple[Array, Array]:
         """(C, C) and (C,) of the normal equations by the calibration at a state's, the synergies
@@ -155,11 +157,11 @@ class GuidedLearning:
         N, g = np.zeros((n, n)), np.zeros(n)
         N_own, g_own = np.linalg.inv(own.P), np.zeros(own.value.size)
         N_both = np.zeros((n, own.value.size))
-        for told in self.kept.told:
-            r = self.innovation(told, state, own.value)
-            weighed, weighed_own = (np.linalg.solve(told.R, H).T for H in (told.H, told.H_own))
-            N, N_own = N + weighed @ told.H, N_own + weighed_own @ told.H_own
-            N_both += weighed @ told.H_own
+        for rows in self.kept.accepted:
+            r = self.innovation(rows, state, own.value)
+            weighed, weighed_own = (np.linalg.solve(rows.R, H).T for H in (rows.H, rows.H_own))
+            N, N_own = N + weighed @ rows.H, N_own + weighed_own @ rows.H_own
+            N_both += weighed @ rows.H_own
             g, g_own = g + weighed @ r, g_own + weighed_own @ r
         back = np.linalg.solve(N_own, np.column_stack([N_both.T, g_own]))
         return N - N_both @ back[:, :-1], g - N_both @ back[:, -1]

@@ -58,14 +58,14 @@ class PoseRows:
     def _flexions(
         self, state: ChainState, own: Synergies, held: list[HeldFlexion]
     ) -> HeldRows | None:
-        told = [(f, row) for f in held if (row := self._distal.flexion(state, own, f.joint))]
-        if not told:
+        known = [(f, row) for f in held if (row := self._distal.flexion(state, own, f.joint))]
+        if not known:
             return None
         return HeldRows(
-            np.array([row.H for _, row in told]),
-            np.array([row.H_own for _, row in told]),
-            np.array([f.value - row.value for f, row in told]),
-            np.diag([self._variance(f) for f, _ in told]),
+            np.array([row.H for _, row in known]),
+            np.array([row.H_own for _, row in known]),
+            np.array([f.value - row.value for f, row in known]),
+            np.diag([self._variance(f) for f, _ in known]),
         )
 
     def _variance(self, held: HeldFlexion) -> float:
