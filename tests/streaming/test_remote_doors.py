@@ -102,7 +102,7 @@ def test_nonsense_is_answered_in_words_and_an_answer_not_at_all(
 ) -> None:
     client.sendto(b'{"ok": true}', (HERE, udp.port))
     client.sendto(b"\xff", (HERE, udp.port))
-    assert "JSON or plain words" in json.loads(client.recv(9999))["error"]
+    assert "JSON or plain text" in json.loads(client.recv(9999))["error"]
     client.sendto(bytes(MOST_BYTES + 1), (HERE, udp.port))
     assert "at most 2048 bytes" in json.loads(client.recv(9999))["error"]
     assert desk.asked == []
