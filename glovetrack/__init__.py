@@ -15,9 +15,9 @@
 
 Conventions
 -----------
-Units are SI and radians; another unit stands in the name (``_deg``, ``_mm``). Rows are samples: N
-points are (N, 3). Positions are in the global frame G (z up). Quaternions are Hamilton, unit, x, y,
-z, w. Errors are `GlovetrackError` with a sentence for the user.
+Units are SI and radians; a name with another unit ends with it (``_deg``, ``_mm``). Rows are
+samples: N points are (N, 3). Positions are in the global frame G (z up). Quaternions are Hamilton,
+unit, x, y, z, w. Errors are `GlovetrackError`, whose text is for the user.
 
 `glovetrack.applications`, `glovetrack.cameras` and `glovetrack.commands` have what plug-ins need,
 `glovetrack.streams` the outputs and `glovetrack.engine` the synchronous engine. `tracker` and `app`
@@ -64,8 +64,8 @@ __all__ = [
 ]
 
 if not TYPE_CHECKING:
-    # Loaded on first use: the whole engine takes a second, and `glovetrack --help` needs none of
-    # it. Type checkers see the imports above instead, so no name is untyped.
+    # Loaded on first use: the engine takes a second to import, and `glovetrack --help` needs none
+    # of it. Type checkers see the imports above instead, so no name is untyped.
     _MODULES = {
         "columns": ("Columns",),
         "hands": ("Hand", "ImuSamples"),

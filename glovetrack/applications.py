@@ -1,7 +1,7 @@
-"""What an application of the hand is made of: a plug-in under ``glovetrack.applications``.
+"""The parts of an application of the hand: a plug-in under ``glovetrack.applications``.
 
-An application has ``name``, ``title`` and ``between``, is made of its settings (a dataclass) and
-answers ``step(hand: HandSample) -> Step`` with what is drawn and what has happened; see
+An application has ``name``, ``title`` and ``between``, is built from its settings (a dataclass)
+and returns from ``step(hand: HandSample) -> Step`` its drawing and its events; see
 ``extensions/applications/docs/applications.md``.
 """
 

@@ -1,7 +1,7 @@
-"""What a camera driver is made of: a plug-in under ``glovetrack.cameras``.
+"""The parts of a camera driver: a plug-in under ``glovetrack.cameras``.
 
-A `CameraDriver` lists cameras and opens one as an `ImageInput`, which gives a `Pair` of images at a
-time; see ``docs/camera-plugins.md``. Trouble with a device is a `DeviceError` in words.
+A `CameraDriver` lists cameras and opens one as an `ImageInput`, which returns one `Pair` of images
+at a time; see ``docs/camera-plugins.md``. Errors of a device are `DeviceError`.
 """
 
 from tracker.base.errors import DeviceError

@@ -45,7 +45,7 @@ def in_order(points: Array, keypoint_names: Sequence[str], order: Sequence[str])
 
 
 def to_mediapipe(points: Array, keypoint_names: Sequence[str]) -> Array:
-    """(..., 21, 3) m of keypoints (..., K, 3) in MediaPipe's order, in the axes they came in.
+    """(..., 21, 3) m of keypoints (..., K, 3) in MediaPipe's order, in their own axes.
 
     MediaPipe's own world landmarks have a camera's axes (x right, y down) about the hand's centre.
     """

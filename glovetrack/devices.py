@@ -29,7 +29,7 @@ CAMERA_FPS = 60.0  # asked for; a slower camera grants less
 
 @dataclass(frozen=True, eq=False)
 class ConnectedGlove:
-    """A worn glove: the texts of its hand's and its own file, and the source of its packets."""
+    """A glove: the texts of its hand file and glove file, and the source of its packets."""
 
     hand_text: str
     glove_text: str
@@ -38,10 +38,10 @@ class ConnectedGlove:
 
 @dataclass(frozen=True, eq=False)
 class Devices:
-    """What is tracked with: gloves, a camera (``rig`` None where there is none), and what starts
-    and ends them."""
+    """The gloves and the camera to track with (``rig`` is None without a camera), and functions
+    that start and stop them."""
 
-    worn: tuple[ConnectedGlove, ...]
+    gloves: tuple[ConnectedGlove, ...]
     camera: CameraSource
     rig: StereoRig | None
     simulated: bool = False
@@ -103,17 +103,17 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
     main, *others = texts.values()
     spec = DemoSpec(*main, seed, DURATION, fps, others=tuple(others))
     images = SimulatedCamera(spec) if camera else NoSimulatedCamera()
-    gloves = GloveProcess(spec)
+    process = GloveProcess(spec)
 
     def end() -> None:
-        gloves.close()
+        process.close()
         images.close()
 
     try:
         if not images.wait_ready(START_TIMEOUT):
             raise DeviceError("The simulated camera did not start.")
-        paths = gloves.paths(START_TIMEOUT)
-        worn = tuple(
+        paths = process.paths(START_TIMEOUT)
+        gloves = tuple(
             ConnectedGlove(*texts[side], _link(texts[side], paths[side])) for side in sides
         )
     except BaseException:  # Ctrl+C too must not leave processes behind
@@ -123,12 +123,12 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
     def begin() -> None:
         t_0 = time.monotonic() + LEAD
         images.begin(t_0)
-        gloves.begin(t_0)
+        process.begin(t_0)
 
-    return Devices(worn, images, spec.rig if camera else None, True, begin, end)
+    return Devices(gloves, images, spec.rig if camera else None, True, begin, end)
 
 
 def _link(texts: tuple[str, str], path: str, baud: int = BAUD) -> GloveLink:
-    """To the glove at a port; one that is unplugged is looked for until it is back."""
+    """Returns the link to the glove at a port, which reopens after the glove was unplugged."""
     imus = len(parse_glove(texts[1], parse_hand(texts[0])).imus)
     return GloveLink(GlovePort(path, baud), imus, LinkParams(baud=baud))

@@ -54,7 +54,7 @@ class Estimate:
     """A hand at ``t`` (s of the computer's monotonic clock).
 
     ``tracking`` is ``searching``, ``tracking``, ``coasting`` or ``lost``. Positions are in the
-    global frame G (z up), in m, angles in rad; what is lost is NaN.
+    global frame G (z up), in m, angles in rad; lost values are NaN.
     """
 
     side: str
@@ -78,8 +78,8 @@ class Estimate:
     @property
     def state(self) -> Mapping[str, str]:
         """``measured``, ``inferred`` or ``lost`` for each keypoint."""
-        words = (Validity(int(s)).name.lower() for s in self.message.keypoint_state)
-        return dict(zip(self.keypoint_names, words, strict=True))
+        names = (Validity(int(s)).name.lower() for s in self.message.keypoint_state)
+        return dict(zip(self.keypoint_names, names, strict=True))
 
     @property
     def angles(self) -> Mapping[str, float]:
@@ -96,20 +96,20 @@ class LiveTracker:
             for estimate in live:
                 print(estimate.t, estimate.keypoints["index_tip"])
 
-    Estimates of all hands come in one stream; ``estimate.side`` says whose each is. One that is
-    not read within some seconds is discarded, and counted in `discarded`. While it runs BLAS uses
-    one thread in this process.
+    Estimates of all hands are in one stream; ``estimate.side`` is the hand of each. An estimate
+    that is not read in time is discarded, and counted in `discarded`. While the tracker runs,
+    BLAS uses one thread in this process.
     """
 
     def __init__(self, devices: Devices, engine: str = "", colours: str = "") -> None:
         """``engine``: ``chain`` with a camera and ``inertial`` without by default; ``colours``: the
-        name or path of a colour profile. Raises ConfigError and FileError in words."""
+        name or path of a colour profile. Raises ConfigError and FileError."""
         self._devices = devices
         profile = parse_profile(library.text("colours", colours or library.DEFAULT_COLOURS))
         engine = engine or ("chain" if devices.rig is not None else WITHOUT_CAMERA)
         settings = Settings(engine=engine)
         self._anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
-        infos = [self._about(worn, settings, profile) for worn in devices.worn]
+        infos = [self._about(glove, settings, profile) for glove in devices.gloves]
         self._info = of_hands(infos)
         self._names = {i.side: (i.keypoint_names, i.hand.joint_names) for i in infos}
         self._queue: Backlog[Estimate] = Backlog(QUEUED)
@@ -179,7 +179,7 @@ class LiveTracker:
                 yield estimate
 
     def next(self, timeout: float = 1.0) -> Estimate | None:
-        """The next estimate; None where none came within ``timeout`` s or the tracker is closed."""
+        """Returns the next estimate; None if none arrives within ``timeout`` s or after `close`."""
         try:
             return self._queue.get(timeout)
         except Closed:
@@ -191,10 +191,11 @@ class LiveTracker:
         return self._queue.dropped
 
     def latest(self, side: str = "") -> Estimate | None:
-        """The hand as it is now; None before its first packet. ``side`` is needed for both."""
+        """Returns the latest estimate; None before the first packet. With two hands, ``side`` is
+        required."""
         (first, *others) = self._names
         if others and not side:
-            raise ConfigError("Two hands are tracked: say which side.")
+            raise ConfigError("Two hands are tracked. Specify the side.")
         chosen = side or first
         message = self._tracker.hand(chosen).latest_estimate()
         return None if message is None else self._named(chosen, message)
@@ -218,14 +219,14 @@ class LiveTracker:
         """Send every estimate to ``streams`` until the tracker is closed.
 
         ``streams``: as on the command line (``"udp,vmc:39541"``) or settings. ``host`` and
-        ``joints`` (``own`` or ``openxr``) replace those of the settings. ``say`` gets a sentence
-        when a stream fails or works again. Raises ConfigError for an unknown stream and
+        ``joints`` (``own`` or ``openxr``) replace those of the settings. ``say`` is called with a
+        message when a stream fails or recovers. Raises ConfigError for an unknown stream and
         StreamError for one that cannot be opened.
         """
-        settings, words = StreamSettings(), streams
+        settings, named = StreamSettings(), streams
         if isinstance(streams, StreamSettings):
-            settings, words = streams, ""
-        settings = with_streams(settings, str(words), host, joints)
+            settings, named = streams, ""
+        settings = with_streams(settings, str(named), host, joints)
         infos = self._info.hands
 
         def report(what: Notice) -> None:
@@ -262,11 +263,11 @@ class LiveTracker:
         return Estimate(side, message.t, unix, word, *self._names[side], message)
 
     def _about(
-        self, worn: ConnectedGlove, settings: Settings, profile: ColourProfile
+        self, glove: ConnectedGlove, settings: Settings, profile: ColourProfile
     ) -> SessionInfo:
         return describe(
-            worn.hand_text,
-            worn.glove_text,
+            glove.hand_text,
+            glove.glove_text,
             self._anchor,
             rig=self._devices.rig,
             colours_text=profile_to_toml(profile),
@@ -287,5 +288,5 @@ class LiveTracker:
         def make_detector(colours: ColourProfile) -> Detector:
             return Detector(colours, size, pipeline.rig.fx)
 
-        gloves = {i.side: w.source for i, w in zip(infos, self._devices.worn, strict=True)}
+        gloves = {i.side: w.source for i, w in zip(infos, self._devices.gloves, strict=True)}
         return Runner(hands, profile, make_detector, gloves, self._devices.camera)

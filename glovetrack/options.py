@@ -1,4 +1,4 @@
-"""Options of tracking, simulating and exporting, as the commands take them."""
+"""Options of tracking, simulating and exporting, as for the commands."""
 
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions

@@ -67,7 +67,7 @@ class RecordedData(OnlyHand):
 
     @cached_property
     def hands(self) -> Mapping[str, Hand]:
-        """Each recorded hand by its side. Raises FileError where there are no estimates."""
+        """Each recorded hand by its side. Raises FileError if there are no estimates."""
         return MappingProxyType(
             {
                 side: self._hand_of(side, recorded_series(self._file.of_side(side), segments=False))
@@ -77,7 +77,7 @@ class RecordedData(OnlyHand):
 
     @cached_property
     def truth(self) -> Mapping[str, Hand]:
-        """Of a simulated session what each hand really did; empty of another."""
+        """The true motion of each hand of a simulated session; empty otherwise."""
         found = {}
         for side in self.sides:
             reader = self._file.of_side(side)
@@ -123,9 +123,9 @@ class RecordedData(OnlyHand):
         return tuple(e for e in out if self._file.has(e.t))
 
     def images(self, camera: str = "left") -> Iterator[Image]:
-        """Images of the ``left`` or ``right`` camera, decoded one after the other.
+        """Yields the images of the ``left`` or ``right`` camera, decoded one at a time.
 
-        Raises ConfigError for another camera. A recording without images gives none.
+        Raises ConfigError for another camera. Yields nothing for a recording without images.
         """
         if camera not in EYES:
             raise ConfigError(f"The camera is 'left' or 'right', not {camera!r}.")

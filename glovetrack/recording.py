@@ -27,8 +27,8 @@ class Recording(RecordedData):
     """A session file. `glovetrack.open` makes one; it may be used as a context manager.
 
     Times are in s since the recording began, the same for both hands, sensors and images.
-    ``recording[2.0:5.0]`` is the part from 2 s to 5 s. The file is read when something is first
-    asked for; arrays are kept.
+    ``recording[2.0:5.0]`` is the part from 2 s to 5 s. Data are read from the file on
+    first use and then cached.
     """
 
     def __init__(
@@ -68,17 +68,17 @@ class Recording(RecordedData):
 
     @property
     def engine(self) -> str:
-        """Which engine tracked it; empty where it was not tracked."""
+        """The engine that tracked it; empty if it was not tracked."""
         return self._file.reader.info.engine
 
     @property
     def participant(self) -> str:
-        """As it was entered before the recording."""
+        """The participant that was entered before the recording."""
         return self._file.reader.info.participant
 
     @property
     def metadata(self) -> Mapping[str, str]:
-        """Everything that the file says of itself."""
+        """The metadata of the file."""
         return MappingProxyType(self._file.reader.metadata)
 
     # ---- parts
@@ -107,12 +107,11 @@ class Recording(RecordedData):
         options: TrackOptions | None = None,
         force: bool = False,
     ) -> Recording:
-        """Track the sensors again; the new recording, with sensors and estimates.
+        """Tracks the sensor data again; returns the new recording, with sensors and estimates.
 
-        ``engine``: another one than the recording's; ``wearer``: path of a wearer's profile;
-        ``out``: the new file, else one that is deleted with the returned object; ``options``: all
-        that ``glovetrack track`` takes, in place of the arguments before. Raises GlovetrackError
-        in words.
+        ``engine``: instead of the recording's; ``wearer``: path of a wearer's profile; ``out``: the
+        new file, else one that is deleted with the returned object; ``options``: all options of
+        ``glovetrack track``, instead of the other arguments. Raises GlovetrackError.
         """
         from tracker.offline.track import track
 
@@ -132,10 +131,10 @@ class Recording(RecordedData):
         *,
         force: bool = False,
     ) -> Mapping[str, Any]:
-        """Write it as ``format`` (``csv``, ``c3d``, ``bvh``, …) to ``path``.
+        """Exports it as ``format`` (``csv``, ``c3d``, ``bvh``, …) to ``path``.
 
-        Returns what the JSON file beside the export contains. An existing file is replaced only
-        with ``force``. Raises GlovetrackError in words.
+        Returns the content of the JSON file that describes the export. An existing file is replaced
+        only with ``force``. Raises GlovetrackError.
         """
         from tracker.session.export.run import export
 
@@ -145,7 +144,7 @@ class Recording(RecordedData):
             )
 
     def compare(self, other: Recording) -> Mapping[str, Any]:
-        """What differs from another tracking of the same movement: ``identical``, distances of
+        """Compares it with another tracking of the same movement: ``identical``, distances of
         keypoints in mm, differences of angles in degrees. Raises FileError where the two have no
         instants in common."""
         from tracker.session.compare import compare
@@ -156,8 +155,8 @@ class Recording(RecordedData):
 
 @contextmanager
 def _target(out: str | Path | None, name: str) -> Iterator[tuple[Path, Path | None]]:
-    """The path to write to and, where the user named none, the folder made for it; that is deleted
-    where the block fails."""
+    """Yields the path to write to and, without ``out``, the new folder for it, which is deleted if
+    the block fails."""
     if out is not None:
         yield Path(out), None
         return
@@ -177,7 +176,7 @@ def _release(file: SessionFile, folder: Path | None) -> None:
 def open(path: str | Path) -> Recording:
     """Open a recorded session.
 
-    Raises FileError in words where the file does not exist or is not a session.
+    Raises FileError if the file does not exist or is not a session.
     """
     return Recording(Path(path))
 
@@ -192,12 +191,12 @@ def simulate(
     options: SimulateOptions | None = None,
     force: bool = False,
 ) -> Recording:
-    """Simulate a session with known truth: a wearer, a glove and a camera.
+    """Simulates a session with known truth: a wearer, a glove and a camera.
 
     ``path``: the new file, else one that is deleted with the returned object. ``duration`` in s;
     ``hands``: ``right``, ``left`` or ``both``; without ``images`` the detected blobs are written,
-    which is faster. ``options``: all that ``glovetrack simulate`` takes, in place of these. Raises
-    ConfigError for impossible ones.
+    which is faster. ``options``: all options of ``glovetrack simulate``, instead of these.
+    Raises ConfigError for invalid ones.
     """
     from tracker.offline.simulate import SimulateOptions
     from tracker.offline.simulate import simulate as run

@@ -48,7 +48,7 @@ class SessionFile:
             raise ConfigError(f"{self.path.name} is a recording of the {self.sides[0]} hand.")
         if len(self.sides) == 1:
             return self.sides[0]
-        raise ConfigError(f"{self.path.name} is a recording of both hands: say which side.")
+        raise ConfigError(f"{self.path.name} is a recording of both hands. Specify the side.")
 
     def of_side(self, side: str) -> SessionReader:
         """A reader of one hand."""
@@ -108,10 +108,10 @@ class SessionFile:
 
     @contextmanager
     def as_file(self, to_track: bool) -> Iterator[Path]:
-        """The path of the file or, of a part, of a temporary copy.
+        """Yields the path of the file or, for a part, of a temporary copy.
 
-        ``to_track``: the copy holds what the engine knew at its start, for which all that comes
-        before is tracked.
+        ``to_track``: the copy contains the state of the engine at its start, for which the session
+        is tracked up to there.
         """
         if self.window is None:
             yield self.path

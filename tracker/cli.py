@@ -16,7 +16,7 @@ from tracker.base.damage import gather, reports
 from tracker.base.errors import ConfigError, GlovetrackError
 from tracker.base.files import disk_error
 from tracker.base.logs import add_log_options, logging_to
-from tracker.base.terminal import printable, stopped_by_signals, words_on_standard_output
+from tracker.base.terminal import printable, printing, stopped_by_signals
 
 BEFORE_COMMANDS = ("--help", "--version")
 """Options without a command; any other belongs to the window."""
@@ -53,7 +53,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _run(command: Command, args: argparse.Namespace) -> int:
     if command.opens_window:
         return command.start(args)
-    with stopped_by_signals(), words_on_standard_output(), gather() as left_out:
+    with stopped_by_signals(), printing(), gather() as left_out:
         status = command.start(args)
         for found in reports(left_out):
             print(f"glovetrack: {printable(str(found))}", file=sys.stderr)

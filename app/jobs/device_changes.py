@@ -10,7 +10,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.device_settings import CONTROLS, DeviceValue, Value, locks_of
 from app.words import tr
 from tracker.base.errors import DeviceError
-from tracker.base.files import write_kept
+from tracker.base.files import write_with_folder
 from tracker.base.toml_reader import read_text
 from tracker.sensors.camera_controls import locks_text
 
@@ -51,7 +51,7 @@ def _set_rate(setup: EngineSetup, rate_hz: int) -> None:
 
 def save_settings(text: str, path: Path) -> None:
     """Write a file of settings. Raises FileError."""
-    write_kept(path, text)
+    write_with_folder(path, text)
 
 
 def read_settings(path: Path) -> str:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.words import error_text
 from tracker.base.errors import GlovetrackError
-from tracker.base.files import slug, write_kept
+from tracker.base.files import slug, write_with_folder
 from tracker.vision.colours import ColourProfile, load_profile, profile_to_toml
 
 _log = logging.getLogger(__name__)
@@ -49,7 +49,7 @@ class ColourStore:
 
     def save(self, camera: str, profile: ColourProfile) -> None:
         """Raises FileError if it cannot be written."""
-        write_kept(self.path(camera), profile_to_toml(profile))
+        write_with_folder(self.path(camera), profile_to_toml(profile))
 
 
 class ColourAutosave(QObject):

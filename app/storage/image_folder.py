@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from app.storage.removed_file import RemovedFile, remove_file
 from app.words import tr
 from tracker.base.errors import FileError
-from tracker.base.files import write_kept
+from tracker.base.files import write_with_folder
 
 Image = NDArray[np.uint8]
 MOST = 24
@@ -53,7 +53,7 @@ def write_image(path: Path, shot: StoredImage) -> None:
     ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
     if not ok:
         raise FileError(tr("{}: the image could not be encoded.").format(path.name))
-    write_kept(path, data.tobytes())
+    write_with_folder(path, data.tobytes())
 
 
 class ImageFolder:

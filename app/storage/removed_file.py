@@ -7,7 +7,7 @@ from pathlib import Path
 
 from app.words import tr
 from tracker.base.errors import FileError
-from tracker.base.files import write_kept
+from tracker.base.files import write_with_folder
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class RemovedFile:
             raise FileError(
                 tr("{} exists again; it is not replaced by the removed one.").format(self.path.name)
             )
-        write_kept(self.path, self.data)
+        write_with_folder(self.path, self.data)
 
 
 def remove_file(path: Path) -> RemovedFile:

@@ -20,7 +20,7 @@ import platformdirs
 
 from app.words import tr
 from tracker.base.config import UNKNOWN, from_dict
-from tracker.base.files import free_path, write_kept
+from tracker.base.files import free_path, write_with_folder
 
 VERSION = 4
 _log = logging.getLogger(__name__)
@@ -124,7 +124,7 @@ class SettingsStore:
     def update(self, **changes: Any) -> None:
         """Change some fields and write the file. Raises FileError."""
         self.value = dataclasses.replace(self.value, **changes)
-        write_kept(self.path, json.dumps(dataclasses.asdict(self.value), indent=2))
+        write_with_folder(self.path, json.dumps(dataclasses.asdict(self.value), indent=2))
 
     def _read(self) -> AppSettings:
         if not self.path.exists():

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from app.storage.removed_file import RemovedFile, remove_file
 from tracker.base.errors import FileError
-from tracker.base.files import kept_name
+from tracker.base.files import person_file_name
 from tracker.base.toml_reader import read_text
 from tracker.fusion.chain.calibration.profile_file import (
     WearerFile,
@@ -40,7 +40,7 @@ class WearerStore:
         return sorted(p.stem for p in paths if layout is None or is_for(p, layout))
 
     def path(self, name: str) -> Path:
-        return self.folder / f"{kept_name(name)}{SUFFIX}"
+        return self.folder / f"{person_file_name(name)}{SUFFIX}"
 
     def load(self, name: str, layout: ChainLayout) -> WearerFile:
         """Raises FileError if there is none, or if it is for another glove."""
@@ -52,13 +52,13 @@ class WearerStore:
         if self.path(name).exists() and not is_for(self.path(name), wearer.layout):
             name = f"{name} {wearer.layout.glove.name}"
         write_wearer(self.path(name), wearer)
-        return kept_name(name)
+        return person_file_name(name)
 
     def take_in(self, path: Path, layout: ChainLayout) -> str:
         """Import a file under its own name, with a number if another profile has that name; returns
         the name. Raises FileError."""
         wearer = read_wearer(path, layout)
-        stem = kept_name(path.stem)[:50].strip(" ._") or kept_name("")
+        stem = person_file_name(path.stem)[:50].strip(" ._") or person_file_name("")
         name, n = stem, 1
         while self.path(name).exists():
             if _is_same(self.path(name), wearer):

@@ -26,7 +26,7 @@ from app.viewmodels.colours import HueRow, blob_counts, expected_counts, hue_row
 from app.viewmodels.names import spoken
 from app.words import tr
 from tracker.base.errors import ConfigError
-from tracker.base.files import write_kept
+from tracker.base.files import write_with_folder
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.calibration.colours_learn import taught
@@ -229,7 +229,7 @@ class ColourTuning:
 
     def save(self, path: Path) -> None:
         """Write the profile to a file. Raises FileError."""
-        write_kept(path, profile_to_toml(self.profile))
+        write_with_folder(path, profile_to_toml(self.profile))
         self.last_words = tr("Exported to {}").format(path.name)
 
     def check_room(self, image: Image) -> None:

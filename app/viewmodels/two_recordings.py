@@ -18,10 +18,10 @@ from tracker.messages import Array, StereoFrame, Validity
 from tracker.session.align import (
     Alignment,
     Match,
+    alignment_path,
     best_match,
     course_of_angles,
     keep,
-    kept_beside,
     read_alignment,
 )
 from tracker.session.export.series import read_series
@@ -93,7 +93,7 @@ class TwoRecordings:
     @property
     def kept(self) -> float | None:
         """The offset stored next to the second recording for the first; None without one."""
-        path = kept_beside(self.second.path)
+        path = alignment_path(self.second.path)
         if not path.is_file():
             return None
         try:
@@ -104,7 +104,7 @@ class TwoRecordings:
 
     def keep(self, offset: float) -> Path:
         """Store the offset next to the second recording; returns the file. Raises FileError."""
-        path = kept_beside(self.second.path)
+        path = alignment_path(self.second.path)
         by_clock = (self.second.wall_ns - self.first.wall_ns) / NS
         names = self.first.path.name, self.second.path.name
         keep(Alignment(*names, "hand", offset, offset - by_clock), path, force=True)

@@ -67,7 +67,7 @@ class LiveApplication(ReplayedApplication):
 
     def __init__(self, stage: ApplicationStage, live: LiveAccess) -> None:
         super().__init__(stage)
-        self._way, self._telemetry, self._clock = live.way, live.telemetry, live.clock
+        self._priority, self._telemetry, self._clock = live.priority, live.telemetry, live.clock
         self._inbox: Fifo[_Fed] = Fifo(MOST_WAITING)
         self._next: _Fed | None = None
         self._thread: threading.Thread | None = None
@@ -118,7 +118,7 @@ class LiveApplication(ReplayedApplication):
             self._wait_until(began + outcome.t - fed.estimate.t + outcome.next_after)
 
     def _next_of(self, outcomes: Iterator[Outcome]) -> Outcome | None:
-        with self._way:
+        with self._priority:
             return next(outcomes, None)
 
     def _wait_until(self, due: float) -> None:

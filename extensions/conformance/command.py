@@ -51,7 +51,7 @@ def check_conformance(args: argparse.Namespace) -> int:
     from extensions.conformance.page import as_json, page
     from extensions.conformance.run import judge, read_take
     from tracker.base.errors import ConfigError
-    from tracker.base.files import check_target, write_kept
+    from tracker.base.files import check_target, write_with_folder
     from tracker.base.terminal import check_json, finish
 
     if args.simulate == (args.file is not None):
@@ -67,7 +67,7 @@ def check_conformance(args: argparse.Namespace) -> int:
     else:
         verdict = judge(args.file.name, *read_take(args.file, sides))
     if out is not None:
-        write_kept(out, page(verdict), args.force)
+        write_with_folder(out, page(verdict), args.force)
     finish(args, as_json(verdict), _lines(verdict), [*inputs, *_outputs(out, args.simulate)])
     return 0 if verdict.ok else 1
 

@@ -102,7 +102,7 @@ def _own(layout: Layout, written: Sequence[Written]) -> dict[str, Any]:
     """Metadata that LeRobot's own files cannot contain."""
     return {
         "glovetrack": __version__,
-        "world": AXES[WORLD].words,
+        "world": AXES[WORLD].description,
         "joint_axes": OPENXR_AXES,
         "units": "m, rad; quaternions x, y, z, w of one sign along an episode",
         "lost": f"keeps its last value; {VALID} is 0 there",

@@ -48,7 +48,7 @@ def test_both_hands_without_a_camera_come_in_one_stream() -> None:
             if len(sides) == 2 or n > 500:
                 break
         assert sides == {"left", "right"}
-        with pytest.raises(glovetrack.ConfigError, match="which side"):
+        with pytest.raises(glovetrack.ConfigError, match="Specify the side"):
             live.latest()
         assert live.latest("left") is not None
     live.close()  # again

@@ -151,7 +151,7 @@ def test_both_hands(live_recordings: LiveRecordings) -> None:
     assert len(both.hands["left"].t) > 100
     with pytest.raises(glovetrack.ConfigError, match="both hands"):
         both.keypoints  # noqa: B018
-    with pytest.raises(glovetrack.ConfigError, match="say which side"):
+    with pytest.raises(glovetrack.ConfigError, match="Specify the side"):
         both.imu("dorsum")
     assert len(both.imu("dorsum", "left")) > 100
     assert both.track().compare(both)["identical"]

@@ -14,13 +14,13 @@ from tracker.base.errors import FileError
 from tracker.base.files import (
     DiskError,
     free_path,
-    kept_name,
     name_part,
+    person_file_name,
     slug,
     whole_file,
     whole_files,
-    write_kept,
     write_whole,
+    write_with_folder,
 )
 
 
@@ -123,12 +123,12 @@ def test_one_at_work_is_not_swept_away(tmp_path: Path) -> None:
 
 def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: Path) -> None:
     path = tmp_path / "new" / "a.toml"
-    write_kept(path, "Größe = 1")
-    write_kept(path, b"other")
+    write_with_folder(path, "Größe = 1")
+    write_with_folder(path, b"other")
     assert path.read_bytes() == b"other"
     assert [p.name for p in path.parent.iterdir()] == ["a.toml"]
     with raises(FileError, "file.not_writable"):
-        write_kept(path / "inside", "")
+        write_with_folder(path / "inside", "")
 
 
 @pytest.mark.parametrize(
@@ -142,4 +142,4 @@ def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: 
 def test_any_text_gives_a_name_that_every_file_system_takes(
     text: str, expected: tuple[str, str, str]
 ) -> None:
-    assert (slug(text), name_part(text), kept_name(text)) == expected
+    assert (slug(text), name_part(text), person_file_name(text)) == expected

@@ -10,7 +10,7 @@ import pytest
 
 from tests.notices import raises
 from tracker.base.errors import ConfigError
-from tracker.engine.hands import ANEW_EVERY, Hands
+from tracker.engine.hands import FULL_INTERVAL, Hands
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.glove import library
@@ -242,5 +242,5 @@ def test_a_hand_that_is_not_there_is_looked_for_seldom_and_found_soon(monkeypatc
             hands.feed_frame(only if message.t < comes else message)
     tried = np.array(searched)
     tracked_since = 0.3  # s, in which the right hand is found
-    assert len(tried) > 4 and np.diff(tried[tried > tracked_since]).min() >= ANEW_EVERY
-    assert found[0] - comes <= ANEW_EVERY + 0.1
+    assert len(tried) > 4 and np.diff(tried[tried > tracked_since]).min() >= FULL_INTERVAL
+    assert found[0] - comes <= FULL_INTERVAL + 0.1

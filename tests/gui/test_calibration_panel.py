@@ -12,7 +12,7 @@ from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
 from tests.gui.gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from tracker.base.errors import GlovetrackError
-from tracker.base.files import kept_name
+from tracker.base.files import person_file_name
 from tracker.cli import build_parser
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
@@ -250,7 +250,7 @@ def test_without_an_engine_that_listens_nothing_can_be_changed(window):
     [("Anna B.", "Anna B"), ("../x/y", "x_y"), ("Jürgen", "Jürgen"), ("//", "unnamed")],
 )
 def test_every_name_is_a_file_name(name, kept):
-    assert kept_name(name) == kept
+    assert person_file_name(name) == kept
 
 
 def test_a_profile_that_is_taken_in_replaces_no_other_one(tmp_path):

@@ -73,7 +73,7 @@ def install_listeners(
 
 def attach(loop: LiveLoop, sim: Simulation) -> dict[str, Listener]:
     hand = loop.seen["right"]
-    live = LiveAccess(loop.journal.record, hand.telemetry, loop.clock, loop.way)
+    live = LiveAccess(loop.journal.record, hand.telemetry, loop.clock, loop.priority)
     hand.listeners.attach(ListenedHand(sim.hand, sim.glove, live))
     return dict(hand.listeners.by_name)
 

@@ -250,8 +250,8 @@ def test_images_wait_three_at_a_time_and_packets_all(sim):
 def test_what_paints_has_to_wait_while_a_message_is_worked_on(sim) -> None:
     loop, _clock = loop_on(sim)
     taken: list[bool] = []
-    loop.seen["right"].followers = (lambda *_: taken.append(loop.way.is_taken),)
+    loop.seen["right"].followers = (lambda *_: taken.append(loop.priority.is_taken),)
     for message in messages_of(sim)[:20]:
         loop.feed(item(message))
-        assert not loop.way.is_taken
+        assert not loop.priority.is_taken
     assert taken and all(taken)

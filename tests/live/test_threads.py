@@ -49,7 +49,7 @@ def test_what_hangs_is_left_behind_and_freed_when_it_ends() -> None:
     group.start("camera", step)
     group.start("other", lambda: time.sleep(0.01))
     assert hangs.wait(LIMIT)
-    group.tell_to_stop()
+    group.request_stop()
     begun = time.monotonic()
     late = group.join({"camera": freed.set}, 0.3)
     assert time.monotonic() - begun < 5.0, "0.3 s, on a loaded computer more"

@@ -108,7 +108,7 @@ def test_replaced_files_are_of_the_side_that_they_say(session: Path, tmp_path: P
         track(session, tmp_path / "x.mcap", TrackOptions(hand=f"reference-left,{longer}"))
     nameless = tmp_path / "nameless.toml"
     nameless.write_text("schema = 1\n")
-    with pytest.raises(FileError, match="does not say of which side"):
+    with pytest.raises(FileError, match="does not contain its side"):
         track(session, tmp_path / "x.mcap", TrackOptions(glove=str(nameless)))
 
 

@@ -32,5 +32,5 @@ def test_a_session_without_images_has_no_light(tmp_path):
     path = tmp_path / "blobs.mcap"
     simulate(path, SimulateOptions(images=False, duration=1.0, fps=10))
     args = light(str(path))
-    with pytest.raises(FileError, match="holds no images"):
+    with pytest.raises(FileError, match="contains no images"):
         args.command.start(args)

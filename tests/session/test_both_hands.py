@@ -176,6 +176,6 @@ def test_a_part_is_as_near_to_the_truth_as_the_whole_at_the_same_instants(
 ) -> None:
     part = tmp_path / "part.mcap"
     crop(tracked, part, start=1.0)
-    whole = truth_error_mm(tracked, recorded, beside=part)
-    assert whole == pytest.approx(truth_error_mm(part, recorded, beside=tracked))
+    whole = truth_error_mm(tracked, recorded, also_in=part)
+    assert whole == pytest.approx(truth_error_mm(part, recorded, also_in=tracked))
     assert whole != pytest.approx(truth_error_mm(tracked, recorded))

@@ -83,7 +83,7 @@ def test_overlap_is_symmetric_and_agrees_with_membership(a: HueRange, b: HueRang
     ("old", "new", "words"),
     [
         ("schema = 1", "schema = 2", "schema is 2"),
-        ("hue = [169, 11]", "hue = [169, 180]", "line 4: hues.red.hue must lie between 0 and 179"),
+        ("hue = [169, 11]", "hue = [169, 180]", "line 4: hues.red.hue must be between 0 and 179"),
         ("hue = [169, 11]", "hue = [169.5, 11]", "whole numbers"),
         ("saturation = [90, 255]", "saturation = [255, 90]", "line 5.*smaller number first"),
         ("value = [45, 255]", "value = [45]", "hues.red.value must be a list of 2 numbers"),

@@ -1,1 +1,1 @@
-"""What every part uses and that knows nothing of hands: clock, errors, files, threads, settings."""
+"""Basics that every part uses, independent of hands: clock, errors, files, threads, settings."""

@@ -21,7 +21,7 @@ def argument(help: str, *flags: str, **more: Any) -> Mapping[str, Any]:
 
     Without ``flags``, a field with a default is the option ``--its-name`` and one without is
     positional. A bool is a flag that changes the default, ``--no-its-name`` where that is true. A
-    tuple takes several values, a `typing.Literal` one of its words.
+    tuple accepts several values, a `typing.Literal` one of its values.
     """
     return {ARGUMENT: (flags, {"help": help} | more)}
 

@@ -1,8 +1,8 @@
 """Declared shapes of arrays, as text: ``"n 3"``, ``"bool M"``, ``"0 | M"``, ``"21n 21n"``.
 
 One or more alternatives, separated by ``|``: the sizes of the axes, each a number, a name or a
-multiple of a name. A word before them says the type, ``bool``, ``int`` or ``complex``; without one
-the array is of floating-point numbers. The first alternative that matches counts.
+multiple of a name. A prefix is the type, ``bool``, ``int`` or ``complex``; the default is
+floating-point numbers. The first alternative that matches is used.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 Sizes = dict[str, int]
-"""What the names of axes stand for."""
+"""The sizes of named axes."""
 
 _KINDS = {"float": "f", "bool": "b", "int": "iu", "complex": "c"}
 _AXIS = re.compile(r"(\d*)([A-Za-z]?)")
@@ -53,7 +53,7 @@ class ArrayShape:
 
     @staticmethod
     def of(text: str) -> ArrayShape:
-        """Raises TypeError for what is no shape."""
+        """Parses a shape. Raises TypeError for an invalid one."""
         return ArrayShape(text, tuple(_alternative(part, text) for part in text.split("|")))
 
     def match(self, array: np.ndarray, known: Sizes) -> Sizes | None:
@@ -63,13 +63,13 @@ class ArrayShape:
 
 
 def _alternative(part: str, text: str) -> _Alternative:
-    words = part.split()
-    kind = words.pop(0) if words and words[0] in _KINDS else "float"
+    tokens = part.split()
+    kind = tokens.pop(0) if tokens and tokens[0] in _KINDS else "float"
     axes = []
-    for word in words:
-        whole = _AXIS.fullmatch(word)
+    for token in tokens:
+        whole = _AXIS.fullmatch(token)
         if whole is None:
-            raise TypeError(f"{text!r} is not a shape: {word!r}")
+            raise TypeError(f"{text!r} is not a shape: {token!r}")
         factor, name = whole.groups()
         axes.append((int(factor or 1), name))
     return _Alternative(_KINDS[kind], tuple(axes))

@@ -1,8 +1,8 @@
-"""How threads hand messages to each other: two bounded queues and a slot of one.
+"""Channels between threads: two bounded queues and a slot for one value.
 
-A lost IMU sample is a lost piece of an integral, so samples go through `Fifo`, which never drops in
-silence. An image that was not processed is merely old, so images go through `Latest`. A client
-wants every estimate but no old ones, so estimates go through `Backlog`.
+A lost IMU sample is a lost part of an integral, so samples go through `Fifo`, which reports each
+loss. A skipped image is only old, so images go through `Latest`. A client wants every estimate but
+no old ones, so estimates go through `Backlog`.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ T = TypeVar("T")
 
 
 class Closed(Exception):
-    """The channel was closed and holds nothing more."""
+    """The channel was closed and is empty."""
 
 
 class Latest(Generic[T]):
-    """A slot of one: a new value replaces an unread one; ``dropped`` counts these."""
+    """A slot for one value: a new one replaces one that was not read; ``dropped`` counts those."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -45,7 +45,8 @@ class Latest(Generic[T]):
             return True
 
     def get(self, timeout: float | None = 0.0) -> T | None:
-        """Take the value out; None if there is none within ``timeout`` s (None: wait for ever).
+        """Removes and returns the value; None if there is none within ``timeout`` s (None: no
+        limit).
 
         Raises Closed once the channel is closed and empty.
         """
@@ -70,7 +71,7 @@ class Fifo(Generic[T]):
 
     def __init__(self, size: int) -> None:
         if size < 1:
-            raise ValueError("a Fifo holds at least one value")
+            raise ValueError("the size of a Fifo must be at least 1")
         self._size = size
         self._changed = threading.Condition()
         self._values: deque[T] = deque()
@@ -106,7 +107,7 @@ class Fifo(Generic[T]):
             return True
 
     def get(self, timeout: float | None = 0.0) -> T | None:
-        """The oldest value; None if there is none within ``timeout`` s (None: wait for ever).
+        """Returns the oldest value; None if there is none within ``timeout`` s (None: no limit).
 
         Raises Closed once the channel is closed and empty.
         """
@@ -129,7 +130,7 @@ class Fifo(Generic[T]):
             return values
 
     def close(self) -> None:
-        """Refuse new values and wake whoever waits; what is inside can still be fetched."""
+        """Refuses new values and wakes waiting threads; values in the channel can still be read."""
         with self._changed:
             self._closed = True
             self._changed.notify_all()
@@ -140,7 +141,7 @@ class Backlog(Generic[T]):
 
     def __init__(self, size: int) -> None:
         if size < 1:
-            raise ValueError("a Backlog holds at least one value")
+            raise ValueError("the size of a Backlog must be at least 1")
         self._changed = threading.Condition()
         self._values: deque[T] = deque(maxlen=size)
         self._closed = False
@@ -163,7 +164,7 @@ class Backlog(Generic[T]):
             return True
 
     def get(self, timeout: float | None = 0.0) -> T | None:
-        """The oldest value; None if there is none within ``timeout`` s (None: wait for ever).
+        """Returns the oldest value; None if there is none within ``timeout`` s (None: no limit).
 
         Raises Closed once the channel is closed and empty.
         """

@@ -1,4 +1,4 @@
-"""A process of its own for one job, with a pipe to it."""
+"""A child process for one job, with a pipe to it."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from tracker.base.numeric_threads import limit_this_process
 def start_child(
     name: str, serve: Callable[..., object], *args: Any
 ) -> tuple[Connection, BaseProcess]:
-    """Our end of the pipe and the process, which runs ``serve(its end, *args)``.
+    """Starts a process that runs ``serve(its end, *args)``; returns our end of the pipe and it.
 
-    It is spawned, since a fork would copy locks that threads hold, and ends with this one.
-    Its end of the pipe is closed here, so that ours tells when it has gone.
+    The process is spawned, since a fork would copy locks that threads hold, and ends with this one.
+    Its end of the pipe is closed here, so that ours reports when the process has ended.
     """
     context = mp.get_context("spawn")
     ours, theirs = context.Pipe()

@@ -64,5 +64,6 @@ class ClockAnchor:
         return seconds(wall_ns - self.wall_ns + self.monotonic_ns)
 
     def at(self, t: float) -> ClockAnchor:
-        """The same two clocks, read at the monotonic time ``t`` (s); no stamp changes by it."""
+        """Returns the same two clocks, anchored at the monotonic time ``t`` (s); stamps do not
+        change."""
         return ClockAnchor(self.wall(t), nanoseconds(t))

@@ -30,12 +30,12 @@ class Command(Generic[O]):
     help: str
     """One line of ``glovetrack --help``, without a full stop."""
     run: Callable[[O], int | None] | None = None
-    """Does the work; returns the exit status (None: 0). It takes an instance of ``options`` or,
-    without these, the ``argparse.Namespace``. A `GlovetrackError` is printed, exit status 1."""
+    """Runs the command; returns the exit status (None: 0). It receives an instance of ``options``
+    or, without these, the ``argparse.Namespace``. A `GlovetrackError` is printed, exit status 1."""
     options: type[O] | None = None
     """A dataclass: each field is an argument (`tracker.base.arguments`)."""
     add: Callable[[argparse.ArgumentParser], None] | None = None
-    """Adds arguments to the command's parser, in place of or in addition to ``options``."""
+    """Adds arguments to the command's parser, instead of or in addition to ``options``."""
     description: str = ""
     """A paragraph for ``glovetrack NAME --help``."""
     extra: str = ""

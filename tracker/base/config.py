@@ -1,8 +1,8 @@
-"""Frozen dataclasses of settings out of tables and TOML, and into TOML.
+"""Frozen dataclasses of settings, read from tables and TOML, and written as TOML.
 
 Such a dataclass has a default for each field: a number, a text, a boolean, a tuple of numbers, a
-dict, or another such dataclass. `from_dict` is the one reader; who calls it decides what becomes of
-what it cannot take.
+dict, or another such dataclass. `from_dict` is the one reader; its caller decides what
+happens with invalid keys and values.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tracker.base.toml_reader import parse_toml
 
 T = TypeVar("T")
 Complain = Callable[[str, str], None]
-"""Receives the path of an invalid key and the reason; raises, or returns to use the default."""
+"""Receives the path of a key and what is wrong with it; raises, or returns to use the default."""
 
 UNKNOWN = "is not a setting"
 

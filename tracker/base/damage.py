@@ -1,7 +1,7 @@
-"""Damaged messages of a session: each costs only itself, and is counted.
+"""Damaged messages of a session, which are skipped and counted.
 
-What reads a session leaves such a message out and goes on. `gather` collects what was left out of
-every file that a piece of work opens, for the sentences at its end.
+Readers of a session skip such a message and continue. `gather` collects the skipped messages of all
+files that a task opens, for the summary at its end.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from pathlib import Path
 from tracker.base.errors import FileError
 from tracker.base.notices import Notice, warning
 
-MOST_KEPT = 100_000  # distinct messages per file; later ones are not counted
-MOST_NAMED = 8  # topics that a sentence names
+MOST_COUNTED = 100_000  # messages of a file; later ones are not counted
+MOST_NAMED = 8  # topics in a summary
 DAMAGE = (ValueError, KeyError, TypeError, IndexError, OverflowError, struct.error, FileError)
-"""What decoding a damaged message raises."""
+"""Exceptions that decoding a damaged message may raise."""
 
 
 class LeftOut:
-    """Messages of one file that were damaged and therefore left out.
+    """The damaged messages of one file, which were skipped.
 
     A message that is read several times counts once. May be used by several threads.
     """
@@ -36,20 +36,20 @@ class LeftOut:
             gathered.append(self)
 
     def add(self, topic: str, log_time: int) -> None:
-        """Count the message of ``topic`` with ``log_time`` (ns)."""
-        if len(self._found) < MOST_KEPT:
+        """Counts the message of ``topic`` with ``log_time`` (ns)."""
+        if len(self._found) < MOST_COUNTED:
             self._found.add((topic, log_time))
 
     @contextmanager
     def reading(self, topic: str, log_time: int) -> Iterator[None]:
-        """Ends the block without an error where the message turns out to be damaged."""
+        """Suppresses the errors of a damaged message in the block."""
         try:
             yield
         except DAMAGE:
             self.add(topic, log_time)
 
     def merge(self, other: LeftOut) -> None:
-        """Count what ``other`` has found in the same file, too."""
+        """Adds the messages that ``other`` has found in the same file."""
         for topic, log_time in other._found:
             self.add(topic, log_time)
 
@@ -57,7 +57,7 @@ class LeftOut:
         return len(self._found)
 
     def by_topic(self) -> dict[str, int]:
-        """How many, of each topic that has any, in alphabetical order."""
+        """Returns the numbers by topic, in alphabetical order."""
         return dict(sorted(Counter(topic for topic, _ in self._found).items()))
 
     def report(self) -> Notice:

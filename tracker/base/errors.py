@@ -26,7 +26,7 @@ class FileError(GlovetrackError):
 
 
 class DeviceError(GlovetrackError):
-    """A glove or camera is absent, busy or misbehaving."""
+    """A glove or camera is absent, in use or faulty."""
 
 
 class ConfigError(GlovetrackError):

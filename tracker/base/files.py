@@ -1,8 +1,8 @@
-"""Files that are whole or absent, on disks that may be full, gone or read-only.
+"""Files that are complete or absent, on disks that may be full, disconnected or read-only.
 
-What is made is written beside its place in a folder of its own, brought down to the disk, and
-takes its name last. A process that is killed on the way leaves nothing under that name, and the
-next one that wants it sweeps up what is left beside it.
+A new file is written into a temporary folder next to it, synchronised with the disk, and renamed
+last. A process that is killed before leaves nothing under that name, and the next one that writes
+it deletes the temporary folder.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _WORDS = {
     errno.EIO: "the disk failed or was taken away",
     errno.ENODEV: "the disk was taken away",
     errno.ENXIO: "the disk was taken away",
-    errno.ESTALE: "the network disk is gone",
+    errno.ESTALE: "the network disk is disconnected",
     errno.ENOENT: "the folder does not exist",
     errno.ENOTDIR: "the folder does not exist",
     errno.ENAMETOOLONG: "the name is too long",
@@ -45,15 +45,15 @@ _WORDS = {
     errno.ENOTEMPTY: "a folder of that name exists already",
 }
 _PART = ".part"
-_LONGEST_PREFIX = 60  # characters of the name in that of the folder beside it
+_LONGEST_PREFIX = 60  # characters of the name in that of the temporary folder
 
 
 class DiskError(FileError):
-    """The disk did not take what was written."""
+    """Writing to the disk failed."""
 
 
 def disk_error(path: Path | str, error: OSError) -> DiskError:
-    """An operating-system error in the user's words."""
+    """Returns an operating-system error as a message for the user."""
     why = _WORDS.get(error.errno or 0, error.strerror or str(error))
     return DiskError(notice("file.not_writable", path=path, why=why))
 
@@ -65,7 +65,7 @@ def check_regular(path: Path) -> None:
 
 
 def read_bounded(path: Path, limit: int, what: str) -> bytes:
-    """A regular file of at most ``limit`` bytes, whole; ``what`` names the kind that it is not.
+    """Reads a regular file of at most ``limit`` bytes; ``what`` names the expected kind of file.
 
     Raises FileError for a larger one and for one that is not regular, OSError where it is missing.
     """
@@ -78,7 +78,7 @@ def read_bounded(path: Path, limit: int, what: str) -> bytes:
 
 
 def free_bytes(folder: Path) -> int:
-    """Bytes left on the disk of ``folder``; 0 if it is gone."""
+    """Returns the free bytes on the disk of ``folder``; 0 if it is missing."""
     try:
         return shutil.disk_usage(folder).free
     except OSError:
@@ -86,7 +86,7 @@ def free_bytes(folder: Path) -> int:
 
 
 def free_path(path: Path) -> Path:
-    """``path``, or with ``_2``, ``_3``… before the suffix if it is taken."""
+    """Returns ``path``, or with ``_2``, ``_3``… before the suffix if it exists."""
     candidate, n = path, 1
     while os.path.lexists(candidate):
         n += 1
@@ -95,7 +95,7 @@ def free_path(path: Path) -> Path:
 
 
 def check_target(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -> None:
-    """Raises FileError where ``path`` may not become an output.
+    """Raises FileError if ``path`` must not be an output.
 
     An empty file may, as `mktemp` makes one; another existing file only if ``force``; a folder, a
     device or one of the ``inputs`` never.
@@ -113,8 +113,8 @@ def check_target(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -
 
 
 def check_folder_target(folder: Path, force: bool = False) -> None:
-    """Raises FileError where ``folder`` may not be filled: it must be new or empty, or ``force``
-    allows to replace files in it. A file in its place is never replaced."""
+    """Raises FileError if ``folder`` must not be written to: it must be new or empty, or ``force``
+    allows files in it to be replaced. A file of that name is never replaced."""
     try:
         found = next(folder.iterdir(), None)
     except FileNotFoundError:
@@ -129,11 +129,11 @@ def check_folder_target(folder: Path, force: bool = False) -> None:
 def whole_files(
     *paths: Path, force: bool = False, inputs: Sequence[Path] = ()
 ) -> Iterator[tuple[Path, ...]]:
-    """Paths to write to in place of ``paths``, of one folder; these appear when the block ends.
+    """Yields paths to write to instead of ``paths``, which appear when the block ends.
 
-    They appear in their order, each at once, so that the last one tells that all are there. If
-    the block fails none does. A folder in place of a file is moved as a whole. Raises FileError
-    as `check_target` does, DiskError where the disk fails.
+    ``paths`` are of one folder. They appear in their order, each atomically, so that the last one
+    shows that all are complete. If the block fails, none appears. A folder instead of a file is
+    moved as a whole. Raises FileError as `check_target` does, DiskError if the disk fails.
     """
     for path in paths:
         check_target(path, force, inputs)
@@ -169,20 +169,20 @@ def whole_file(path: Path, force: bool = False, inputs: Sequence[Path] = ()) -> 
 def write_whole(
     path: Path, text: str | bytes, force: bool = True, inputs: Sequence[Path] = ()
 ) -> None:
-    """A small file that is there with all of ``text`` (UTF-8), or as it was before."""
+    """Writes ``text`` (UTF-8) to a small file, completely or not at all."""
     data = text.encode() if isinstance(text, str) else text
     with whole_file(path, force, inputs) as part:
         part.write_bytes(data)
 
 
-def write_kept(path: Path, text: str | bytes, force: bool = True) -> None:
-    """`write_whole` in a folder that is made where it is missing. Raises FileError, DiskError."""
+def write_with_folder(path: Path, text: str | bytes, force: bool = True) -> None:
+    """As `write_whole`; creates the folder if it is missing. Raises FileError, DiskError."""
     make_folder(path.parent)
     write_whole(path, text, force)
 
 
 def make_folder(folder: Path) -> None:
-    """Make it where it is missing. Raises DiskError."""
+    """Creates it if it is missing. Raises DiskError."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -205,13 +205,13 @@ def name_part(text: str) -> str:
     return re.sub(r"[^\w-]+", "-", text.strip()).strip("-")
 
 
-def kept_name(name: str) -> str:
-    """A person's name as every file system takes it, with its spaces."""
+def person_file_name(name: str) -> str:
+    """Returns a person's name as a valid file name on every file system, with its spaces."""
     return re.sub(r"[^\w .-]+", "_", name).strip(" ._")[:60] or "unnamed"
 
 
 def _new_part(path: Path) -> tuple[Path, int]:
-    """A new folder beside ``path``, locked for as long as this process uses it."""
+    """Creates a temporary folder next to ``path``, locked while this process uses it."""
     prefix = f".{path.name[:_LONGEST_PREFIX]}."
     if fcntl is not None:
         for left in path.parent.glob(f"{_escaped(prefix)}*{_PART}"):
@@ -225,7 +225,7 @@ def _escaped(prefix: str) -> str:
 
 
 def _locked(folder: Path) -> int:
-    """A lock on ``folder``; -1 where another process holds it, or there are no such locks."""
+    """Locks ``folder``; -1 if another process has locked it, or without support for locks."""
     if fcntl is None:
         return -1
     handle = os.open(folder, os.O_RDONLY)
@@ -238,7 +238,7 @@ def _locked(folder: Path) -> int:
 
 
 def _sweep(left: Path) -> None:
-    """Take away a folder whose process was killed; one that is in use stays."""
+    """Deletes the folder of a process that was killed, not one that is in use."""
     with contextlib.suppress(OSError):
         lock = _locked(left)
         if lock >= 0:
@@ -252,7 +252,7 @@ def _close(lock: int) -> None:
 
 
 def _to_disk(part: Path) -> None:
-    """Have the disk itself hold a file, or all files of a folder."""
+    """Synchronises a file, or all files of a folder, with the disk."""
     if part.is_dir():
         for inside in part.iterdir():
             _sync(inside)
@@ -270,7 +270,7 @@ def _sync(path: Path) -> None:
 
 
 def _give_names(parts: Sequence[Path], paths: Sequence[Path], force: bool) -> None:
-    """All or, where one cannot have its name, none."""
+    """Renames all or, if one cannot be renamed, none."""
     given: list[Path] = []
     try:
         for part, path in zip(parts, paths, strict=True):
@@ -292,7 +292,7 @@ def _is_empty(path: Path) -> bool:
 
 
 def _give_name(part: Path, path: Path, force: bool) -> None:
-    """Rename, but over nothing with content that has come up meanwhile unless ``force``."""
+    """Renames; replaces a file with content that has appeared meanwhile only with ``force``."""
     if force and part.is_file():
         part.replace(path)  # a link is replaced, not what it points to
         return

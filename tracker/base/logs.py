@@ -1,4 +1,4 @@
-"""Where messages of Python's loggers go, and from which level on: the one place that sets levels.
+"""Configures the destination and the level of Python's loggers, for the whole program.
 
 Modules log with ``logging.getLogger(__name__)``. Without the options ``--log-level`` and
 ``--log-file``, warnings and errors go to standard error. The window adds its own log file.

@@ -256,7 +256,7 @@ def _to_json(value: object) -> object:
 
 
 def from_json(record: Mapping[str, object]) -> Notice | None:
-    """The notice that `to_json` wrote; None where there is none, or an invalid one."""
+    """Returns the notice that `to_json` wrote; None if it is missing or invalid."""
     code, values = record.get("code"), record.get("values", {})
     if not isinstance(code, str) or not code or not isinstance(values, Mapping):
         return None

@@ -1,15 +1,15 @@
-"""Classes that are written into recordings under names of their own.
+"""Classes that are written into recordings under fixed names.
 
 A `record`'s name and the names of its fields are a contract with every recording made so far.
 The class may move and be renamed freely; of its attributes, so that old recordings stay readable:
 
-renamed     say under which name it is written: ``@record("name", attribute="written")``
-new         give it a default, which recordings without it take
-gone        name it in ``gone``: what recordings say of it is passed over
+renamed     give the name in recordings: ``@record("name", attribute="written")``
+new         give it a default, for recordings without it
+removed     list it in ``gone``: its values in recordings are ignored
 
 Arrays declare their ``shapes`` (`tracker.base.array_shapes`), alone and within lists and tuples. A
-recorded state is checked against these declarations, whatever an engine at rest looks like: an
-array may be empty before the first hand and grow later. A name in lower case stands for one size
+recorded state is checked against these declarations, not against the state of a new engine: an
+array may be empty before the first hand and grow later. A name in lower case denotes one size
 within one instance; one in capitals for a size of the hand or the glove, the same throughout the
 nearest record around it that is ``sized`` (one engine's state).
 """
@@ -39,7 +39,7 @@ class Record:
     sized: bool
 
     def values(self, whole: Any) -> dict[str, Any]:
-        """What an instance holds, by the names in recordings."""
+        """Returns the values of an instance, by the names in recordings."""
         return {written: getattr(whole, name) for name, written in self.names.items()}
 
     def make(self, values: Mapping[str, Any]) -> Any:
@@ -76,7 +76,7 @@ class Record:
 
 
 RECORDS: dict[str, Record] = {}
-"""By the names in recordings; those of the modules that are loaded."""
+"""By the names in recordings; only those of loaded modules."""
 _OF_CLASS: dict[type, Record] = {}
 
 
@@ -89,8 +89,8 @@ def record(
 ) -> Callable[[type[T]], type[T]]:
     """Decorator of a dataclass, a NamedTuple or an enum (by its values).
 
-    ``shapes`` are by attribute; ``written`` are attributes whose name in recordings is another one.
-    Raises TypeError for a name that is taken, an attribute that there is not, or no shape.
+    ``shapes`` are by attribute; ``written`` maps attributes to their names in recordings, where
+    these differ. Raises TypeError for a name in use, an unknown attribute or an invalid shape.
     """
     declared = {a: ArrayShape.of(text) for a, text in (shapes or {}).items()}
 
@@ -107,7 +107,7 @@ def record(
 
 
 def record_of(kind: type) -> Record | None:
-    """How a class is recorded; None where it is not."""
+    """Returns how a class is recorded; None if it is not."""
     return _OF_CLASS.get(kind)
 
 

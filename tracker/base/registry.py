@@ -1,10 +1,10 @@
-"""What can be added to the program by other packages: one registry for each kind of part.
+"""Parts that other packages can add to the program: one registry for each kind of part.
 
 A package declares a part as an entry point of the group ``glovetrack.KIND``, which names a module's
 attribute: the descriptor. Parts of this program are declared in the same way, in `pyproject.toml`,
-so an extension here and a stranger's package are attached by the same means. A module that holds a
-descriptor is imported to list it, and should therefore be quick to import: what is slow belongs
-into the functions of the descriptor.
+so extensions and other packages are attached by the same means. A module with a descriptor is
+imported to list it, and should therefore be quick to import: slow imports belong in the functions
+of the descriptor.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Registry(Generic[D]):
         return list(_entries(self.group, tuple(sys.path)))
 
     def get(self, name: str) -> D:
-        """One part. Raises ConfigError if there is none of that name or it cannot be loaded."""
+        """Returns one part. Raises ConfigError for an unknown name, or if it cannot be loaded."""
         entry = _entries(self.group, tuple(sys.path)).get(name)
         if entry is None:
             known = ", ".join(self.names()) or "none"
@@ -91,10 +91,9 @@ def names_of(kind: str) -> list[str]:
 
 @lru_cache(maxsize=64)
 def _entries(group: str, path: tuple[str, ...]) -> dict[str, EntryPoint]:
-    """The entry points of a group while `sys.path` is ``path``, by name.
+    """Returns the entry points of a group while `sys.path` is ``path``, by name.
 
-    Where two packages declare the same name, this program's own comes before others, and one of
-    the others before a later one.
+    If two packages declare the same name, this program's takes precedence, then the first one.
     """
     found = sorted(entry_points(group=group), key=lambda entry: not _is_ours(entry))
     out: dict[str, EntryPoint] = {}

@@ -29,11 +29,11 @@ class RoomFor:
     """
 
     def __init__(self, memory: SharedMemory) -> None:
-        place = _FOLDER / memory.name
-        counts = hasattr(os, "posix_fallocate") and place.exists()
-        self._handle = os.open(place, os.O_RDWR) if counts else -1
+        path = _FOLDER / memory.name
+        counts = hasattr(os, "posix_fallocate") and path.exists()
+        self._handle = os.open(path, os.O_RDWR) if counts else -1
 
-    def take(self, start: int, size: int) -> None:
+    def reserve(self, start: int, size: int) -> None:
         """``size`` bytes from ``start`` on may be written to. Raises NoSharedMemory."""
         if self._handle < 0:
             return
@@ -53,7 +53,7 @@ def new_memory(size: int) -> SharedMemory:
     memory = sparse_memory(size)
     room = RoomFor(memory)
     try:
-        room.take(0, size)
+        room.reserve(0, size)
     except NoSharedMemory:
         forget_name(memory)
         memory.close()
@@ -72,7 +72,7 @@ def sparse_memory(size: int) -> SharedMemory:
 
 
 def attached(name: str) -> SharedMemory:
-    """The memory that another process made and named; its name is gone then."""
+    """Opens the memory that another process created, and removes its name."""
     memory = SharedMemory(name=name)
     forget_name(memory)
     return memory

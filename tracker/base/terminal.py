@@ -1,4 +1,4 @@
-"""What commands say: lines for people, JSON for programs, progress, and how they are stopped."""
+"""Output of commands: lines for people, JSON for programs, progress; and stopping them."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def write_json(
 
 
 def _plain(value: Any) -> Any:
-    """NaN has no place in JSON: it becomes null."""
+    """Replaces NaN, which JSON does not have, by null."""
     if isinstance(value, dict):
         return {k: _plain(v) for k, v in value.items()}
     if isinstance(value, list | tuple):
@@ -75,7 +75,7 @@ def _plain(value: Any) -> Any:
 
 
 def printable(text: str) -> str:
-    """Without what would steer a terminal: what a file says is not to be trusted with that."""
+    """Removes control characters, so that the text of a file cannot control the terminal."""
     return "".join(c for c in text if c.isprintable() or "\ud800" <= c <= "\udfff")
 
 
@@ -97,9 +97,9 @@ def progress_line(what: str) -> Callable[[float], None]:
 
 @contextlib.contextmanager
 def stopped_by_signals() -> Iterator[None]:
-    """A request to end (SIGTERM, SIGHUP) ends the block as Ctrl+C does, so that it cleans up.
+    """SIGTERM and SIGHUP end the block as Ctrl+C does, so that it cleans up.
 
-    A signal that is ignored, as under nohup, stays so; another request does not end cleaning up.
+    A signal that is ignored, as under nohup, stays ignored; a second one does not stop cleaning up.
     """
     before = {}
     if threading.current_thread() is threading.main_thread():
@@ -120,10 +120,10 @@ def _stop(number: int, frame: object) -> None:
 
 
 @contextlib.contextmanager
-def words_on_standard_output() -> Iterator[None]:
-    """Characters that it cannot show are spelt out; all that was said has left when this ends.
+def printing() -> Iterator[None]:
+    """Escapes characters that standard output cannot show, and flushes it at the end of the block.
 
-    Raises OSError where standard output takes no more.
+    Raises OSError if standard output is closed.
     """
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
@@ -131,7 +131,7 @@ def words_on_standard_output() -> Iterator[None]:
         yield
         sys.stdout.flush()
     except OSError:
-        # what is still held back would be an error again when Python ends
+        # buffered text would raise the error again when Python ends
         with contextlib.suppress(OSError, ValueError):
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise

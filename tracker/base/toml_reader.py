@@ -40,7 +40,7 @@ _TOKEN = re.compile(
 
 
 class TomlTable:
-    """One table of a file, read key by key; `finish` reports unknown keys."""
+    """One table of a file, read key by key; `finish` raises for keys that were not read."""
 
     def __init__(self, data: dict[str, Any], where: str, source: TomlText) -> None:
         self._data, self._where, self._source = data, where, source
@@ -72,7 +72,7 @@ class TomlTable:
         return value
 
     def name(self, key: str) -> str:
-        """A text that may stand in topics, names of columns and of files."""
+        """Returns a text that is valid in topics, names of columns and of files."""
         return self._checked_name(key, self.text(key))
 
     def _checked_name(self, key: str, value: str) -> str:
@@ -99,7 +99,7 @@ class TomlTable:
         if not abs(value) <= sys.float_info.max:  # NaN, infinite, or an integer beyond all floats
             raise self.fail(key, "must be a finite number")
         if not low <= value <= high:
-            raise self.fail(key, f"is {value:g}; it must lie between {low:g} and {high:g}")
+            raise self.fail(key, f"is {value:g}; it must be between {low:g} and {high:g}")
         return float(value)
 
     def vector(self, key: str, n: int, default: Any = ..., limit: float = math.inf) -> Array:
@@ -140,7 +140,7 @@ class TomlTable:
         return value
 
     def tables(self, key: str, labels: bool = False) -> dict[str, TomlTable]:
-        """The sub-tables of ``key`` by name; none if the key is absent.
+        """Returns the sub-tables of ``key`` by name; empty if the key is absent.
 
         Names are as `name` allows, or with ``labels`` as `label` does.
         """
@@ -218,18 +218,18 @@ class TomlText:
 
 
 def read_toml(text: str, name: str) -> TomlTable:
-    """The root table of a TOML text; ``name`` stands for the file in messages.
+    """Returns the root table of a TOML text; ``name`` is that of the file in messages.
 
-    Raises FileError if it is no TOML.
+    Raises FileError if it is not TOML.
     """
     return TomlTable(parse_toml(text, name), "", TomlText(name, text))
 
 
 def parse_toml(text: str, name: str) -> dict[str, Any]:
-    """The tables of a TOML text. Raises FileError if it is invalid or implausible.
+    """Parses a TOML text. Raises FileError if it is invalid or exceeds the limits.
 
-    The standard library's parser has no bound of its own on digits and nesting, and takes a time
-    that grows with the square of the parts of a dotted key.
+    The standard library's parser does not limit digits and nesting, and its time grows with the
+    square of the number of parts of a dotted key.
     """
     _check_bounds(text, name)
     try:

@@ -1,10 +1,10 @@
-"""Threads whose work is short and cannot wait: the system is asked to let them run soon.
+"""Low scheduling latency for threads whose work is short and urgent.
 
-Linux gives each thread the processor for a slice of some milliseconds, and one that wakes up waits
-for the end of others' slices. From 6.12 on a thread may ask for shorter ones of its own: it gets no
-more time in all, only sooner (sched_setattr(2), `sched_runtime` of SCHED_OTHER). Elsewhere nothing
-is asked. Beside three busy processes on two cores a thread wakes up 0.5 ms late where it was 2.3 ms
-(90 %).
+Linux gives each thread the processor for a slice of a few milliseconds, and a thread that wakes up
+waits for the end of others' slices. From 6.12 on, a thread may request shorter slices: it gets no
+more time in total, but earlier (sched_setattr(2), `sched_runtime` of SCHED_OTHER). On other systems
+there is no such request. With three loaded processes on two cores, a thread wakes up 0.5 ms late
+instead of 2.3 ms (90 %).
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ class _Attributes(ctypes.Structure):
 
 
 def run_soon() -> bool:
-    """Request it for the calling thread; whether the system accepted. An older Linux accepts and
-    does nothing; what it does not allow is as if it had not been asked."""
+    """Requests it for the calling thread; returns whether the system accepted the request. An older
+    Linux accepts it without effect."""
     call = CALLS.get(platform.machine())
     if not sys.platform.startswith("linux") or call is None:
         return False

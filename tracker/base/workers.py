@@ -64,7 +64,7 @@ class Board(Protocol):
 
 
 class StopFlag(Protocol):
-    """Set when the results are no longer needed; sent to the workers."""
+    """Set when the results are not needed any more; passed to the workers."""
 
     def set(self) -> None: ...
 
@@ -163,7 +163,7 @@ def run_all(
             progress(sum(t.weight * s for t, s in zip(tasks, shares, strict=True)) / total)
     except BaseException:
         with suppress(OSError, EOFError):  # who keeps the flag may have been ended, too
-            stop.set()  # what is under way ends at its next word
+            stop.set()  # running tasks end at their next report of progress
         raise
     finally:
         for future in pending:
@@ -184,7 +184,7 @@ def _notes(board: Board) -> Iterator[tuple[int, float]]:
 
 
 def _outcome(future: Future[Any]) -> TaskOutcome:
-    """A worker that died or could not even start is reported like any other failure."""
+    """Reports a worker that died or did not start like any other failure."""
     error = future.exception()
     if error is None:
         outcome: TaskOutcome = future.result()
@@ -197,7 +197,7 @@ def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutc
     limit_this_process()
     reported = [-TELL_EVERY]
 
-    def tell(share: float) -> None:
+    def report(share: float) -> None:
         now = time.monotonic()
         if now - reported[0] >= TELL_EVERY:
             reported[0] = now
@@ -207,7 +207,7 @@ def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> TaskOutc
 
     try:
         with gather() as left_out:
-            value = task.function(*task.arguments, tell)
+            value = task.function(*task.arguments, report)
         return TaskOutcome(value, left_out=tuple(merged(left_out)))
     except GlovetrackError as error:
         return TaskOutcome(error=str(error))

@@ -1,4 +1,4 @@
-"""Where the hand and its markers are expected in an image that is not there yet."""
+"""Where the hand and its markers are expected in an image that has not arrived yet."""
 
 from __future__ import annotations
 
@@ -26,20 +26,23 @@ class GloveOnHand(NamedTuple):
 
 
 class Ahead:
-    """What an engine expects, at the instants at which the cameras will say that they exposed."""
+    """What an engine expects, at the exposure times that the cameras will report."""
 
     def __init__(
-        self, worn: GloveOnHand, engine: Engine, timing: FrameTiming, pair_offset: PairOffset
+        self,
+        glove_on_hand: GloveOnHand,
+        engine: Engine,
+        timing: FrameTiming,
+        pair_offset: PairOffset,
     ) -> None:
-        self._glove, self._engine = worn.glove, engine
+        self._glove, self._engine = glove_on_hand.glove, engine
         self._timing, self._pair = timing, pair_offset
-        self._marker_segment = worn.glove.marker_segment(worn.hand)
-        self._shape = HandShape.of(worn.hand)
+        self._marker_segment = self._glove.marker_segment(glove_on_hand.hand)
+        self._shape = HandShape.of(glove_on_hand.hand)
 
     def markers(self, t: float, before: RegionPrediction | None = None) -> RegionPrediction | None:
-        """Where markers are expected at ``t``, not before the newest packet; None while searching.
-
-        Their speed is taken from where they were expected ``before``.
+        """Returns where markers are expected at ``t``, not before the newest packet; None while
+        searching. Their velocity follows from where they were expected ``before``.
         """
         markers = self._engine.predicted_markers(t)
         if markers is None:
@@ -67,8 +70,8 @@ class Ahead:
         return self._pair.moved_back(frame, then.p_G, after.p_G)
 
     def in_view(self, frame: BlobFrame) -> HandInView | None:
-        """The hand as it is expected in an image that was not fed yet, hues numbered as the
-        image's; None while its place is unknown."""
+        """Returns the hand that is expected in an image that was not fed yet, its hues numbered as
+        the image's; None while its position is unknown."""
         found = self._engine.expected(frame.t - self._timing.applied)
         if found is None:
             return None

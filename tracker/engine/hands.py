@@ -1,7 +1,7 @@
-"""The gloves in view of one camera, one or two: a pipeline each, and blobs shared between them.
+"""One or two gloves in view of one camera: a pipeline each, and blobs shared between them.
 
-One hand alone passes through its pipeline unchanged: nothing is shared, and its estimates are those
-of the pipeline to the last bit.
+A single hand passes through its pipeline unchanged: nothing is shared, and its estimates are those
+of the pipeline, bit for bit.
 """
 
 from __future__ import annotations
@@ -30,10 +30,11 @@ from tracker.messages import (
 from tracker.vision.sharing import share, taken_twice
 
 CLASH_BLOBS = 6
-"""Blobs that two hands took for their own in one image: one of the hands is not there."""
-AGAIN_EVERY, ANEW_EVERY = 0.045, 0.25
-"""s at least between two searches for a hand that is not there while the other one is tracked, and
-waits for it meanwhile: one from nothing takes some 20 ms."""
+"""Blobs of one image that both hands matched: one of the hands is not there."""
+NEAR_INTERVAL, FULL_INTERVAL = 0.045, 0.25
+"""s at least between two searches for a hand that is not in view while the other one is tracked: in
+its last posture, and without prior knowledge. The tracked hand waits meanwhile; a search without
+prior knowledge takes about 20 ms."""
 
 
 class Sided(NamedTuple):
@@ -47,26 +48,27 @@ class Sided(NamedTuple):
         return self.sample.t_arrival
 
 
-@record("two_hands")
+@record("two_hands", last_near="last_again", last_full="last_anew")
 @dataclass(eq=False)
 class TwoHandsKept:
-    """All of two hands that changes. ``left`` and ``right`` are their pipelines', ``last`` what the
-    newest image gave each of them; the left one's first. Instants (s) of the last images in which a
-    hand could be searched for, as it was bent and from nothing."""
+    """The state of two hands. ``left`` and ``right`` are their pipelines', ``last`` is the result
+    of the newest image for each of them, the left one first. Then the instants (s) of the last
+    images in which a hand could be searched for, in its last posture and without prior
+    knowledge."""
 
     left: PipelineKept
     right: PipelineKept
     last: list[FrameResult | None]
-    last_again: float = -np.inf
-    last_anew: float = -np.inf
+    last_near: float = -np.inf
+    last_full: float = -np.inf
 
 
 class Hands:
     """A pipeline for each side, fed with its own glove's packets and with one camera's images.
 
-    ``make`` builds the pipeline of each side, left or right or both; that of the weaker hand starts
-    again when two hands were found in the same position. ``alone``: there is one hand only. Raises
-    ConfigError where a glove is of the other side.
+    ``make`` builds the pipeline of each side, left or right or both. When two hands were found in
+    the same position, that of the weaker one restarts. ``alone``: there is only one hand. Raises
+    ConfigError if a glove is for the other side.
     """
 
     def __init__(self, make: Mapping[str, Callable[[], Pipeline]]) -> None:
@@ -86,7 +88,7 @@ class Hands:
         self._fresh = {side: p.get_state() for side, p in self.pipelines.items()}
         self._last: dict[str, FrameResult | None] = dict.fromkeys(self.pipelines)
         self._results: dict[str, list[FrameResult]] = {side: [] for side in self.pipelines}
-        self._last_again = self._last_anew = -np.inf
+        self._last_near = self._last_full = -np.inf
 
     @property
     def engine(self) -> str:
@@ -94,14 +96,14 @@ class Hands:
         return self._main.settings.engine
 
     def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
-        """Take a packet of one glove; that hand at the packet's instant."""
+        """Feeds a packet of one glove; returns that hand at the packet's instant."""
         estimate = self.pipelines[side].feed_imu(sample)
         if not self.alone:
             self._collect()
         return estimate
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen in an image of all hands."""
+        """Feeds the blobs of an image of all hands."""
         if self.alone:
             self._main.feed_frame(frame)
             return
@@ -110,7 +112,7 @@ class Hands:
         self._collect()
 
     def _shares(self, frame: BlobFrame) -> list[BlobFrame]:
-        """The frame as each of two hands may use it."""
+        """Returns the frame for each of two hands, with the blobs that it may use."""
         expected = [p.ahead.in_view(frame) for p in self.pipelines.values()]
         pose = frame.pose or self._main.camera_pose(frame.t)
         search = self._search(frame.t)
@@ -122,35 +124,39 @@ class Hands:
         ]
 
     def _search(self, t: float) -> Search:
-        """How far a hand may be looked for in the image of ``t`` beside one that is tracked."""
-        again, restarts = t - self._last_again >= AGAIN_EVERY, t - self._last_anew >= ANEW_EVERY
-        if restarts:
-            self._last_again = self._last_anew = t
+        """Returns the extent of the search for a hand in the image of ``t`` while the other is
+        tracked."""
+        near, full = t - self._last_near >= NEAR_INTERVAL, t - self._last_full >= FULL_INTERVAL
+        if full:
+            self._last_near = self._last_full = t
             return Search.ANEW
-        if again:
-            self._last_again = t
-        return Search.AGAIN if again else Search.NEAR
+        if near:
+            self._last_near = t
+        return Search.AGAIN if near else Search.NEAR
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
-        """Take a sample of the camera's own IMU."""
+        """Feeds a sample of the camera's own IMU."""
         for pipeline in self.pipelines.values():
             pipeline.feed_camera_imu(sample)
 
     def feed_event(self, event: Event) -> None:
-        """Take a guided pose or a pose reset, of one hand if the event names one."""
+        """Feeds a guided pose or a pose reset to one hand if the event names it, else to all."""
         for side, pipeline in self.pipelines.items():
             if is_for(event, side):
                 pipeline.feed_event(event)
 
     def take_results(self, side: str) -> list[FrameResult]:
-        """What a hand's pipeline made of images since the last call, oldest first."""
+        """Returns the results of a hand's images since the last call, oldest first."""
         if self.alone:
             return self._main.take_results()
         results, self._results[side] = self._results[side], []
         return results
 
     def with_engine(self, name: str) -> Hands:
-        """Another engine, at its start. Raises ConfigError for an unknown name."""
+        """Returns the same hands with another engine, at its start.
+
+        Raises ConfigError for an unknown name.
+        """
         return Hands({s: partial(p.with_engine, name) for s, p in self.pipelines.items()})
 
     def _collect(self) -> None:
@@ -159,13 +165,13 @@ class Hands:
             if found:
                 self._results[side] += found
                 self._last[side] = found[-1]
-                self._part()
+                self._separate()
 
-    def _part(self) -> None:
-        """Of two hands that took the same blobs, the one with fewer markers starts over.
+    def _separate(self) -> None:
+        """Restarts the hand with fewer markers if both hands matched the same blobs.
 
-        Blobs that a tracked hand expects are kept from the other, so this is a start: both hands
-        were looked for in the same image, and one was found where the other is.
+        Blobs that a tracked hand expects are not given to the other hand, so this happens only at
+        a start: both hands were searched for in the same image, and one was found at the other.
         """
         left, right = (self._last[side] for side in SIDES)
         if left is None or right is None or left.t != right.t:
@@ -177,35 +183,35 @@ class Hands:
         self._last[weaker] = None
 
     def get_state(self) -> PipelineKept | TwoHandsKept:
-        """Everything that changes and that estimates depend on; of one hand its pipeline's."""
+        """Returns the state that estimates depend on; that of the pipeline if there is one hand."""
         if self.alone:
             return self._main.get_state()
         left, right = (self.pipelines[side].get_state() for side in SIDES)
         last = [self._last[side] for side in SIDES]
-        return TwoHandsKept(left, right, last, self._last_again, self._last_anew)
+        return TwoHandsKept(left, right, last, self._last_near, self._last_full)
 
     def set_state(self, state: Any) -> None:
-        """Go on from `get_state`."""
+        """Restores a state that `get_state` returned."""
         if self.alone:
             self._main.set_state(state)
             return
         self.pipelines["left"].set_state(state.left)
         self.pipelines["right"].set_state(state.right)
         self._last = dict(zip(SIDES, state.last, strict=True))
-        self._last_again, self._last_anew = state.last_again, state.last_anew
+        self._last_near, self._last_full = state.last_near, state.last_full
 
 
 def is_for(event: Event, side: str) -> bool:
-    """Whether the hand of this side is the event's, or the event names none."""
+    """Returns whether the event is for the hand of this side, or for all hands."""
     return bool(event.data.get("hand", side) == side)
 
 
 def in_common(a: FrameResult, b: FrameResult) -> int:
-    """Blobs that both took, in both images."""
+    """Returns the number of blobs that both matched, in both images."""
     return taken_twice(a.match_left, b.match_left) + taken_twice(a.match_right, b.match_right)
 
 
 def agreement(result: FrameResult) -> float:
-    """Share of the markers that should be seen which are, times how many those are."""
+    """Returns the share of the visible markers that were matched, times their number."""
     seen = float(((result.match_left >= 0) | (result.match_right >= 0)).sum())
     return seen**2 / max(float(result.visible.sum()), 1.0)

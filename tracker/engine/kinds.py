@@ -51,9 +51,9 @@ class EngineKind:
     ``make(hand, glove, rig, params)`` returns an `Engine`; it raises ConfigError for a glove that
     the engine cannot use. Without a camera ``rig`` is an ideal one, for an engine without images.
     ``params`` is a frozen dataclass with a default for each field, as `tracker.base.config` reads
-    it; where it is `Settings`, ``make`` receives all settings. ``state`` returns the class of what
-    `Engine.get_state` returns, and imports all records within. ``short`` is the title where there
-    is little room. Menus list engines by ``order``.
+    it; if it is `Settings`, ``make`` receives all settings. ``state`` returns the class of
+    `Engine.get_state`'s result, and imports all records in it. ``short`` is a short title. Menus
+    sort engines by ``order``.
     """
 
     name: str
@@ -88,10 +88,10 @@ def learns_wearer(name: str) -> bool:
 def build_engine(
     hand: HandModel, glove: GloveModel, rig: StereoRig | None, settings: Settings
 ) -> Engine:
-    """The engine that ``settings`` name.
+    """Returns the engine that ``settings`` name.
 
-    Raises ConfigError if there is none of that name, if its settings are wrong, or if it needs a
-    camera or a lens that is not there.
+    Raises ConfigError for an unknown name, for invalid settings, and if the engine needs a camera
+    or a lens that is missing.
     """
     kind = ENGINES.get(settings.engine)
     can = kind.capabilities

@@ -1,4 +1,4 @@
-"""The engines of this program, as pyproject.toml declares them; imported when they are made."""
+"""Descriptors of this program's engines, for pyproject.toml; engines are imported when made."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ MADGWICK = EngineKind(
 )
 INERTIAL = EngineKind(
     "inertial",
-    "inertial (IMUs alone, no place)",
+    "inertial (IMUs only, no position)",
     _inertial,
     _chain_state,
     Settings,

@@ -1,4 +1,4 @@
-"""The stages joined: packets and blobs in, the hand out. No threads, no clock of its own."""
+"""Tracks one hand from packets and blobs. It has no threads and no clock of its own."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ from tracker.vision.lenses import check_lenses, through
 from tracker.vision.rig import StereoRig, ideal_rig
 
 SILENCE = 0.2
-"""s without packets, at an image's exposure, after which the hand follows the images alone. A stall
-of the computer or the USB line is mostly shorter; its packets still arrive."""
+"""s without packets, at an image's exposure, after which the hand is tracked from images alone.
+Most stalls of the computer or the USB line are shorter, and their packets still arrive."""
 ABANDONED = warning("tracking.abandoned")
 
 
@@ -62,13 +62,12 @@ class PipelineKept:
 class Pipeline:
     """One hand, one glove, one stereo camera, one engine.
 
-    ``rig`` is None where no camera is calibrated; ``self.rig`` is an ideal one then, which stands
-    for it where the window needs one. Raises ConfigError for an unknown engine, and for one that
-    needs the rig where there is none.
+    ``rig`` is None if no camera is calibrated; ``self.rig`` is then an ideal one, for the window.
+    Raises ConfigError for an unknown engine, and for one that needs a missing rig.
 
-    ``engine`` is open for what only some know, such as a wearer's profile; ``timing`` says how late
-    images are stamped, ``pair_offset`` how much later the right camera exposes, and what is taken
-    off; ``ahead`` where the hand is expected.
+    ``engine`` is public for what only some engines have, such as a wearer's profile. ``timing`` is
+    the delay of the images' stamps, ``pair_offset`` that of the right camera's exposure, each as
+    estimated and as corrected; ``ahead`` is where the hand is expected.
     """
 
     def __init__(
@@ -100,7 +99,7 @@ class Pipeline:
         self.ahead = Ahead(GloveOnHand(hand, glove), self.engine, self.timing, self.pair_offset)
 
     def with_engine(self, name: str) -> Pipeline:
-        """The same hand with another engine, which searches for it again.
+        """Returns the same hand with another engine, which starts by searching for it.
 
         Raises ConfigError for an unknown name.
         """
@@ -113,7 +112,7 @@ class Pipeline:
         return self.glove.keypoint_names(self.hand)
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
-        """Take a packet; the hand at the packet's instant."""
+        """Feeds a packet; returns the hand at the packet's instant."""
         self._watch.packet(sample.t, sample.t_arrival)
         self._packet = sample.t_arrival
         self._follow_images(False)
@@ -123,7 +122,7 @@ class Pipeline:
         return estimate
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen in an image; see `take_results`. Swapped images are not used."""
+        """Feeds the blobs of an image; see `take_results`. Swapped images are not used."""
         if not self._uses_images:
             self.engine.feed_frame(frame)
             self._results += self.engine.take_results()
@@ -142,11 +141,11 @@ class Pipeline:
             self._results.append(nothing)
 
     def without_packets(self, frame: BlobFrame) -> Estimate | None:
-        """The hand at the instant of an image that was just fed, where packets have been missing
-        for `SILENCE`; None while they arrive, before the first and without a camera.
+        """Returns the hand at the instant of the image that was just fed, if packets have been
+        missing for `SILENCE`; None while they arrive, before the first and without a camera.
 
-        It depends on what was fed alone, so that a session that is tracked again has it, too.
-        Nothing in it is called measured.
+        It depends only on what was fed, so tracking a session again gives the same. No part of it
+        is marked as measured.
         """
         if not self._uses_images or not frame.t - self._packet > SILENCE:
             return None
@@ -180,15 +179,15 @@ class Pipeline:
             self._notices.post(warning("guided.not_learned", engine=self.settings.engine))
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
-        """Take a sample of the camera's own IMU: images without a pose get one of it."""
+        """Feeds a sample of the camera's own IMU, which gives a pose to images without one."""
         self._camera.feed(sample)
 
     def camera_pose(self, t: float) -> CameraPose:
-        """Where the camera is taken to be in an image of ``t`` that brings no pose."""
+        """Returns the assumed pose of the camera in an image of ``t`` that has no pose."""
         return self._camera.pose(t) or self.rig.pose
 
     def _collect(self) -> None:
-        """Learn from results as they come, so that it does not matter when they are taken."""
+        """Learns from results immediately, so that it does not matter when they are read."""
         for result in self.engine.take_results():
             self._watch.check(result)
             if result.another and not self._abandoned:
@@ -199,7 +198,7 @@ class Pipeline:
             self._results.append(restored)
 
     def take_results(self) -> list[FrameResult]:
-        """What was made of images since the last call, oldest first."""
+        """Returns the results of images since the last call, oldest first."""
         results, self._results = sorted(self._results, key=lambda r: r.t), []
         return results
 
@@ -215,22 +214,22 @@ class Pipeline:
         return [found for part in parts for found in part.drain()]
 
     def predict(self, t: float) -> Estimate:
-        """The hand at any instant near now. Moves nothing."""
+        """Returns the hand at any instant near now, without changing the state."""
         return self.engine.predict(t)
 
     def calibration(self) -> Calibration:
-        """Estimated parameters with their uncertainty."""
+        """Returns the estimated parameters with their uncertainty."""
         return self.engine.calibration()
 
     def get_state(self) -> PipelineKept:
-        """Everything that changes and that estimates depend on; `set_state` goes on identically."""
+        """Returns the state that estimates depend on; after `set_state` they are identical."""
         timing, camera = self.timing.get_state(), self._camera.get_state()
         pair = self.pair_offset.get_state()
         engine = self.engine.get_state()
         return PipelineKept(engine, timing, camera, pair, self._packet, self._by_images)
 
     def set_state(self, state: PipelineKept) -> None:
-        """Go on from `get_state`."""
+        """Restores a state that `get_state` returned."""
         self.engine.set_state(state.engine)
         self.timing.set_state(state.timing)
         self._camera.set_state(state.camera)
@@ -239,7 +238,7 @@ class Pipeline:
 
 
 def inferred(estimate: Estimate) -> Estimate:
-    """The same with nothing called measured."""
+    """Returns the estimate with measured values marked as inferred."""
     return replace(
         estimate,
         keypoint_state=_at_most_inferred(estimate.keypoint_state),

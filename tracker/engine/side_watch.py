@@ -39,11 +39,11 @@ class SideWatch:
         self.is_other = False  # reported, and our hand was not found since
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> None:
-        """A packet, and what our own pipeline knows after it."""
+        """Takes a packet and the state of tracking after it."""
         step = 0.0 if self._last is None else min(max(sample.t - self._last, 0.0), 0.1)
         self._last = sample.t
         if tracking in (Tracking.TRACKING, Tracking.COASTING):
-            self._begin_anew()
+            self._restart()
         elif self._trial is not None:
             self._try(self._trial, sample, step)
         elif self._sees_many and not self._over:
@@ -58,7 +58,7 @@ class SideWatch:
             self._trial.feed_frame(blobs)
             self._trial.take_results()
 
-    def _begin_anew(self) -> None:
+    def _restart(self) -> None:
         self._trial, self._over, self.is_other = None, False, False
         self._waited = self._tried = self._sure = 0.0
 
@@ -74,12 +74,12 @@ class SideWatch:
 
 
 def other_side(glove: GloveModel) -> Notice:
-    """Reports that what is tracked as ``glove`` is its mirror image."""
+    """Returns the notice that the device tracked as ``glove`` is its mirror image."""
     return failure("glove.other_hand", other=OTHER[glove.side], glove=glove.name, side=glove.side)
 
 
 def sees(blobs: BlobFrame, least: int) -> bool:
-    """Whether each image has as many blobs."""
+    """Returns whether each image has at least ``least`` blobs."""
     counts = [len(b) for b in (blobs.left, blobs.right) if b is not None]
     return bool(counts) and min(counts) >= least
 
@@ -90,15 +90,15 @@ def _mirrored(pipeline: Pipeline) -> Pipeline:
 
 
 class ExchangeWatch:
-    """Notices that each of two gloves has the other one's files: neither hand is tracked, though
-    one that hardly moves may have been found, and both are as soon as the packets of each glove are
-    taken for the other's.
+    """Detects that each of two gloves has the other one's files: neither hand is tracked, though
+    one that hardly moves may have been found, and both are tracked when the packets of each glove
+    are used as the other's.
 
-    Fed with what ``hands`` are fed with; costs nothing while they find a hand.
+    It is fed with the input of ``hands`` and does nothing while they track a hand.
     """
 
     def __init__(self, hands: Hands, patience: float = PATIENCE) -> None:
-        """``patience``: s of search before the gloves are taken for one another."""
+        """``patience``: s of search before the gloves are tried exchanged."""
         self._hands, self._patience = hands, patience
         self._trial: Hands | None = None
         self._tracking = dict.fromkeys(SIDES, Tracking.SEARCHING)
@@ -108,7 +108,7 @@ class ExchangeWatch:
         self.notices = Outbox()
 
     def packet(self, side: str, sample: ImuSample, tracking: Tracking) -> None:
-        """A packet of the glove that is taken for that of ``side``, and what its hand is then."""
+        """Takes a packet of the glove used for ``side``, and that hand's state of tracking."""
         self._tracking[side] = tracking
         if Tracking.TRACKING in self._tracking.values():
             self._trial, self._over, self._since = None, False, math.inf

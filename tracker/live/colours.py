@@ -14,15 +14,15 @@ from tracker.messages import Event
 from tracker.vision.colours import ColourProfile, profile_to_toml
 
 WAIT = 0.05  # s that a step waits for an image
-KIND = "colours"  # of the events that tell what is looked for from then on
+KIND = "colours"  # of events with the colours that are detected from then on
 STAND = 0.5  # s after which colours that someone has set are recorded: a slider moves through many
 
 
 class FollowedColours:
-    """Gives ``vision`` colours for the light as it is; learning them takes a good part of a second.
+    """Adapts the colours of ``vision`` to the present light; learning them takes up to a second.
 
-    Who sets other colours meanwhile has the last word: these are followed from then on. A recording
-    is notified of both.
+    Colours that are set meanwhile take precedence and are adapted from then on. Both changes are
+    recorded.
     """
 
     def __init__(self, follower: ColourFollower, vision: Vision, journal: Journal) -> None:
@@ -31,7 +31,7 @@ class FollowedColours:
         self._set_at: float | None = None  # t of the first image since someone has set colours
 
     def step(self) -> None:
-        """Look at the newest image, if one comes within `WAIT`. Raises Closed at the end."""
+        """Evaluates the newest image, if one arrives within `WAIT`. Raises Closed at the end."""
         used = self.used.get(WAIT)
         if used is None:
             return

@@ -1,4 +1,4 @@
-"""Brings an image together with what the filter, which works in the past, made of it later."""
+"""Matches an image with the result that the filter, which lags behind, produces later."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from tracker.live.history import History, SearchedImage
 from tracker.live.inbox import DetectedFrame
 from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking
 
-MOST_WAITING = 30  # images; nothing is made of them while searching
-MOST_SHOWN = 4  # of which what became of them is kept
+MOST_WAITING = 30  # images; they have no results while searching
+MOST_SHOWN = 4  # images that are stored with their results
 
 
 class ShownFrame(NamedTuple):
-    """An image, what was found in it and what the filter made of that."""
+    """An image, the blobs found in it and the result of the filter."""
 
     image: StereoFrame
     blobs: BlobFrame
@@ -31,11 +31,11 @@ class FrameResults:
 
     @property
     def latest(self) -> ShownFrame | None:
-        """The newest image of which something was made; None before the first."""
+        """The newest image with a result; None before the first."""
         return self._shown[-1] if self._shown else None
 
     def of(self, t: float) -> ShownFrame | None:
-        """The image of ``t`` (s), if it is one of the last."""
+        """Returns the image of ``t`` (s); None if it is not stored any more."""
         return next((shown for shown in self._shown if shown.image.t == t), None)
 
     def _show(self, found: DetectedFrame, result: FrameResult) -> None:
@@ -44,11 +44,11 @@ class FrameResults:
         self.history.add(SearchedImage(result.t, left, right, result))
 
     def wait_for(self, found: DetectedFrame) -> None:
-        """An image that the filter was just fed with."""
+        """Stores an image that was just fed to the filter."""
         self._waiting.append(found)
 
     def match(self, result: FrameResult) -> DetectedFrame | None:
-        """The image of ``result``, which is the latest now; None if it is not here any more."""
+        """Returns the image of ``result``, now the latest; None if it is not stored any more."""
         while self._waiting and self._waiting[0].blobs.t < result.t:
             self._waiting.popleft()
         if not self._waiting:
@@ -58,12 +58,12 @@ class FrameResults:
         return found
 
     def forget_old(self) -> None:
-        """Keep no more than `MOST_WAITING` images."""
+        """Discards all but the newest `MOST_WAITING` images."""
         while len(self._waiting) > MOST_WAITING:
             self._waiting.popleft()
 
     def show_unmatched(self, markers: int) -> None:
-        """The newest image is the latest, with none of the ``markers`` matched in it."""
+        """Makes the newest image the latest, with none of the ``markers`` matched in it."""
         if self._waiting:
             found = self._waiting[-1]
             nothing = FrameResult.nothing(found.blobs.t, Tracking.SEARCHING, markers)

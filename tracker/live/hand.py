@@ -1,4 +1,4 @@
-"""What live tracking knows of one hand of those that it tracks."""
+"""The state of one of the hands that are tracked live."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tracker.messages import BlobFrame, Calibration, Estimate, FrameResult, Stat
 from tracker.vision.region_prediction import RegionPrediction
 
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
-GONE = 2.0  # s without packets: full-frame search timeout of a lost hand
+GONE = 2.0  # s without packets after which whole images are not searched for a lost hand
 OF_ONE = {
     Tracking.SEARCHING: notice("tracking.searching"),
     Tracking.TRACKING: notice("tracking.tracked"),
@@ -41,8 +41,8 @@ Subscriber = Callable[[Estimate], None]
 class LiveHand:
     """Written by the engine's thread, read by any.
 
-    ``estimate``, ``calibration``, ``frames.latest`` and ``predicted`` are the latest there are,
-    None before the first; ``telemetry`` has what is of this hand alone.
+    ``estimate``, ``calibration``, ``frames.latest`` and ``predicted`` are the latest, None
+    before the first; ``telemetry`` contains figures of this hand only.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class LiveHand:
         self._journal, self._clock = journal, clock
         self.telemetry = Telemetry()
         self.estimate: Estimate | None = None
-        self._said: Tracking | None = None
+        self._reported: Tracking | None = None
         self.calibration: Calibration | None = None
         self.frames = FrameResults()
         self.history = ImuHistory(self.telemetry)
@@ -76,7 +76,8 @@ class LiveHand:
         self.telemetry.ask(self._side_figures)
 
     def watch_side(self, pipeline: Pipeline) -> None:
-        """Whether the glove is made for the other hand; the other hand's own blobs would say so."""
+        """Detects a glove for the other hand, unless there are two: the other hand's blobs would
+        be mistaken for its own."""
         self.sides = SideWatch(pipeline) if self._alone else None
 
     def _side_figures(self) -> dict[str, float]:
@@ -84,16 +85,17 @@ class LiveHand:
 
     @property
     def tracking(self) -> Tracking:
-        """How far this hand is known."""
+        """The state of tracking."""
         return self.estimate.tracking if self.estimate is not None else Tracking.SEARCHING
 
     @property
     def notice(self) -> Notice:
-        """Reports the state of tracking; of two hands it says which one."""
+        """The notice of the state of tracking; with two hands it names the hand."""
         return OF_ONE[self.tracking] if self._alone else of_two(self.tracking, self.side)
 
     def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
-        """Call ``subscriber`` with each estimate that is shown; what is returned ends that."""
+        """Calls ``subscriber`` with each estimate that is shown; returns a function that ends
+        it."""
         with self._subscribing:
             self._subscribers += (subscriber,)
 
@@ -104,7 +106,7 @@ class LiveHand:
         return unsubscribe
 
     def is_newer(self, estimate: Estimate) -> bool:
-        """Whether it is of a later instant than the one that is shown."""
+        """Returns whether it is of a later instant than the one that is shown."""
         return self.estimate is None or estimate.t > self.estimate.t
 
     def publish(self, estimate: Estimate, t_arrival: float) -> None:
@@ -123,7 +125,7 @@ class LiveHand:
             self._journal.report("tracking", self.notice)
 
     def follow_images(self, pipeline: Pipeline, blobs: BlobFrame) -> None:
-        """While the glove's packets are missing: what is shown is also recorded.
+        """Shows and records the hand from images alone while the glove's packets are missing.
 
         Before the first packet the hand is shown as not found, which is not recorded.
         """
@@ -148,13 +150,13 @@ class LiveHand:
         self.telemetry.tick("estimate", self._clock())
         for subscriber in self._subscribers:
             subscriber(estimate)
-        if self._said is None and not by_packet and state == Tracking.SEARCHING:
+        if self._reported is None and not by_packet and state == Tracking.SEARCHING:
             return False
-        before, self._said = self._said, state
+        before, self._reported = self._reported, state
         return before != state
 
     def take(self, results: list[FrameResult], pipeline: Pipeline) -> None:
-        """Bring what became of images together with these."""
+        """Matches the results of images with the images."""
         for result in results:
             found = self.frames.match(result)
             if found is not None:
@@ -167,7 +169,7 @@ class LiveHand:
             self.frames.show_unmatched(len(pipeline.glove.markers))
 
     def _predict_regions(self, result: FrameResult, pipeline: Pipeline) -> None:
-        """Tell the vision thread where markers are, as long as that is sure."""
+        """Predicts for the vision thread where markers are, while that is reliable."""
         matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
         estimate, expected = self.estimate, float(result.visible.sum())
         before, self.predicted = self.predicted, None
@@ -178,14 +180,14 @@ class LiveHand:
 
     @property
     def is_gone(self) -> bool:
-        """Whether its glove is away and nothing is seen of it."""
+        """Whether its glove is disconnected and it is not in view."""
         if self.tracking in (Tracking.TRACKING, Tracking.COASTING):
             return False
         now = self._clock()
         return now - self._begun > GONE and self.history.silent(now, GONE)
 
     def status(self, shared: dict[str, float]) -> Status:
-        """How this hand and the devices are, now; ``shared`` is of all hands."""
+        """Returns the status of this hand and the devices; ``shared``: figures of all hands."""
         now = self._clock()
         return Status(now, self.tracking, shared | self.telemetry.values(now))
 
@@ -204,7 +206,7 @@ def of_two(tracking: Tracking, side: str) -> Notice:
 
 
 def camera_figures(pipeline: Pipeline) -> dict[str, float]:
-    """Whether the camera is still as it was calibrated, and how late its images are."""
+    """Returns whether the camera matches its calibration, and the delay of its images."""
     rig, timing = pipeline.rig_state, pipeline.timing
     out = {
         "stereo_swapped": float(rig.swapped),

@@ -1,7 +1,8 @@
-"""What waits for the engine thread: packets and commands all of them, images only a few.
+"""The queue of the engine thread: all packets and commands, and a few images.
 
-Packets go before images: one is done in a tenth of the time, and a robot or a motor waits for it.
-What is fed is stamped then (`tracker.live.loop.ArrivalOrder`), so a session has the order that was.
+Packets go before images: one takes a tenth of the time, and a robot or a motor waits for it.
+Messages are stamped when they are fed (`tracker.live.loop.ArrivalOrder`), so a session contains the
+actual order.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
 
 @dataclass(frozen=True, eq=False)
 class DetectedFrame:
-    """An image, its detections, and the number of skipped images before it."""
+    """An image, the blobs found in it, and the number of images skipped before it."""
 
     frame: StereoFrame
     blobs: BlobFrame
@@ -33,7 +34,7 @@ class DetectedFrame:
 
 @dataclass(frozen=True, eq=False)
 class EngineCommand:
-    """Something to be done to a hand's engine between two messages."""
+    """A function to be called with a hand's engine between two messages."""
 
     work: Callable[[Engine], None]
     side: str
@@ -51,7 +52,7 @@ class GuidedCommand:
 
 @dataclass(frozen=True)
 class ResetCommand:
-    """The wearer holds the pose of a pose reset; stamped when it is fed."""
+    """Resets to the pose of the wearer; stamped when it is fed."""
 
     side: str
 
@@ -61,7 +62,7 @@ Item = Sided | DetectedFrame | Command
 
 
 class Inbox:
-    """Filled by any thread, emptied by one. A lost packet is lost motion, a late image is not."""
+    """Filled by any thread, emptied by one. A lost packet is lost motion; a late image is not."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -71,19 +72,18 @@ class Inbox:
         self._closed = False
 
     def put(self, item: Sided | Command) -> None:
-        """Append; what finds it full is lost and counted."""
+        """Appends an item. If the queue is full, it is lost and counted."""
         with self._changed:
             self._overflowed += self._is_refused(self._items, item, SIZE)
 
     def put_frame(self, found: DetectedFrame) -> None:
-        """Append, or skip the image where the engine has older ones to do."""
+        """Appends an image, or skips it while the engine still has older ones."""
         with self._changed:
             self._skipped += self._is_refused(self._frames, found, MAX_FRAMES_BEHIND)
 
     def _is_refused(self, queue: deque[T], item: T, most: int) -> bool:
-        """Append to a queue of at most ``most``, if there is room; not counted once closed.
-
-        To be called with the lock held.
+        """Appends to a queue of at most ``most`` items. Returns whether that was refused; nothing
+        is counted once the inbox is closed. The caller must hold the lock.
         """
         if not self._closed and len(queue) < most:
             queue.append(item)
@@ -92,7 +92,7 @@ class Inbox:
         return not self._closed
 
     def get(self, timeout: float) -> Item | None:
-        """The oldest packet or command, else the oldest image; None if there is none within
+        """Returns the oldest packet or command, else the oldest image; None if there is none within
         ``timeout`` s. Raises Closed once it is closed and empty."""
         with self._changed:
             self._changed.wait_for(lambda: self._items or self._frames or self._closed, timeout)
@@ -105,18 +105,18 @@ class Inbox:
             return None
 
     def close(self) -> None:
-        """Refuse what comes and wake who waits."""
+        """Refuses new items and wakes waiting threads."""
         with self._changed:
             self._closed = True
             self._changed.notify_all()
 
     @property
     def skipped(self) -> int:
-        """Images that the engine had no time for."""
+        """The number of images that were skipped because the engine was overloaded."""
         return self._skipped
 
     def figures(self) -> dict[str, float]:
-        """What was lost because the engine is far behind, and what waits for it."""
+        """Returns the numbers of lost packets and of waiting items."""
         with self._changed:
             waiting = len(self._items) + len(self._frames)
             return {"imu_overflow": self._overflowed, "engine_waiting": waiting}

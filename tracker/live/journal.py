@@ -1,4 +1,4 @@
-"""What is reported and what is recorded: events for the log, every message for the disk."""
+"""Reporting and recording: events for the log, every message for the disk."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Journal:
         self.add(Event(self._clock() if t is None else t, "note", text, dict(data)))
 
     def add(self, event: Event) -> None:
-        """An event of a device, with its own stamp."""
+        """Adds an event of a device, with its own stamp."""
         self._events.put(event)
         self.record(event)
 
@@ -51,9 +51,9 @@ class Journal:
         return self._events.drain()
 
     def record(self, message: Message, side: str = "") -> None:
-        """Hand a message to the disk's thread; nothing where no recording runs.
+        """Passes a message to the disk thread; does nothing while no recording is running.
 
-        ``side``: of the hand that it is of.
+        ``side``: the hand of the message.
         """
         disk = self._disk
         if disk is not None:
@@ -65,16 +65,16 @@ class Journal:
         return self._disk is not None
 
     def open(self, recorder: Recorder) -> None:
-        """Record into ``recorder`` from now on."""
+        """Starts recording into ``recorder``."""
         self._disk = RecordingThread(recorder, self.report)
 
     def detach(self) -> RecordingThread | None:
-        """Record no more; the recording is to be finished by the caller, which takes a while."""
+        """Stops recording. The caller must finish the returned recording, which may block."""
         before, self._disk = self._disk, None
         return before
 
     def figures(self) -> dict[str, float]:
-        """How the disk keeps up."""
+        """Returns how much the disk could not write in time."""
         disk = self._disk
         if disk is None:
             return {}

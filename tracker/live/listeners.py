@@ -51,24 +51,24 @@ class Listener(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class LiveAccess:
-    """What a listener of a live hand may use.
+    """The parts of live tracking that a listener may use.
 
-    ``record`` adds an event to the recording, if there is one, from any thread. ``clock`` gives s.
-    ``way`` is to be taken for work on a thread of the listener's. ``vibrate`` is None for a glove
-    without motors.
+    ``record`` adds an event to a running recording, from any thread. ``clock`` returns s.
+    ``priority`` must be entered for work on a thread of the listener's. ``vibrate`` is None for a
+    glove without motors.
     """
 
     record: Callable[[Event], None]
     telemetry: Telemetry
     clock: Callable[[], float]
-    way: RightOfWay
+    priority: RightOfWay
     vibrate: Vibrate | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class ListenedHand:
-    """The hand that a listener is made for. Without ``live`` a recording is replayed: `feed` is
-    then called on the player's thread and may take its time, and no device may be driven."""
+    """The hand that a listener is created for. Without ``live`` a recording is replayed: `feed` is
+    then called on the player's thread and may block, and no device may be driven."""
 
     hand: HandModel
     glove: GloveModel
@@ -89,7 +89,7 @@ LISTENERS = Registry("listeners", "listener", ListenerKind)
 
 
 class Listeners:
-    """The listeners of one hand; none until `attach`.
+    """The listeners of one hand; empty until `attach`.
 
     A listener that raises is closed and removed, and ``report`` receives a notice about it.
     """
@@ -114,7 +114,7 @@ class Listeners:
             try:
                 listener.feed(estimate, t_arrival)
             except Exception as error:  # noqa: BLE001 - another package must not stop tracking
-                left = {n: kept for n, kept in self.by_name.items() if n != name}
+                left = {n: listener for n, listener in self.by_name.items() if n != name}
                 self.by_name = MappingProxyType(left)
                 self._fail(name, error)
                 _close(name, listener)

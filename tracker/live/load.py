@@ -1,7 +1,7 @@
-"""What is left out while the computer is too slow, in the one order that costs least truth.
+"""Load shedding while the computer is overloaded, in the order of least loss.
 
-First what is only looked at, then what tracking can do with less of, never a packet of the glove:
-a late image is old, a lost packet is lost motion.
+First the display is reduced, then the images that tracking uses, never the packets of the glove: a
+skipped image costs accuracy for a moment, a lost packet is lost motion.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ ENDS: dict[Shed, Notice] = {
     Shed.IMAGES: notice("load.all_images"),
 }
 IMAGE_INTERVALS = (0.03, 0.045, 0.09)
-"""s at least between images that are searched at `Shed.IMAGES`, one after the other while it is too
-much all the same: of 60 images a second every second, third and sixth."""
+"""s at least between images that are searched at `Shed.IMAGES`. While the load remains too high,
+the next one applies: every second, third and sixth of 60 images a second."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class LoadParams:
 
     packet_lag: float = 0.06  # from a packet's instant to its estimate
     image_lag: float = 0.12  # from an image's arrival to the filter
-    missed: float = 0.5  # share of images that the vision thread never came to
+    missed: float = 0.5  # share of images that the vision thread did not search
     memory: float = 0.4
     begin: float = 0.5  # of too much, before more is shed
     end: float = 3.0  # of little, before the last is taken up again
@@ -58,7 +58,7 @@ class _Mean:
         self._last = now
 
     def value(self, now: float) -> float:
-        """0 where nothing has come for long: silence is a device's affair."""
+        """0 after a long time without values: that is a fault of a device, not load."""
         if not self._weight or now - self._last > 5 * self._memory:
             return 0.0
         return self._sum / self._weight
@@ -70,7 +70,7 @@ class LoadWatch:
     def __init__(self, params: LoadParams | None = None) -> None:
         self._params = params = params or LoadParams()
         self._packets, self._images, self._missed = (_Mean(params.memory) for _ in range(3))
-        self._quiet_since = self._strained_since = math.inf
+        self._idle_since = self._strained_since = math.inf
         self._judged = -math.inf
         self._thinned = 0  # of `IMAGE_INTERVALS`
         self.level = Shed.NOTHING
@@ -83,7 +83,8 @@ class LoadWatch:
         self._judge(now)
 
     def image(self, now: float, lag: float, missed: int) -> None:
-        """An image has come to the filter ``lag`` after its arrival; ``missed`` before it never."""
+        """Takes the ``lag`` (s) of an image to the filter; ``missed`` images before it were
+        skipped."""
         if lag < self._params.other_clock:
             self._images.take(now, lag)
             self._missed.take(now, missed / (1 + missed))
@@ -104,7 +105,7 @@ class LoadWatch:
         return IMAGE_INTERVALS[self._thinned] if self.level >= Shed.IMAGES else 0.0
 
     def figures(self) -> dict[str, float]:
-        """How far it has gone, as a number of `Shed`, and the share of images missed of late."""
+        """Returns the level, a number of `Shed`, and the share of images missed recently."""
         missed = self._missed.value(self._judged)
         return {"load_shed": float(self.level), "images_missed": missed}
 
@@ -113,12 +114,12 @@ class LoadWatch:
         self._judged = now
         p, strain = self._params, self.strain(now)
         self._strained_since = min(self._strained_since, now) if strain > 1 else math.inf
-        self._quiet_since = min(self._quiet_since, now) if strain < p.little else math.inf
+        self._idle_since = min(self._idle_since, now) if strain < p.little else math.inf
         if now - self._strained_since >= p.begin:
             self._strained_since = now
             self._leave_out_more()
-        elif now - self._quiet_since >= (p.thicken if self._thinned else p.end):
-            self._quiet_since = now
+        elif now - self._idle_since >= (p.thicken if self._thinned else p.end):
+            self._idle_since = now
             self._leave_out_less()
 
     def _leave_out_more(self) -> None:

@@ -1,7 +1,7 @@
-"""Everything that live tracking does with one message after another; no thread, no device.
+"""Live tracking of one message after another; no thread, no device.
 
-Messages enter the pipeline in one order, that of their ``t_arrival`` after `ArrivalOrder`, so that
-a session read back in that order gives the same states bit for bit.
+Messages enter the pipeline in the order of their ``t_arrival`` after `ArrivalOrder`, so that a
+session that is read in that order gives the same states, bit for bit.
 """
 
 from __future__ import annotations
@@ -40,39 +40,39 @@ from tracker.vision.region_prediction import RegionPrediction, together
 from tracker.vision.rig import StereoRig
 
 BEST = (Tracking.SEARCHING, Tracking.LOST, Tracking.COASTING, Tracking.TRACKING)
-"""The better known, the later."""
+"""In ascending order."""
 
-SAID_BEFORE = 5.0  # s for which a notice of one hand is not repeated by the other
+REPEAT_AFTER = 5.0  # s for which a notice of one hand is not repeated by the other
 
 
 class ArrivalOrder:
-    """Makes stamps of arrival tell the order of feeding: IMU first where two are equal.
+    """Makes stamps of arrival follow the order of feeding: IMU first if two are equal.
 
-    A stamp is taken and its message fed under one lock: else another's stamp could come between.
+    A stamp is set and its message fed under one lock, so that no other stamp is set in between.
     """
 
     def __init__(self) -> None:
         self._last_ns = -1
 
     def imu(self, sample: ImuSample) -> ImuSample:
-        """The packet, to be fed next, with a stamp later than all before."""
+        """Returns the packet, to be fed next, with a stamp later than all before."""
         stamp = max(nanoseconds(sample.t_arrival), next_instant(self._last_ns))
         self._last_ns = stamp
         arrival = seconds(stamp)
         return sample if arrival == sample.t_arrival else replace(sample, t_arrival=arrival)
 
     def blobs(self, frame: BlobFrame) -> BlobFrame:
-        """The image's blobs, to be fed next, with a stamp not earlier than any before."""
+        """Returns the blobs, to be fed next, with a stamp not earlier than any before."""
         self._last_ns = max(nanoseconds(frame.t_arrival), self._last_ns)
         return replace(frame, t_arrival=seconds(self._last_ns))
 
     def mark(self) -> float:
-        """An instant (s) between what was fed and what will be."""
+        """Returns an instant (s) between the messages before and after."""
         self._last_ns = next_instant(self._last_ns)
         return seconds(self._last_ns)
 
 
-class SaidOnce:
+class RepeatFilter:
     """What the pipelines of both hands report on the one camera: the same notice is not repeated
     within ``patience`` s, whatever its numbers are."""
 
@@ -91,8 +91,8 @@ class SaidOnce:
 class LiveLoop:
     """`feed` is for one thread; everything else may be called from any.
 
-    ``seen`` has what is known of each hand, by its side; of two the left one first. ``telemetry``
-    has what is of no hand alone. ``way`` is taken for each message.
+    ``seen`` contains the state of each hand by its side, the left one first. ``telemetry`` contains
+    the figures of all hands. ``priority`` is entered for each message.
     """
 
     def __init__(
@@ -105,7 +105,7 @@ class LiveLoop:
     ) -> None:
         self.hands = hands
         self.journal, self.telemetry, self.clock = journal, telemetry, clock
-        self.way = RightOfWay()
+        self.priority = RightOfWay()
         pipelines, alone = hands.pipelines, len(hands.pipelines) == 1
         self.seen = {side: LiveHand(p, journal, clock, alone) for side, p in pipelines.items()}
         self.load = LoadWatch()
@@ -116,7 +116,7 @@ class LiveLoop:
         self._finishing: list[RecordingThread] = []
         self._next_report = 0.0
         self._at_start: dict[str, Mapping[str, float]] = {}  # figures when the recording began
-        self._said = SaidOnce(0.0 if alone else SAID_BEFORE)
+        self._repeats = RepeatFilter(0.0 if alone else REPEAT_AFTER)
         self._exchange = _exchange_watch(hands)
         for side, hand in self.seen.items():
             hand.telemetry.ask(partial(_camera_figures, self, side))
@@ -124,8 +124,8 @@ class LiveLoop:
     # ---- one message after another
 
     def feed(self, item: Item) -> None:
-        """Do all there is to do about a message."""
-        with self.way:
+        """Processes a message completely."""
+        with self.priority:
             self._feed(item)
 
     def _feed(self, item: Item) -> None:
@@ -138,16 +138,16 @@ class LiveLoop:
             self._guide(item)
         elif isinstance(item, ResetCommand):
             with self._pipeline_lock:
-                self._tell(reset_event(self._order.mark()), item.side)
+                self._request(reset_event(self._order.mark()), item.side)
         else:
             self._feed_frame(item)
         self.telemetry.took("filter", self.clock() - started)
-        self._take_results()
+        self._process_results()
         self._report()
 
     def _feed_imu(self, packet: Sided) -> None:
         side, hand = packet.side, self.seen[packet.side]
-        with self._pipeline_lock:  # a recording holds a packet and its estimate, or neither
+        with self._pipeline_lock:  # a recording contains a packet and its estimate, or neither
             sample = self._order.imu(packet.sample)
             hand.history.add(sample)
             self.journal.record(sample, side)
@@ -194,29 +194,29 @@ class LiveLoop:
                 self.record_state()
         except GlovetrackError as error:
             self.journal.report("error", error.notice)
-        self._next_report = 0.0  # what it changed is shown at once
+        self._next_report = 0.0  # its effect is shown immediately
 
     def _guide(self, command: GuidedCommand) -> None:
-        """Tell the engine of a guided pose, and the recording, between the same two messages."""
+        """Feeds a guided pose to the engine and records it, between the same two messages."""
         with self._pipeline_lock:
             t = self._order.mark()
             if command.begins:
                 event = began(command.pose, t)
             else:
                 event = ended(command.pose, t, command.held)
-            self._tell(event, command.side)
+            self._request(event, command.side)
 
-    def _tell(self, event: Event, side: str) -> None:
-        """What one hand is asked for: where there is another one, the event says whose it is."""
+    def _request(self, event: Event, side: str) -> None:
+        """Feeds and records a request to one hand; with two hands, the event names the hand."""
         if len(self.seen) > 1:
             event = replace(event, data={**event.data, "hand": side})
         self.journal.add(event)
         self.hands.feed_event(event)
 
-    def _take_results(self) -> None:
+    def _process_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():
             for found in pipeline.drain_notices():
-                if self._said.is_news(found, self.clock()):
+                if self._repeats.is_news(found, self.clock()):
                     self.journal.report("device", found)
             hand = self.seen[side]
             hand.take(self.hands.take_results(side), pipeline)
@@ -226,7 +226,7 @@ class LiveLoop:
         self.journal.report_all("load", self.load)
 
     def _report(self) -> None:
-        """Once a second: calibration and status, for the screen and the file."""
+        """Once a second, updates and records calibration and status."""
         now = self.clock()
         if now < self._next_report:
             return
@@ -238,7 +238,7 @@ class LiveLoop:
         self._record_status()
 
     def _record_status(self) -> None:
-        """A file counts what was lost since it began, not since the engine did."""
+        """Records the status; its counts begin with the recording, not with the engine."""
         if self.journal.recording:
             for side in self.seen:
                 status = self.status(side)
@@ -254,17 +254,17 @@ class LiveLoop:
 
     @property
     def predicted(self) -> RegionPrediction | None:
-        """Where markers of all hands are; None while one that is there has yet to be found."""
-        there = [hand.predicted for hand in self.seen.values() if not hand.is_gone]
-        known = [p for p in there if p is not None]
-        return together(known) if known and len(known) == len(there) else None
+        """The regions of all hands' markers; None while a hand in view is not found yet."""
+        present = [hand.predicted for hand in self.seen.values() if not hand.is_gone]
+        known = [p for p in present if p is not None]
+        return together(known) if known and len(known) == len(present) else None
 
     def status(self, side: str) -> Status:
-        """How the tracking of a hand and the devices are, now."""
+        """Returns the current status of a hand and of the devices."""
         return self.seen[side].status(self.telemetry.values(self.clock()))
 
     def set_engine(self, name: str) -> None:
-        """Track with another engine from the next message on; it searches for the hands again.
+        """Switches to another engine with the next message; it starts by searching for the hands.
 
         Raises ConfigError for an unknown name.
         """
@@ -279,9 +279,9 @@ class LiveLoop:
         self.journal.report("tracking", notice("engine.changed", engine=name))
 
     def set_reference(self, name: str | None, wait: bool = False) -> None:
-        """Let a second engine see the same messages, to be compared with; None ends it.
+        """Feeds the same messages to a second engine, for comparison; None ends it.
 
-        ``wait`` until the one before has ended. Raises ConfigError for an unknown name.
+        ``wait``: until the previous one has ended. Raises ConfigError for an unknown name.
         """
         reference = ReferenceEngine(self.hands.with_engine(name)) if name else None
         before, self._reference = self._reference, reference
@@ -289,15 +289,15 @@ class LiveLoop:
             before.close(wait)
 
     def reference_estimate(self, side: str) -> Estimate | None:
-        """A hand as the second engine has it; None where there is none."""
+        """Returns the second engine's estimate of a hand; None without a second engine."""
         reference = self._reference
         return reference.estimate(side) if reference is not None else None
 
     def set_recorder(self, recorder: Recorder | None, patience: float | None = None) -> None:
-        """Record into ``recorder`` from now on; the last one is finished and closed.
+        """Starts recording into ``recorder``; the previous recording is finished and closed.
 
-        That is waited for ``patience`` s, then it goes on by itself; None waits to the end, also of
-        those before.
+        Waits for that at most ``patience`` s, after which it continues in the background. None:
+        waits until this and all earlier recordings are finished.
         """
         with self._pipeline_lock:
             self._record_status()
@@ -315,7 +315,7 @@ class LiveLoop:
             self.journal.report("recording", notice("recording.started"))
 
     def record_state(self) -> None:
-        """Record what no message tells: tracked again, the session goes on as it did live."""
+        """Records the engine's state, so that tracking the session again gives the live results."""
         with self._pipeline_lock:
             if self.journal.recording:
                 state = self.hands.get_state()
@@ -323,15 +323,15 @@ class LiveLoop:
 
 
 def _best(states: Iterable[Tracking]) -> Tracking:
-    """Of the hand that is known best: the colours fit where any hand is found."""
+    """Returns the best state of the hands: the colours fit if any hand is found."""
     return max(states, key=BEST.index)
 
 
 def _camera_figures(loop: LiveLoop, side: str) -> dict[str, float]:
-    """Of the pipeline that the hand has now: another engine is another pipeline."""
+    """Returns the figures of the hand's current pipeline, which changes with the engine."""
     return camera_figures(loop.hands.pipelines[side])
 
 
 def _exchange_watch(hands: Hands) -> ExchangeWatch | None:
-    """Two gloves may have each other's files."""
+    """Returns a watch for exchanged gloves; None for one glove."""
     return None if hands.alone else ExchangeWatch(hands)

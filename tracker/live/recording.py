@@ -18,14 +18,14 @@ _log = logging.getLogger(__name__)
 MAX_IMAGES_WAITING = 24  # 130 MB at 720p
 MAX_WAITING = 20_000  # messages: a minute
 BATCH = 0.04  # s that messages wait to go together: each wake-up of a thread disturbs the others
-LOOK_EVERY = 0.25  # s, where there is nothing to write, to see whether the recorder is still there
+LOOK_EVERY = 0.25  # s between checks of the recorder while there is nothing to write
 
 
 class Recorder(Protocol):
-    """Takes messages to disk; see `tracker.session.writer.SessionRecorder`.
+    """Writes messages to disk; see `tracker.session.writer.SessionRecorder`.
 
-    ``write`` is False where an image was left out; ``side`` is the hand's that a message is of.
-    ``flush`` comes after every few messages.
+    ``write`` returns False if it left out an image; ``side`` is the hand of the message. ``flush``
+    is called after every few messages.
     """
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool: ...
@@ -36,7 +36,7 @@ class Recorder(Protocol):
 
 
 class RecordingThread:
-    """A recorder behind a bounded queue and its own thread: never in the way of tracking."""
+    """A recorder behind a bounded queue, in its own thread: it never delays tracking."""
 
     def __init__(self, recorder: Recorder, report: Callable[[str, Notice], None]) -> None:
         self._recorder, self._report = recorder, report
@@ -49,7 +49,7 @@ class RecordingThread:
         self._thread.start()
 
     def put(self, message: Message, side: str = "") -> None:
-        """Queue a message; an image that the disk has no time for goes without its pixels."""
+        """Queues a message; without its pixels if it is an image and the disk is too slow."""
         overloaded = False
         if isinstance(message, StereoFrame):
             with self._lock:
@@ -66,9 +66,8 @@ class RecordingThread:
         return self._queue.overflowed
 
     def finish(self, patience: float | None = None) -> bool:
-        """Write what waits, then close the file; whether that is done within ``patience`` s.
-
-        None waits for as long as it takes. May be called again.
+        """Writes what is queued, then closes the file. Returns whether that took at most
+        ``patience`` s; None: no limit. May be called again.
         """
         self._queue.close()
         self._ending.set()
@@ -92,7 +91,7 @@ class RecordingThread:
             self._report("error", failure("recording.ended", why=notice_of(error)))
 
     def _write_waiting(self) -> None:
-        """All that waits, together. Raises Closed at the end."""
+        """Writes all queued messages. Raises Closed at the end."""
         first = self._queue.get(LOOK_EVERY)
         for item in (first, *self._queue.drain()) if first is not None else ():
             self._write(*item)

@@ -1,4 +1,4 @@
-"""A second engine on the live messages, to compare with: in its own thread, never in the way."""
+"""A second engine on the live messages, for comparison, in a thread of its own."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from tracker.messages import BlobFrame, Estimate
 
 _log = logging.getLogger(__name__)
 
-WAIT = 0.05  # s that the thread waits before it looks whether it should end
+WAIT = 0.05  # s between checks whether the thread should end
 MOST_WAITING = 500  # messages, 4 s: a machine too slow for two engines loses some here
 
 
 class ReferenceEngine:
-    """Feeds ``hands`` with what `put` is given, in that order; started at once."""
+    """Feeds ``hands`` with the messages of `put`, in their order; started immediately."""
 
     def __init__(self, hands: Hands) -> None:
         self._hands = hands
@@ -32,15 +32,15 @@ class ReferenceEngine:
         return self._hands.engine
 
     def estimate(self, side: str) -> Estimate | None:
-        """The latest that the second engine has of a hand."""
+        """Returns the second engine's latest estimate of a hand."""
         return self._estimates.get(side)
 
     def put(self, message: Sided | BlobFrame) -> None:
-        """A message that the first engine has just been fed with."""
+        """Queues a message that was just fed to the first engine."""
         self._inbox.put(message)
 
     def close(self, wait: bool = True) -> None:
-        """End the thread, which may have a message to finish. May be called again."""
+        """Ends the thread after its current message. May be called again."""
         self._inbox.close()
         self._inbox.drain()
         if wait:

@@ -1,8 +1,8 @@
-"""Who waits for whom in Python: what a motor or a robot waits for goes before what is painted.
+"""Priority of threads in Python: work for a motor or a robot goes before painting.
 
-All threads of a process share Python's lock. One that paints gives it back after every step and has
-it again at once, so that half a millisecond of another's work, in a dozen pieces, takes ten. A
-painter that waits as a whole until that work is done costs it nothing.
+All threads of a process share Python's lock. A thread that paints releases it after every step and
+reacquires it immediately, so that half a millisecond of another thread's work, in a dozen pieces,
+takes ten. If the painter waits until that work is done, it does not delay it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ PATIENCE = 0.01  # s that one is waited for, who then waits himself: a painter m
 
 
 class RightOfWay:
-    """``with way:`` around hurried work, in any thread; `give` between the pieces of other work."""
+    """``with priority:`` around urgent work, in any thread; `give` between pieces of other work."""
 
     def __init__(
         self, patience: float = PATIENCE, clock: Callable[[], float] = time.monotonic
@@ -44,8 +44,7 @@ class RightOfWay:
         return not self._clear.is_set()
 
     def give(self) -> None:
-        """Wait while anybody is at hurried work, ``patience`` s at most; where that was too little
-        go on for as long."""
+        """Waits while urgent work is being done, at most ``patience`` s; then runs for as long."""
         if not self.is_taken or self._clock() < self._impatient_until:
             return
         if not self._clear.wait(self._patience):

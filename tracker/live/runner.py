@@ -1,4 +1,4 @@
-"""The threads of live tracking around one `LiveLoop`, and what the window may ask of them.
+"""The threads of live tracking around one `LiveLoop`, and their interface for the window.
 
     glove thread ──┐ inbox                              (one for each glove)
                    ├──────────────> engine thread ──> latest estimate, recorder
@@ -44,15 +44,15 @@ from tracker.session.description import MAIN
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
-STOPPING = 1.5  # s that threads and devices are waited for; a driver may hang for ever
-PATIENCE = 0.3  # s that the end of a recording is waited for
-WAIT = 0.05  # s that the engine thread waits before it looks whether it should end
+STOPPING = 1.5  # s to wait for threads and devices; a driver may hang forever
+PATIENCE = 0.3  # s to wait for the end of a recording
+WAIT = 0.05  # s between checks whether the engine thread should end
 
 
 class LiveTracker:
     """Tracks on live devices until `stop`. Methods may be called from any thread.
 
-    `hand` has what there is to see of each hand, by its side.
+    `hand` returns the interface of one hand.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class LiveTracker:
         self._inbox = Inbox()
         self._vision = Vision(profile, make_detector, self._inbox, self._loop)
         side = MAIN if MAIN in hands.pipelines else next(iter(hands.pipelines))
-        follower = _follower(profile, hands.pipelines[side])  # by what is known of one hand
+        follower = _follower(profile, hands.pipelines[side])  # one hand determines the colours
         self._colours = FollowedColours(follower, self._vision, self._journal)
         self._loop.seen[side].on_used = self._colours.used.put
         self._glove_readers = {
@@ -108,12 +108,12 @@ class LiveTracker:
         self._threads.start("engine", self._feed, soon=True)
 
     def stop(self, patience: float | None = None) -> None:
-        """End all threads, free the devices, finish the recording. May be called again.
+        """Ends all threads, releases the devices, finishes the recording. May be called again.
 
-        The recording's end is waited for ``patience`` s, then it goes on by itself; None waits for
-        as long as the disk takes.
+        Waits at most ``patience`` s for the recording, which then continues in the background;
+        None: waits until it is finished.
         """
-        self._threads.tell_to_stop()
+        self._threads.request_stop()
         self._inbox.close()
         self._vision.images.close()
         self._colours.used.close()
@@ -129,7 +129,7 @@ class LiveTracker:
 
     @property
     def failure(self) -> Notice | None:
-        """Why tracking has ended by itself; None while it runs."""
+        """Why tracking has stopped unexpectedly; None while it runs."""
         return self._threads.failure
 
     def _feed(self) -> None:
@@ -138,53 +138,53 @@ class LiveTracker:
             self._loop.feed(item)
 
     def set_profile(self, profile: ColourProfile) -> None:
-        """Detect with other colours from the next image on."""
+        """Uses other colours from the next image on."""
         self._vision.profile = profile
 
     @property
     def profile(self) -> ColourProfile:
-        """The colours that are looked for now."""
+        """The colours in use."""
         return self._vision.profile
 
     @property
     def right_of_way(self) -> RightOfWay:
-        """What other work in Python should give."""
-        return self._loop.way
+        """The priority of live tracking over other work in Python."""
+        return self._loop.priority
 
     @property
     def settings(self) -> Settings:
-        """What is tracked with now."""
+        """The settings in use."""
         return next(iter(self._loop.hands.pipelines.values())).settings
 
     def set_engine(self, name: str) -> None:
-        """Track with another engine from the next message on; it searches for the hand again.
+        """Switches to another engine with the next message; it starts by searching for the hands.
 
         Raises ConfigError for an unknown name.
         """
         self._loop.set_engine(name)
 
     def set_reference(self, name: str | None) -> None:
-        """Let a second engine see the same messages, to be compared with; None ends it.
+        """Feeds the same messages to a second engine, for comparison; None ends it.
 
         Raises ConfigError for an unknown name.
         """
         self._loop.set_reference(name, wait=self._threads.stopping)
 
     def set_recorder(self, recorder: Recorder | None, patience: float | None = PATIENCE) -> None:
-        """Record into ``recorder`` from now on; the last one is finished and closed.
+        """Starts recording into ``recorder``; the previous recording is finished and closed.
 
-        A disk that is far behind is waited for ``patience`` s, None: to the end, as `stop` does.
+        Waits for that at most ``patience`` s; None: until it is finished, as `stop` does.
         """
         self._loop.set_recorder(recorder, patience)
 
     def keep_state(self) -> None:
-        """Record what the engine knows: after a pause in the file, for one."""
+        """Records the engine's state, for example after a pause in the file."""
         self._loop.record_state()
 
     def note(
         self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
     ) -> None:
-        """A note of the user's, stamped ``t`` (s of the monotonic clock), or now.
+        """Adds a note of the user, stamped ``t`` (s of the monotonic clock), or now.
 
         ``data``: see `tracker.session.notes`.
         """
@@ -195,12 +195,12 @@ class LiveTracker:
         return self._journal.drain_events()
 
     def hand(self, side: str) -> HandOfTracker:
-        """What may be seen and asked of one hand."""
+        """Returns the interface of one hand."""
         return HandOfTracker(self, self._loop, self._inbox, side)
 
 
 def _follower(profile: ColourProfile, pipeline: Pipeline) -> ColourFollower:
-    """For the pipeline's glove and camera; a pipeline without a camera never asks it."""
+    """For the pipeline's glove and camera; not used by a pipeline without a camera."""
     glove, rig = pipeline.glove, pipeline.calibrated_rig
     size = float(glove.marker_size.mean()) if glove.markers else 0.012
     return ColourFollower(profile, glove, size, rig.fx if rig is not None else 640.0)
@@ -214,39 +214,39 @@ class HandOfTracker:
         self._hand = loop.seen[side]
 
     def command(self, work: Callable[[Engine], None]) -> None:
-        """Have ``work`` done to the hand's engine, in its own thread, between two messages.
+        """Calls ``work`` with the hand's engine, in the engine thread, between two messages.
 
         A GlovetrackError that it raises is reported as an event.
         """
         self._inbox.put(EngineCommand(work, self.side))
 
     def follow(self, follower: Follower | None) -> None:
-        """Send each estimate to ``follower`` from now on; None: to no one."""
+        """Passes each estimate to ``follower`` from now on; None ends it."""
         self._hand.followers = (follower,) if follower is not None else ()
 
     def record(self, message: Message) -> None:
-        """Record what another part has made of the hand; nothing where no recording runs."""
+        """Records a message of another part; does nothing while no recording is running."""
         self._loop.journal.record(message)
 
     def hold(self, pose: str) -> None:
-        """The wearer is asked from now on to hold a pose of `tracker.hand.poses`."""
+        """Begins a guided pose of `tracker.hand.poses`."""
         self._inbox.put(GuidedCommand(pose, True, self.side))
 
     def let_go(self, pose: str, held: bool) -> None:
-        """The pose is over; ``held``: it was not skipped."""
+        """Ends a guided pose; ``held``: it was not skipped."""
         self._inbox.put(GuidedCommand(pose, False, self.side, held))
 
     def reset_pose(self) -> None:
-        """The wearer holds the hand flat, the fingers straight ahead: align it with that."""
+        """Aligns the hand with a flat one, fingers straight ahead, which the wearer holds."""
         self._inbox.put(ResetCommand(self.side))
 
     def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
-        """Call ``subscriber``, which must not wait, with each estimate, in order of time; what is
-        returned ends that."""
+        """Calls ``subscriber``, which must not block, with each estimate, in order of time; returns
+        a function that ends it."""
         return self._hand.subscribe(subscriber)
 
     def latest_estimate(self) -> Estimate | None:
-        """The hand as it is; None before the first packet."""
+        """Returns the latest estimate; None before the first packet."""
         return self._hand.estimate
 
     def attach_listeners(self, vibrate: Vibrate | None = None) -> Mapping[str, Listener]:
@@ -255,26 +255,26 @@ class HandOfTracker:
         To be called once, before `LiveTracker.start`; ``vibrate`` drives the glove's motors.
         """
         loop, telemetry = self._loop, self._hand.telemetry
-        live = LiveAccess(loop.journal.record, telemetry, loop.clock, loop.way, vibrate)
+        live = LiveAccess(loop.journal.record, telemetry, loop.clock, loop.priority, vibrate)
         pipeline = loop.hands.pipelines[self.side]
         self._hand.listeners.attach(ListenedHand(pipeline.hand, pipeline.glove, live))
         return self._hand.listeners.by_name
 
     def set_reference(self, name: str | None) -> None:
-        """Of all hands: see `LiveTracker.set_reference`."""
+        """Sets that of all hands, see `LiveTracker.set_reference`."""
         self._tracker.set_reference(name)
 
     def reference_estimate(self) -> Estimate | None:
-        """The second engine's hand; None where there is none."""
+        """Returns the second engine's estimate; None without a second engine."""
         return self._loop.reference_estimate(self.side)
 
     def latest_frame(self, t: float | None = None) -> ShownFrame | None:
-        """The last image that the filter has used, or looked for the hand in; or that of ``t``
-        (s), None where it is not among the last ones."""
+        """Returns the last image that the filter has used or searched; or that of ``t`` (s), None
+        if it is not stored any more."""
         return self._hand.frames.latest if t is None else self._hand.frames.of(t)
 
     def recent_imu(self) -> list[ImuSample]:
-        """Packets of the last seconds, oldest first."""
+        """Returns the packets of the last seconds, oldest first."""
         return self._hand.history.recent()
 
     def recent_estimates(self) -> list[Estimate]:
@@ -282,13 +282,13 @@ class HandOfTracker:
         return self._hand.estimates.recent()
 
     def recent_images(self) -> list[SearchedImage]:
-        """Returns what was found in the images of the last seconds, oldest first."""
+        """Returns the results of the images of the last seconds, oldest first."""
         return self._hand.frames.history.recent()
 
     def calibration(self) -> Calibration | None:
-        """Estimated parameters, at most a second old."""
+        """Returns the estimated parameters, at most a second old."""
         return self._hand.calibration
 
     def status(self) -> Status:
-        """How the tracking of this hand and the devices are, now."""
+        """Returns the current status of this hand and of the devices."""
         return self._loop.status(self.side)

@@ -49,13 +49,13 @@ class Telemetry:
             self._times.setdefault(name, deque(maxlen=KEPT)).append(duration)
 
     def set(self, name: str, value: float) -> None:
-        """A count or level as it stands."""
+        """Sets a count or level."""
         with self._lock:
             self._counts[name] = value
 
     def values(self, now: float) -> dict[str, float]:
         """``<name>_rate_hz`` per tick, ``latency_<name>_ms`` and ``_p99_ms`` per stage, counts."""
-        asked = [figures() for figures in self._sources]  # without the lock: they may take others
+        asked = [figures() for figures in self._sources]  # may acquire other locks
         with self._lock:
             for figures in asked:
                 self._counts.update(figures)

@@ -23,9 +23,9 @@ WAIT = 0.05  # s that a step waits for its device
 
 
 class GloveReader:
-    """Packets go to the engine's inbox, events into the journal.
+    """Passes packets to the engine's inbox and events to the journal.
 
-    ``named``: events say which glove they are of, where there is another one.
+    ``named``: events name their glove, since there is another one.
     """
 
     def __init__(
@@ -35,7 +35,7 @@ class GloveReader:
         self._inbox, self._journal = inbox, journal
 
     def step(self) -> None:
-        """Take what has come."""
+        """Passes on what has arrived."""
         for item in self._glove.poll(WAIT):
             if isinstance(item, Event):
                 self._journal.add(self._of_side(item) if self._named else item)
@@ -83,8 +83,8 @@ _log = logging.getLogger(__name__)
 class ThreadGroup:
     """``report`` receives a kind and a notice when a thread fails. Methods are for one owner.
 
-    ``turn`` is called with a thread's name before each of its steps, in that thread: whoever gives
-    it may hold threads back, as a busy computer does.
+    ``turn`` is called with a thread's name before each of its steps, in that thread: it may delay
+    threads, as an overloaded computer does.
     """
 
     def __init__(
@@ -98,7 +98,7 @@ class ThreadGroup:
 
     @property
     def stopping(self) -> bool:
-        """Whether the threads were asked to end."""
+        """Whether `request_stop` was called."""
         return self._stopping.is_set()
 
     def start(self, name: str, step: Callable[[], None], soon: bool = False) -> None:
@@ -110,16 +110,16 @@ class ThreadGroup:
         self._threads[name] = thread
         thread.start()
 
-    def tell_to_stop(self) -> None:
+    def request_stop(self) -> None:
         """No further step begins."""
         self._stopping.set()
 
     def join(self, release: Mapping[str, Callable[[], None]], patience: float) -> list[str]:
-        """Wait for the last steps and for ``release``, by a thread's name, to free its device.
+        """Waits for the last steps and for ``release``, by a thread's name, to free its device.
 
-        Either may hang in a driver, so a device is freed in a thread of its own, after the thread
-        that used it has ended. Names of those that take longer than ``patience`` s; they go on by
-        themselves. May be called again.
+        Either may hang in a driver, so a device is released in a thread of its own, after the
+        thread that used it has ended. Returns the names of those that take longer than
+        ``patience`` s; they continue in the background. May be called again.
         """
         ends = dict(self._threads)
         self._threads.clear()

@@ -18,10 +18,10 @@ WAIT = 0.05  # s that a step waits for an image
 
 
 class Vision:
-    """Takes images out of ``images``, puts what it found in them into ``inbox``.
+    """Detects blobs in ``images`` and passes them to ``inbox``.
 
-    ``profile`` may be set by any thread; the detector for it, which takes a while to make, is made
-    when the next image comes.
+    ``profile`` may be set by any thread; the detector for it, which is slow to create, is created
+    for the next image.
     """
 
     def __init__(
@@ -41,7 +41,7 @@ class Vision:
         self._shed = self._missed = 0
 
     def step(self) -> None:
-        """Detect in the newest image, if one comes within `WAIT`. Raises Closed at the end."""
+        """Searches the newest image, if one arrives within `WAIT`. Raises Closed at the end."""
         loop = self._loop
         frame = self.images.get(WAIT)
         self._notice_silence(frame)
@@ -64,7 +64,7 @@ class Vision:
         return False
 
     def figures(self) -> dict[str, float]:
-        """Images that were never searched, or whose blobs came too late."""
+        """Returns the number of images that were not searched, or whose blobs were too late."""
         return {"frames_dropped": self.images.dropped + self._inbox.skipped + self._shed}
 
     def _hints(self, frame: StereoFrame) -> tuple[DetectionHints, DetectionHints] | None:

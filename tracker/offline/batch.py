@@ -37,8 +37,8 @@ class Job:
 def plan(sources: Sequence[Path], out: Path) -> list[Job]:
     """One file goes to the file ``out``; several, or a folder, into the folder ``out``.
 
-    Sessions of the same name are distinguished by a number. Raises ConfigError if ``out`` is a file
-    where it must be a folder.
+    Sessions with the same name get a number. Raises ConfigError if ``out`` is a file but must be a
+    folder.
     """
     if len(sources) == 1 and not sources[0].is_dir() and not out.is_dir():
         return [Job(sources[0], out)]
@@ -119,6 +119,6 @@ def to_json(jobs: Sequence[Job], outcomes: Sequence[TaskOutcome]) -> dict[str, A
     """The same for programs."""
     rows = []
     for job, outcome in zip(jobs, outcomes, strict=True):
-        said = {"error": outcome.error} if outcome.error else outcome.value.to_json()
-        rows.append({"source": str(job.source), "out": str(job.out), **said})
+        result = {"error": outcome.error} if outcome.error else outcome.value.to_json()
+        rows.append({"source": str(job.source), "out": str(job.out), **result})
     return {"sessions": rows}

@@ -1,4 +1,4 @@
-"""What is asked of tracking again, for the hand of each side: files are sorted by what they say."""
+"""The options of tracking a session again, for the hand of each side; files declare their side."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 from tracker.base.errors import ConfigError, FileError
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.engine import Engine
-from tracker.fusion.worn import keep as keep_worn
+from tracker.fusion.worn import keep as save_wearer
 from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.offline.options import TrackOptions
@@ -19,24 +19,24 @@ from tracker.vision.colours import parse_profile
 
 
 def several(asked: str) -> list[str]:
-    """Names or paths that are parted by commas; a path with a comma in it is one."""
+    """Splits names or paths at commas; the path of an existing file may contain a comma."""
     if Path(asked).is_file():
         return [asked]
     return [part.strip() for part in asked.split(",") if part.strip()]
 
 
 class Replacement(NamedTuple):
-    """A text, and the name or path by which it was asked for."""
+    """A text, and the name or path that was given for it."""
 
     text: str
     origin: str
 
 
 def replacements(options: TrackOptions, both: bool) -> dict[str, Replacement]:
-    """What counts instead of the session's own, by the attachment's name; of a session of ``both``
-    hands each in place of the one of its side.
+    """Returns the texts that replace the session's, by the attachment's name; for a session of
+    ``both`` hands, each replaces the one of its side.
 
-    Raises FileError and ConfigError in words.
+    Raises FileError and ConfigError.
     """
     out: dict[str, Replacement] = {}
     if options.colours:
@@ -61,7 +61,7 @@ def replacements(options: TrackOptions, both: bool) -> dict[str, Replacement]:
 def _side_of(text: str, name: str) -> str:
     side = parse_toml(text, name).get("side")
     if side not in SIDES:
-        raise FileError(f"{name} does not say of which side it is.")
+        raise FileError(f"{name} does not contain its side.")
     return str(side)
 
 
@@ -72,11 +72,11 @@ def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
     """
     paths = [Path(each) for each in several(asked)]
     if not info.others and len(paths) == 1:
-        return {info.side: paths[0]}  # what is wrong with it is said where it is put on
+        return {info.side: paths[0]}  # its errors are reported when it is applied
     out: dict[str, Path] = {}
     for path in paths:
-        said = parse_toml(read_text(path), path.name)
-        names = said.get("hand"), said.get("glove")
+        table = parse_toml(read_text(path), path.name)
+        names = table.get("hand"), table.get("glove")
         sides = [w.side for w in info.hands if names == (w.hand.name, w.glove.name)]
         if not sides:
             raise FileError(
@@ -89,20 +89,20 @@ def wearers(asked: str, info: SessionInfo) -> dict[str, Path]:
     return out
 
 
-def kept_paths(asked: str, both: bool) -> dict[str, Path]:
-    """Where what was learned is written, by side: of both hands ``anna_left.toml`` and so on."""
+def profile_paths(asked: str, both: bool) -> dict[str, Path]:
+    """Returns the paths of the learned profiles by side: ``anna_left.toml`` for both hands."""
     if not asked:
         return {}
     return {side: path_of_side(Path(asked), side) if both else Path(asked) for side in SIDES}
 
 
-def keep(engines: Mapping[str, Engine], paths: Mapping[str, Path]) -> None:
-    """Write what was learned of each hand. Raises as `tracker.fusion.worn.keep`."""
+def save_profiles(engines: Mapping[str, Engine], paths: Mapping[str, Path]) -> None:
+    """Writes the learned profile of each hand. Raises as `tracker.fusion.worn.keep`."""
     for side, engine in engines.items():
         if side in paths:
-            keep_worn(engine, paths[side])
+            save_wearer(engine, paths[side])
 
 
 def is_of_both(sides: Sequence[str], options: TrackOptions) -> bool:
-    """Whether a session that names gloves of these ``sides``, or what replaces them, is of two."""
+    """Returns whether a session with gloves of these ``sides``, or their replacements, has two."""
     return bool(sides) or len(several(options.glove)) > 1

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import FileError
-from tracker.base.files import check_target, write_kept
+from tracker.base.files import check_target, write_with_folder
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.glove import library
 from tracker.messages import ImuSample, StereoFrame
@@ -73,7 +73,7 @@ def _mean(values: list[float]) -> float | None:
 
 
 def session_light(path: Path, colours: str = "") -> SessionLight:
-    """Of a session with images. Raises FileError where there are none."""
+    """Measures the light of a session. Raises FileError if it has no images."""
     with SessionReader(path) as session:
         text = session.info.colours_text or library.text("colours", library.DEFAULT_COLOURS)
         text = library.text("colours", colours) if colours else text
@@ -82,15 +82,15 @@ def session_light(path: Path, colours: str = "") -> SessionLight:
         meter = LightMeter(profile, rig.fx if rig is not None else 640.0)
         readings = tuple(meter.read(image) for image in _some_images(session))
     if not readings:
-        raise FileError(f"{path} holds no images whose light could be read.")
-    said = [a for r in readings for a in {a.kind: a for a in r.advice}.values()]
+        raise FileError(f"{path} contains no images whose light could be read.")
+    advice = [a for r in readings for a in {a.kind: a for a in r.advice}.values()]
     most = [
         kind
-        for kind in dict.fromkeys(a.kind for a in said)
-        if sum(a.kind == kind for a in said) > len(readings) / 2
+        for kind in dict.fromkeys(a.kind for a in advice)
+        if sum(a.kind == kind for a in advice) > len(readings) / 2
     ]
     return SessionLight(
-        readings, tuple(next(str(a.notice) for a in said if a.kind == kind) for kind in most)
+        readings, tuple(next(str(a.notice) for a in advice if a.kind == kind) for kind in most)
     )
 
 
@@ -119,21 +119,21 @@ def fit_session(source: Path, out: Path, colours: str = "", force: bool = False)
     """
     check_target(out, force, [source])
     info, messages = _read(source, colours)
-    fit = fit_messages(messages, worn_in(info), profile_of(info))
-    write_kept(out, profile_to_toml(replace(fit.profile, name=out.stem)), force)
+    fit = fit_messages(messages, glove_of(info), profile_of(info))
+    write_with_folder(out, profile_to_toml(replace(fit.profile, name=out.stem)), force)
     return fit
 
 
 def check_session(source: Path, colours: str = "") -> ColourCheck:
     """How well ``colours`` (name or file), else the session's own, serve it."""
     info, messages = _read(source, colours)
-    return check_messages(messages, worn_in(info), profile_of(info))
+    return check_messages(messages, glove_of(info), profile_of(info))
 
 
-def worn_in(info: SessionInfo) -> WatchedGlove:
-    """What a session says of hand, glove and cameras. Raises FileError where it has no cameras."""
+def glove_of(info: SessionInfo) -> WatchedGlove:
+    """Returns hand, glove and cameras of a session. Raises FileError if it has no cameras."""
     if info.rig is None:
-        raise FileError("The session says nothing of its cameras: no hand can be found in it.")
+        raise FileError("The session contains no camera calibration: no hand can be found in it.")
     return WatchedGlove(info.hand, info.glove, info.rig)
 
 
@@ -158,5 +158,5 @@ def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:
             if images >= MOST_IMAGES:
                 break
     if images == 0:
-        raise FileError(f"{source} holds no images to fit colours to.")
+        raise FileError(f"{source} contains no images to fit colours to.")
     return info, messages

@@ -1,8 +1,9 @@
-"""Colours that fit themselves to a recording, or to a few live images with the packets around them.
+"""Fits colours to a recording, or to a few live images with the packets around them.
 
-Wide colours find a hand that IMUs, cameras and the hand's build agree on; each of its markers
-labels the pixels where it stands; from those the colours are learned. They are tried on images that
-they were not learned from, and refused where they explain fewer markers or more of the room.
+With wide colours a hand is found that is consistent with IMUs, cameras and the hand model. Each of
+its markers labels the pixels at its position, and the colours are learned from these. They are
+validated on images that they were not learned from, and refused if they explain fewer markers or
+more of the room.
 """
 
 from __future__ import annotations
@@ -107,7 +108,7 @@ class ColourCheck:
         }
         return {"hues": hues, "ok": self.ok, "images": self.images, "tracked": self.tracked}
 
-    def words(self) -> list[str]:
+    def lines(self) -> list[str]:
         """A line for each hue."""
         lines = [f"The hand was sure in {self.tracked} of {self.images} images."]
         for h in self.hues:
@@ -131,7 +132,7 @@ class SessionFit:
 
 @dataclass
 class Looked:
-    """A pass over images: what was found and made of each that shows a hand for sure."""
+    """A pass over images: the detections and the results of those that certainly show a hand."""
 
     frames: list[StereoFrame] = field(default_factory=list)
     blobs: list[BlobFrame] = field(default_factory=list)
@@ -154,22 +155,22 @@ class Looked:
 
 
 def fit_messages(
-    messages: Sequence[Sensed], worn: WatchedGlove, profile: ColourProfile
+    messages: Sequence[Sensed], watched: WatchedGlove, profile: ColourProfile
 ) -> SessionFit:
     """Colours for these packets and images, in the order of feeding.
 
     Raises GlovetrackError where no hand is found for sure, or the other one, or nothing better than
     ``profile``.
     """
-    before = look(messages, worn, profile)
+    before = look(messages, watched, profile)
     best = before
     if _is_poor(before):
-        _refuse_other_side(messages, worn, profile, before)
+        _refuse_other_side(messages, watched, profile, before)
         for wide in _starts(profile):
-            tried = look(_beginning(messages), worn, wide)
+            tried = look(_beginning(messages), watched, wide)
             if tried.matched > best.matched:
                 best = tried
-                _refuse_other_side(messages, worn, wide, tried)
+                _refuse_other_side(messages, watched, wide, tried)
             if not _is_poor(best):
                 break
     fitted = profile
@@ -178,14 +179,14 @@ def fit_messages(
         if len(best.frames) < min(LEAST_IMAGES, best.images):
             raise GlovetrackError(
                 "The colours could not be fitted: no hand was found for sure, whatever the light. "
-                f"Hold the hand flat and still in view of {_cameras(worn)}, in more or whiter "
+                f"Hold the hand flat and still in view of {_cameras(watched)}, in more or whiter "
                 "light."
             )
-        samples = _samples(best, worn, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
+        samples = _samples(best, watched, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
         fitted, patches = learn(fitted, samples), samples.patches
-        best = look(messages, worn, fitted)
+        best = look(messages, watched, fitted)
     showing = before.showing | best.showing
-    old, new = (checked(p, worn, c, showing) for p, c in ((before, profile), (best, fitted)))
+    old, new = (checked(p, watched, c, showing) for p, c in ((before, profile), (best, fitted)))
     if _is_worse(new, old):
         raise GlovetrackError(
             f"The colours stay as they are: fitted ones find {new.sure:.1f} markers in an image "
@@ -195,19 +196,19 @@ def fit_messages(
 
 
 def _refuse_other_side(
-    messages: Sequence[Sensed], worn: WatchedGlove, profile: ColourProfile, own: Looked
+    messages: Sequence[Sensed], watched: WatchedGlove, profile: ColourProfile, own: Looked
 ) -> None:
     """Raises GlovetrackError where the first images show more of a glove of the other hand than of
     ours: of mirrored patches a hand that is found by mistake would have learned the colours."""
-    hand, glove = mirrored_hand(worn.hand), mirrored_glove(worn.glove)
-    mirrored = look(_beginning(messages), WatchedGlove(hand, glove, worn.rig), profile)
+    hand, glove = mirrored_hand(watched.hand), mirrored_glove(watched.glove)
+    mirrored = look(_beginning(messages), WatchedGlove(hand, glove, watched.rig), profile)
     if not _is_poor(mirrored) and mirrored.matched > own.matched:
-        raise GlovetrackError(other_side(worn.glove))
+        raise GlovetrackError(other_side(watched.glove))
 
 
 def _starts(profile: ColourProfile) -> Iterator[ColourProfile]:
-    """Wide colours to begin with: around these, and around those that the program comes with, for
-    these may be those of another room."""
+    """Returns wide colours to begin with: around these, and around the program's own, since these
+    may be of another room."""
     yield from wide_profiles(profile)
     factory = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
     if factory.hue_names == profile.hue_names and factory.hues != profile.hues:
@@ -226,18 +227,18 @@ def _is_worse(new: ColourCheck, old: ColourCheck) -> bool:
 
 
 def check_messages(
-    messages: Sequence[Sensed], worn: WatchedGlove, profile: ColourProfile
+    messages: Sequence[Sensed], watched: WatchedGlove, profile: ColourProfile
 ) -> ColourCheck:
     """How well ``profile`` serves for these packets and images."""
-    looked = look(messages, worn, profile)
-    return checked(looked, worn, profile, looked.showing)
+    looked = look(messages, watched, profile)
+    return checked(looked, watched, profile, looked.showing)
 
 
-def look(messages: Iterable[Sensed], worn: WatchedGlove, profile: ColourProfile) -> Looked:
+def look(messages: Iterable[Sensed], watched: WatchedGlove, profile: ColourProfile) -> Looked:
     """Track the hand with these colours."""
-    pipeline = Pipeline(worn.hand, worn.glove, worn.rig, Settings())
-    size = float(np.median(worn.glove.marker_size)) if worn.glove.markers else 0.012
-    detector = Detector(profile, size, worn.rig.fx, DetectorParams())
+    pipeline = Pipeline(watched.hand, watched.glove, watched.rig, Settings())
+    size = float(np.median(watched.glove.marker_size)) if watched.glove.markers else 0.012
+    detector = Detector(profile, size, watched.rig.fx, DetectorParams())
     out = Looked(others=np.zeros(len(profile.hues), np.int64))
     waiting: dict[float, tuple[StereoFrame, BlobFrame]] = {}
     for message in messages:
@@ -248,12 +249,12 @@ def look(messages: Iterable[Sensed], worn: WatchedGlove, profile: ColourProfile)
             pipeline.feed_frame(blobs)
         else:
             pipeline.feed_imu(message)
-            _take(out, waiting, pipeline.take_results())
-    _take(out, waiting, pipeline.take_results())
+            _collect(out, waiting, pipeline.take_results())
+    _collect(out, waiting, pipeline.take_results())
     return out
 
 
-def _take(
+def _collect(
     out: Looked,
     waiting: dict[float, tuple[StereoFrame, BlobFrame]],
     results: list[FrameResult],
@@ -282,8 +283,8 @@ def _by_camera(result: FrameResult) -> NDArray[np.bool_]:
     return np.stack([result.match_left, result.match_right]) >= 0
 
 
-def _cameras(worn: WatchedGlove) -> str:
-    return "the camera" if worn.rig.one_camera else "both cameras"
+def _cameras(watched: WatchedGlove) -> str:
+    return "the camera" if watched.rig.one_camera else "both cameras"
 
 
 def _is_poor(looked: Looked) -> bool:
@@ -295,7 +296,7 @@ def _is_poor(looked: Looked) -> bool:
 
 
 def _beginning(messages: Sequence[Sensed], images: int = 10) -> list[Sensed]:
-    """Up to the first images, which tell whether colours serve."""
+    """Returns the messages up to the first images, which show whether colours fit."""
     out: list[Sensed] = []
     for message in messages:
         out.append(message)
@@ -306,26 +307,29 @@ def _beginning(messages: Sequence[Sensed], images: int = 10) -> list[Sensed]:
 
 
 def _samples(
-    looked: Looked, worn: WatchedGlove, names: tuple[str, ...], odd: bool, most: int = 12
+    looked: Looked, watched: WatchedGlove, names: tuple[str, ...], odd: bool, most: int = 12
 ) -> ColourSamples:
-    """Pixels of at most so many images, every other one where ``odd`` ones are kept for a check."""
+    """Returns pixels of at most ``most`` images, of every other one unless ``odd`` ones are used
+    too: those are for the validation."""
     out = ColourSamples.of(names)
     rows = range(0, len(looked.frames), 1 if odd else 2)
     step = max(1, -(-len(rows) // most))
     for k in list(rows)[::step]:
-        for side in known_sides(looked.frames[k], looked.blobs[k], looked.results[k], worn.glove):
+        for side in known_sides(
+            looked.frames[k], looked.blobs[k], looked.results[k], watched.glove
+        ):
             out.add(samples_of(*side, names))
     return out
 
 
 def checked(
-    looked: Looked, worn: WatchedGlove, profile: ColourProfile, showing: NDArray[np.bool_]
+    looked: Looked, watched: WatchedGlove, profile: ColourProfile, showing: NDArray[np.bool_]
 ) -> ColourCheck:
-    """What a pass says of the colours, hue by hue; ``showing`` (2,) are the cameras that show the
-    hand."""
+    """Returns the check of the colours by a pass, hue by hue; ``showing`` (2,) are the cameras that
+    show the hand."""
     names = profile.hue_names
     expected, found, other = np.zeros((3, len(names)))
-    hue = np.array([names.index(m.hue) for m in worn.glove.markers])
+    hue = np.array([names.index(m.hue) for m in watched.glove.markers])
     for blobs, result in zip(looked.blobs, looked.results, strict=True):
         np.add.at(expected, hue, np.nan_to_num(result.visible))
         np.add.at(found, hue, _found(result))
@@ -347,7 +351,7 @@ def checked(
 
 
 def _overlaps(profile: ColourProfile) -> dict[str, tuple[str, ...]]:
-    """By hue, the others that take pixels of it."""
+    """Returns, by hue, the others that match its pixels."""
     pairs = [(c.hue, c.other) for c in clashes(profile)]
     pairs += [(other, hue) for hue, other in pairs]
     return {name: tuple(o for h, o in pairs if h == name) for name in profile.hue_names}

@@ -118,7 +118,7 @@ def _fit_colours(args: argparse.Namespace) -> int:
     print(
         f"Before: {before.found:.1f} markers, {before.clashing:.1f} other regions per image. Now:"
     )
-    print("\n".join(fit.after.words()))
+    print("\n".join(fit.after.lines()))
     return 0
 
 
@@ -127,7 +127,7 @@ def _check_colours(args: argparse.Namespace) -> int:
 
     check_json(args, [args.source])
     found = check_session(args.source, args.colours)
-    finish(args, found.to_json(), found.words(), [args.source])
+    finish(args, found.to_json(), found.lines(), [args.source])
     return 0
 
 
@@ -153,8 +153,8 @@ def _track(args: argparse.Namespace) -> int:
     check_json(args, [job.source])
     progress = progress_line("tracking")
     tracked = track(job.source, job.out, options, progress, force=args.force)
-    report, words = tracked.to_json(), tracked.words
-    finish(args, report, [_summary(report), *words], [job.source, job.out])
+    report, warnings = tracked.to_json(), tracked.words
+    finish(args, report, [_summary(report), *warnings], [job.source, job.out])
     return 0
 
 

@@ -1,8 +1,8 @@
-"""A part of a session as a session of its own, which is tracked again as the whole is.
+"""Copies a part of a session to a new session, which gives the same results as the whole.
 
-A filter that began in the middle would know neither the wearer nor where the hand is. So the whole
-is tracked up to the part's first message, and what the engine knows then is attached to the part,
-as it is to a recording that begins while the hand is tracked.
+A filter that starts in the middle has no information on the wearer and on the position of the hand.
+So the whole is tracked up to the part's first message, and the state of the engine then is attached
+to the part, as it is to a recording that begins while the hand is tracked.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ def crop(
     force: bool = False,
     with_state: bool = True,
 ) -> dict[str, Any]:
-    """Copy ``start`` to ``stop``, s from the session's first measurement; returns what was done.
+    """Copies ``start`` to ``stop``, s from the session's first measurement; returns a summary.
 
-    Without ``with_state`` it is quick, and tracked again the part begins without knowledge.
+    Without ``with_state`` it is quick, but tracking the part again starts without knowledge.
 
-    The new file is there whole or not at all; ``source`` stays. ``engine_state`` in the result says
-    whether the part can be tracked again bit for bit. Raises ConfigError for a part that is none.
+    The new file is complete or absent; ``source`` does not change. ``engine_state`` in the result:
+    whether the part can be tracked again bit for bit. Raises ConfigError for an invalid part.
     """
     check_target(out, force, [source])
     with SessionReader(source) as reader:
@@ -69,11 +69,11 @@ def _span(reader: SessionReader, start: float, stop: float | None) -> tuple[int,
 
 
 def _state(reader: SessionReader, begin: int, progress: Callable[[float], None]) -> bytes | None:
-    """What the engine knows at ``begin`` (ns); None for a session that cannot be tracked again."""
+    """Returns the engine's state at ``begin`` (ns); None for a session that cannot be tracked."""
     if next(iter(reader.messages((ImuSample,))), None) is None:
         return None
     try:
         state = state_at(reader, reader.anchor.monotonic(begin), progress)
     except GlovetrackError:
-        return None  # it lacks images, say: its part lacks them too
+        return None  # for example for lack of images, which the part lacks too
     return engine_state.pack(state.engine, state.state) if state is not None else None

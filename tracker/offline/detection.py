@@ -21,13 +21,13 @@ def detected(
     threads: int,
     keep: bool = False,
 ) -> Iterator[_Packet | PackedFrame | BlobFrame]:
-    """Packets and events as they are and what is found in the images, in the order of ``messages``.
+    """Yields packets and events unchanged and the blobs of images, in the order of ``messages``.
 
-    With ``keep`` each pair of images comes too, before what is found in it.
+    With ``keep``, also each pair of images, before its blobs.
 
-    ``detector`` is asked once for each pair, a fixed number of images ahead of those that are
-    handed over. Unpacking and detection hold no interpreter lock and depend on nothing else but
-    their image, so the result is the same with any number of ``threads``.
+    ``detector`` is called once for each pair, a fixed number of images ahead of those that are
+    returned. Unpacking and detection release the interpreter lock and depend only on their image,
+    so the result is the same with any number of ``threads``.
     """
     waiting: deque[_Packet | PackedFrame | Future[BlobFrame | None]] = deque()
     images = 0

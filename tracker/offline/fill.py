@@ -1,4 +1,4 @@
-"""``glovetrack fill``: gaps of a session filled by interpolation, in a new file that says so."""
+"""``glovetrack fill``: fills gaps of a session by interpolation, in a new file that marks them."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def fill(
     watch: Watch = lambda share: None,
     force: bool = False,
 ) -> FillReport:
-    """Fill gaps of ``source`` in the new file ``out``, which is there whole or not at all.
+    """Fills gaps of ``source`` in the new file ``out``, which is complete or absent.
 
     ``wanted``: these gaps of `session_gaps` (with its ``limit``) alone. ``force`` replaces a file
     that is there, but never ``source``. Raises ConfigError for options that do not exist, FileError
@@ -122,7 +122,7 @@ def _fill_hands(
     shapes: Mapping[str, EstimateSeries],
     watch: Watch,
 ) -> dict[str, HandFill]:
-    """The values for the ``chosen`` gaps of each hand, by its side."""
+    """Returns the values for the ``chosen`` gaps of each hand, by its side."""
     begun = _READING + _TRACKING * (method == SMOOTH)
     sides = sorted({gap.side for gap in chosen})
 

@@ -112,8 +112,8 @@ def read_gaps(path: Path) -> Sequence[Gap]:
 
     names = Gap.__dataclass_fields__
     try:
-        said = json.loads(read_text(path))
-        rows = said["gaps"] if isinstance(said, dict) else said
+        content = json.loads(read_text(path))
+        rows = content["gaps"] if isinstance(content, dict) else content
         return [
             Gap(**{n: row[n] for n in names} | {"keypoints": tuple(row["keypoints"])})
             for row in rows

@@ -1,4 +1,4 @@
-"""Builds what tracks a session's hands, each with what is known of its wearer."""
+"""Builds the runs that track a session's hands, each with its wearer's profile."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tracker.messages import BlobFrame, CameraImuSample, EngineState, Estimate, 
 from tracker.offline import by_side
 from tracker.offline.options import TrackOptions
 from tracker.offline.own_colours import OwnColours
-from tracker.offline.runs import Fed, LiveRun, Output, WordsAlone, arrival
+from tracker.offline.runs import EventsOnly, Fed, LiveRun, Output, arrival
 from tracker.offline.smooth import Message, Shelf, Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.session.description import SessionInfo
@@ -47,8 +47,8 @@ class GivingPipeline(Pipeline):
         super().feed_frame(frame)
 
     def set_state(self, state: PipelineKept) -> None:
-        """It was found where the other hand is: so was what is smoothed."""
-        self._smoother.begin_anew()
+        """Restarts the smoother too: its hand was also found where the other hand is."""
+        self._smoother.restart()
         super().set_state(state)
 
 
@@ -81,7 +81,7 @@ class SmoothRun:
         camera: CameraTilt,
         guide: LiveRun | None = None,
     ) -> None:
-        """All by side; ``main`` is the side whose output takes what is of no side."""
+        """All by side; the output of ``main`` receives what belongs to no side."""
         self._smoothers, self._outputs, self._guide = smoothers, outputs, guide
         self._main, self._main_side, self._camera = outputs[main], main, camera
         self._alone = smoothers[main] if len(smoothers) == 1 else None
@@ -157,8 +157,8 @@ Changes = Sequence[tuple[float, EngineState | StereoRig]]
 class Maker:
     """For the hands of ``info``, tracked with ``settings``.
 
-    Raises FileError and ConfigError for a wearer's profile that is of no hand of the session;
-    methods raise them as `tracker.fusion.worn.put_on`.
+    Raises FileError and ConfigError for a wearer's profile that does not match a hand of the
+    session; methods raise them as `tracker.fusion.worn.put_on`.
     """
 
     def __init__(self, info: SessionInfo, settings: Settings, options: TrackOptions) -> None:
@@ -188,14 +188,15 @@ class Maker:
             build = {side: partial(GivingPipeline, s) for side, s in smoothers.items()}
         if build or colours is not None:
             make = partial(self.hands, build=build)
-            words: dict[str, Output] = {side: WordsAlone(o) for side, o in outputs.items()}
-            guide = LiveRun(make, self._settings.engine, info.rig, words, info.side, (), colours)
+            events: dict[str, Output] = {side: EventsOnly(o) for side, o in outputs.items()}
+            guide = LiveRun(make, self._settings.engine, info.rig, events, info.side, (), colours)
         return SmoothRun(smoothers, outputs, info.side, camera, guide)
 
     def hands(
         self, engine: str, rig: StereoRig | None, build: Mapping[str, MakePipeline] | None = None
     ) -> Hands:
-        """All hands with the engine of that name; ``build``, by side, in place of `Pipeline`."""
+        """Builds all hands with the engine of that name; ``build``, by side, replaces
+        `Pipeline`."""
         build = build or {}
         make = {
             hand.side: partial(self._pipeline, hand, engine, rig, build.get(hand.side, Pipeline))
@@ -204,16 +205,16 @@ class Maker:
         return Hands(make)
 
     def _pipeline(
-        self, worn: SessionInfo, engine: str, rig: StereoRig | None, build: MakePipeline
+        self, hand: SessionInfo, engine: str, rig: StereoRig | None, build: MakePipeline
     ) -> Pipeline:
-        pipeline = build(worn.hand, worn.glove, rig, replace(self._settings, engine=engine))
-        self._put_on(pipeline.engine, worn.side)
+        pipeline = build(hand.hand, hand.glove, rig, replace(self._settings, engine=engine))
+        self._put_on(pipeline.engine, hand.side)
         return pipeline
 
     def _put_on(self, engine: Engine, side: str) -> None:
         """Begin with a wearer's profile, or with the hand's measured length, if given."""
         if self._options.wearer and self._options.hand_length:
-            raise ConfigError("A profile knows how long the hand is: leave out --hand-length.")
+            raise ConfigError("A profile contains the length of the hand: leave out --hand-length.")
         if side in self._profiles:
             put_on(engine, self._profiles[side])
         if self._options.hand_length:

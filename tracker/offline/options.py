@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from tracker.base.arguments import argument, thousandths
 from tracker.base.registry import names_of
 
-USUAL = "usual"  # in place of a settings file: those of this version
+USUAL = "usual"  # instead of a settings file: the defaults of this version
 LENSES_BY_NUMBER = {"2": "both", "1": "one", "0": "none"}
-"""Other words of the command line for `SimulateOptions.lenses`."""
+"""Alternative values of `SimulateOptions.lenses` on the command line."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class SimulateOptions:
 
 @dataclass(frozen=True)
 class TrackOptions:
-    """Names or paths; empty takes what the session contains."""
+    """Names or paths; empty: those of the session."""
 
     engine: str = field(
         default="",

@@ -23,22 +23,22 @@ from tracker.session.images import PackedFrame
 from tracker.vision.colours import ColourProfile, profile_to_toml
 from tracker.vision.detector import Detector, DetectorParams
 
-KIND = "colours"  # of the events that tell what was learned
+KIND = "colours"  # of events with learned colours
 APART = 0.08  # s between two images that a fit looks at
 IMAGES = 12  # of them
 BEFORE = 0.5  # s of packets before the first of them
-ATTEMPTS = 3  # fits in a session; each takes as long as some seconds of it
+ATTEMPTS = 3  # fits in a session; each takes as long as a few seconds of tracking
 WAITING = 60  # images that the engine has not used yet
 
 Searched = ImuSample | PackedFrame | BlobFrame | Event
 
 
 class OwnColours:
-    """`drain_events` gives events with what was learned, for the session that is written."""
+    """`drain_events` returns events with learned colours, for the new session."""
 
     def __init__(self, info: SessionInfo, profile: ColourProfile) -> None:
         assert info.rig is not None
-        self._worn, self._profile = WatchedGlove(info.hand, info.glove, info.rig), profile
+        self._watched, self._profile = WatchedGlove(info.hand, info.glove, info.rig), profile
         size = float(info.glove.marker_size.mean()) if info.glove.markers else 0.012
         self._camera = size, info.rig.fx
         self.detector = Detector(profile, *self._camera, DetectorParams())
@@ -51,7 +51,7 @@ class OwnColours:
         self._events: list[Event] = []
 
     def searched(self, messages: Iterable[Decoded], threads: int, keep: bool) -> Iterator[Searched]:
-        """``messages`` with what is found in their images; those too with ``keep``."""
+        """Yields ``messages`` with the blobs of their images; with ``keep``, also the images."""
         for message in detected(messages, lambda: self.detector, threads, keep=True):
             if isinstance(message, PackedFrame):
                 self._packed.append(message)
@@ -73,10 +73,10 @@ class OwnColours:
             images = frame.unpack()
             new = self._follower.look(images, blobs, result) if images is not None else None
             if new is not None:
-                self._take(new, frame.t, FOLLOWED)
+                self._use(new, frame.t, FOLLOWED)
 
     def looked(self, frame: BlobFrame, tracking: Tracking) -> None:
-        """An image was fed, and how tracking stands then."""
+        """Takes the state of tracking after an image."""
         if tracking not in (Tracking.SEARCHING, Tracking.LOST):
             self._handless.clear()
             self._forget(frame.t - BEFORE)
@@ -100,7 +100,7 @@ class OwnColours:
             del self._blobs[t]
 
     def _fit(self) -> None:
-        """Fit to the images that show no hand; a refusal changes nothing, and is said once."""
+        """Fits colours to images in which no hand was found; a refusal is reported once."""
         unpacked = (p.unpack() for p in self._handless)
         frames: list[StereoFrame] = [f for f in unpacked if f is not None]
         if not frames:
@@ -110,7 +110,7 @@ class OwnColours:
         messages += frames
         messages.sort(key=lambda m: m.t_arrival)
         try:
-            fit = fit_messages(messages, self._worn, self._profile)
+            fit = fit_messages(messages, self._watched, self._profile)
         except GlovetrackError as error:
             if self._left == ATTEMPTS - 1:
                 refused = warning("colours.no_hand", why=error.notice)
@@ -118,9 +118,9 @@ class OwnColours:
             return
         self._follower.take(fit.profile)
         self._stale = AHEAD + 2
-        self._take(fit.profile, frames[-1].t, notice("colours.fitted_themselves"))
+        self._use(fit.profile, frames[-1].t, notice("colours.fitted_themselves"))
 
-    def _take(self, profile: ColourProfile, t: float, what: Notice) -> None:
+    def _use(self, profile: ColourProfile, t: float, what: Notice) -> None:
         """From the next image that is searched."""
         self.detector = Detector(profile, *self._camera, DetectorParams())
         text = profile_to_toml(replace(profile, name="followed"))

@@ -16,7 +16,7 @@ T = TypeVar("T")
 
 
 class Repeats:
-    """Leaves out packets that came before, and counts them by the glove's side."""
+    """Removes packets that are repeated, and counts them by the glove's side."""
 
     def __init__(self) -> None:
         self.counts: Counter[str] = Counter()
@@ -31,9 +31,9 @@ class Repeats:
                 yield message
 
     def _is_repeated(self, side: str, sample: ImuSample) -> bool:
-        """Whether a packet of the same number, instant and readings came before.
+        """Returns whether an earlier packet had the same number, instant and readings.
 
-        Where each message of a packet is duplicated, the second packet has no readings.
+        If each message of a packet is duplicated, the second packet has no readings.
         """
         seen = self._seen.setdefault(side, OrderedDict())
         key = sample.t, sample.seq

@@ -81,7 +81,7 @@ def _rig(args: argparse.Namespace) -> int:
             print(f"{side + ' hand':<13}{1000 * length:.0f} mm long", flush=True)
 
     def stop() -> bool:
-        lines.take()
+        lines.read()
         return time.monotonic() > end
 
     try:
@@ -112,17 +112,17 @@ def _spec(args: argparse.Namespace) -> DemoSpec:
 
 
 class _Lines:
-    """Lines of standard input, as they come; each goes to ``heed``, and its answer is printed."""
+    """Lines of standard input; each is passed to ``heed``, and its answer is printed."""
 
     def __init__(self, heed: Callable[[str], str]) -> None:
         self._heed, self._begun = heed, b""
         self._open = sys.stdin is not None and not sys.stdin.closed
 
-    def take(self) -> None:
+    def read(self) -> None:
         """Those that are there now. Never waits."""
         while self._open and _is_ours() and select.select([sys.stdin], [], [], 0.0)[0]:
             data = os.read(sys.stdin.fileno(), 4096)
-            self._open = bool(data)  # an end of input is no end of the devices
+            self._open = bool(data)  # the end of input does not stop the devices
             *lines, self._begun = (self._begun + data).split(b"\n")
             for line in lines:
                 print(self._heed(line.decode(errors="replace")), flush=True)
@@ -148,11 +148,11 @@ def _calibration(rig: StereoRig) -> str:
     from tracker.sensors.stereo_calibration import Intrinsics
 
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
-    words = "of the simulated camera"
+    note = "of the simulated camera"
     if rig.one_camera:
-        return calibration_text(left, note=words)
+        return calibration_text(left, note=note)
     T = np.array([-rig.baseline, 0.0, 0.0])
-    return calibration_text(left, right, np.eye(3), T, words)
+    return calibration_text(left, right, np.eye(3), T, note)
 
 
 RIG = Command(

@@ -41,11 +41,11 @@ CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
 
 Fed = Sensed | Event
-"""What a run is fed with: of events those count that tell of guided poses and pose resets."""
+"""The messages that a run is fed with; only events of guided poses and pose resets are used."""
 
 
 def arrival(message: Fed | Sided) -> float:
-    """When a message came, s."""
+    """Returns the arrival of a message, s."""
     return message.t if isinstance(message, Event) else message.t_arrival
 
 
@@ -62,7 +62,7 @@ class SessionRun(Protocol):
 
 
 class Output:
-    """The new session and what is counted on the way into it."""
+    """Writes the new session and counts what is written."""
 
     def __init__(
         self,
@@ -96,10 +96,10 @@ class Output:
             self._recorder.write(message, side=self._side)
 
     def _frame(self, frame: BlobFrame) -> None:
-        """Where the camera was taken to be is part of what estimates mean.
+        """Writes the assumed pose of the camera, on which estimates depend.
 
-        A camera that only its own IMU tells of keeps the static transform that it starts from
-        where its samples are copied: the file is to be tracked again as it was.
+        If the samples of the camera's own IMU are copied, a camera without another source keeps
+        its initial static transform: tracking the file again must give the same results.
         """
         if self._with_sensors:
             self._recorder.write(frame if self._moving else replace(frame, pose=None))
@@ -109,12 +109,12 @@ class Output:
         self.report.frames += 1
 
     def state(self, state: EngineState) -> None:
-        """What the engine went on from: part of what it takes to track again."""
+        """Writes a state from which the engine continued, for tracking the session again."""
         if self._with_sensors:
             self._recorder.write(state)
 
     def rig(self, rig: StereoRig, t: float) -> None:
-        """The camera as it is from ``t`` on."""
+        """Writes the calibration of the camera that applies from ``t`` on."""
         self._recorder.write_rig(rig, t)
 
     def between(self, estimate: Estimate) -> None:
@@ -140,14 +140,14 @@ class Output:
         for found in pipeline.source_notices.drain():
             self._recorder.write(Event.of(t, "device", found))
 
-    def say(self, event: Event) -> None:
+    def write_event(self, event: Event) -> None:
         """An event about the session, for its log and the report."""
         self._recorder.write(event)
         self.report.notices.append(event.notice or plain(event.text))
 
 
 class NoOutput(Output):
-    """For what is tracked only to know where it stands afterwards."""
+    """For a run of which only the final state is used."""
 
     def __init__(self) -> None:
         self._report = TrackReport()
@@ -170,18 +170,18 @@ class NoOutput(Output):
 
     def source(self, t: float, pipeline: Pipeline) -> None: ...
 
-    def say(self, event: Event) -> None: ...
+    def write_event(self, event: Event) -> None: ...
 
 
-class WordsAlone(NoOutput):
-    """For what is tracked beside another run, to whose output only what is said goes."""
+class EventsOnly(NoOutput):
+    """For a run parallel to another one: only events go to the other one's output."""
 
     def __init__(self, output: Output) -> None:
         super().__init__()
-        self._words = output
+        self._output = output
 
-    def say(self, event: Event) -> None:
-        self._words.say(event)
+    def write_event(self, event: Event) -> None:
+        self._output.write_event(event)
 
 
 class AloneWatch:
@@ -193,7 +193,7 @@ class AloneWatch:
         self._colours = ColourWatch(len(pipeline.glove.markers))
 
     def restart(self, pipeline: Pipeline) -> None:
-        """The hand goes on from a recorded state, in another pipeline."""
+        """Continues the hand from a recorded state, in another pipeline."""
         self._sides = SideWatch(pipeline)
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> list[Event]:
@@ -216,9 +216,9 @@ class LiveRun:
     """The estimates of a live run of all hands, bit for bit.
 
     ``make`` builds them with the engine of that name and that camera; ``outputs`` are by side, and
-    ``main`` is the one that takes what is of no side. ``changes`` are, in order of time, what no
-    message contains: what the engines knew at an instant, from which they go on, and calibrations
-    of the camera.
+    that of ``main`` receives what belongs to no side. ``changes`` are, in order of time, what
+    messages do not contain: states of the engines, from which they continue, and calibrations of
+    the camera.
     """
 
     def __init__(
@@ -235,7 +235,7 @@ class LiveRun:
         self._make, self._hands, self._rig = make, make(engine, rig), rig
         self._outputs, self._main, self._changes = outputs, main, deque(changes)
         self._next_calibration = dict.fromkeys(outputs, -np.inf)
-        self._camera_tells = False  # of its rotation, by an IMU of its own
+        self._has_camera_imu = False
         self._colours, self._tracking = colours, dict.fromkeys(outputs, Tracking.SEARCHING)
         self._watch = AloneWatch(self._hands.pipelines[main]) if self._hands.alone else None
 
@@ -249,7 +249,7 @@ class LiveRun:
         if isinstance(message, Sided):
             self._feed_imu(message.side, message.sample)
             return
-        self._camera_tells |= isinstance(message, CameraImuSample)
+        self._has_camera_imu |= isinstance(message, CameraImuSample)
         self._outputs[self._main].message(self._posed(message))
         if isinstance(message, BlobFrame):
             self._feed_frame(message)
@@ -268,21 +268,21 @@ class LiveRun:
         return results
 
     def _look(self, frame: BlobFrame) -> None:
-        """What an image says of the colours: no hand is seen where none is tracked."""
+        """Adapts the colours to an image; without a tracked hand no hand is in view."""
         results, output = [self._used(side) for side in self._outputs], self._outputs[self._main]
         if self._watch is not None:
             for event in self._watch.look(frame, self._tracking[self._main], results[0]):
-                output.say(event)
+                output.write_event(event)
         if self._colours is not None:
             unknown = (Tracking.SEARCHING, Tracking.LOST)
             tracked = [t for t in self._tracking.values() if t not in unknown]
             self._colours.looked(frame, tracked[0] if tracked else Tracking.LOST)
             for event in self._colours.drain_events():
-                output.say(event)
+                output.write_event(event)
 
     def _posed(self, message: Fed) -> Fed:
         """A frame with the pose that the main hand's pipeline gives it."""
-        if self._camera_tells and isinstance(message, BlobFrame) and message.pose is None:
+        if self._has_camera_imu and isinstance(message, BlobFrame) and message.pose is None:
             pipeline = self._hands.pipelines[self._main]
             pose = pipeline.camera_pose(message.t - pipeline.timing.applied)
             return replace(message, pose=pose)
@@ -322,7 +322,7 @@ class LiveRun:
         output.source(sample.t, self._hands.pipelines[side])
         if self._watch is not None:
             for event in self._watch.packet(sample, estimate.tracking):
-                output.say(event)
+                output.write_event(event)
         self._tracking[side] = estimate.tracking
         output.estimate(sample, estimate)
         if sample.t >= self._next_calibration[side]:
@@ -337,5 +337,5 @@ class LiveRun:
                 output.calibration(self._hands.pipelines[side].calibration())
 
     def state(self, t: float) -> EngineState:
-        """What the engines know after all that was fed, to go on from at ``t`` s."""
+        """Returns the state of the engines after all messages, to continue from at ``t`` s."""
         return EngineState(t, self._hands.engine, self._hands.get_state())

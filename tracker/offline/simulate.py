@@ -35,7 +35,7 @@ EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock
 MONOTONIC_NS = 0
 MOST_LATE = 0.05  # s
 GLOVES = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
-"""Default glove of a simulated hand of each side."""
+"""The default glove of a simulated hand of each side."""
 
 
 def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
@@ -57,7 +57,7 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     seed, rig = options.seed, _rig(options)
     sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, rig, room.extras)
     if options.images and rig is not None:
-        sim.renderer  # noqa: B018  what cannot be drawn is said before a file is begun
+        sim.renderer  # noqa: B018  raises what cannot be drawn before a file is created
     return sim, replace(info, rig=rig, moving_camera=options.camera == "head")
 
 
@@ -71,9 +71,9 @@ def _rig(options: SimulateOptions) -> StereoRig | None:
 
 def _check_numbers(options: SimulateOptions) -> None:
     if not 1.0 <= options.duration <= 36_000:
-        raise ConfigError("The duration must lie between 1 s and 10 h.")
+        raise ConfigError("The duration must be between 1 s and 10 h.")
     if not 5 <= options.fps <= 240:
-        raise ConfigError("The frame rate must lie between 5 and 240 a second.")
+        raise ConfigError("The frame rate must be between 5 and 240 a second.")
     if not 0 <= options.right_late <= MOST_LATE:
         raise ConfigError("The right camera may be late by 0 to 50 ms.")
 
@@ -151,16 +151,16 @@ def simulate(
 
 
 def _sensed(sim: Simulation, info: SessionInfo, images: bool) -> Iterator[Message]:
-    """What the sensors say; the glove alone where there is no camera."""
+    """Yields the sensor messages; only the glove's without a camera."""
     return sim.messages(images) if info.rig is not None else sim.imu_samples()
 
 
 def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInfo]:
-    """`build` for two hands that meet before a camera that stands."""
+    """`build` for two hands that meet in front of a fixed camera."""
     asked = options.motion or options.guided or options.hand
     if asked or options.camera != "stand" or options.lenses == "none":
         raise ConfigError(
-            "Both hands are simulated with random postures before a camera that stands: leave out "
+            "Both hands are simulated with random postures in front of a fixed camera: leave out "
             "--motion, --guided, --hand, --camera and --lenses none."
         )
     _check_numbers(options)
@@ -179,7 +179,7 @@ def _simulate_both(
     out: Path, options: SimulateOptions, progress: Callable[[float], None], force: bool
 ) -> SessionInfo:
     sim, info = build_both(options)
-    worn = {hand.side: hand for hand in info.hands}
+    infos = {hand.side: hand for hand in info.hands}
     images = "jpeg" if options.images else "none"
     params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
     with new_session(out, info, force, params=params) as recorder:
@@ -187,7 +187,7 @@ def _simulate_both(
             recorder.write(message, side=side)
             if isinstance(message, ImuSample):
                 true = sim.hands[side].truth(message.t)
-                recorder.write_truth(truth_message(message.t, true, worn[side]), side)
+                recorder.write_truth(truth_message(message.t, true, infos[side]), side)
             else:
                 progress(message.t / sim.duration)
     return info

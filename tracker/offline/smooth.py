@@ -79,7 +79,7 @@ class Update:
 
 @dataclass(frozen=True, eq=False)
 class Forgotten:
-    """The first ``rows`` error states were reset: later ones are independent of earlier ones."""
+    """The first ``rows`` error states were reset: later measurements do not affect earlier ones."""
 
     rows: int
 
@@ -100,17 +100,17 @@ class _Shown:
 
 
 def shown_rows(layout: ChainLayout) -> IntArray:
-    """Error states that an estimate depends on: place, orientations, scales and joint offsets."""
+    """Error states that an estimate depends on: position, orientations, scales, joint offsets."""
     at = layout.blocks
     return np.r_[P:V, at.theta : layout.n_dynamic, at.scale : at.marker]
 
 
 def smoothing_params(params: ChainParams) -> ChainParams:
-    """The filter's settings as its smoothing needs them.
+    """Returns the filter's settings for smoothing.
 
-    What is wrong with a marker's place or with anatomy hardly changes from one image to the next,
-    although the filter takes it for new each time. A filter forgets the older ones; smoothing adds
-    them all up, and so each has to weigh less. Factors from simulated wearers.
+    Errors of a marker's position and of anatomy hardly change from one image to the next, although
+    the filter treats them as independent. A filter forgets older ones; smoothing accumulates them
+    all, so each must have less weight. The factors are from simulated wearers.
     """
     c, prior, noise = params.constraint, params.prior, params.noise
     constraint = replace(
@@ -146,7 +146,7 @@ class ChainTape:
         """Smooth the hand of a wearer with these synergies, as `Completion.wear`."""
         self._shown_hand.wear(gains, aside)
 
-    # ---- what goes on the tape
+    # ---- recording the tape
 
     def step(self, state: ChainState, readings: Moment, dt: float) -> None:
         if self.recording:
@@ -165,7 +165,7 @@ class ChainTape:
             nominal = replace(state, P=np.zeros((0, 0)))
             self._entries.append(_Shown(nominal.copy(), state.P[self._rows], sensed, tip_sd))
 
-    # ---- the way back
+    # ---- the backward pass
 
     def back(self, adjoint: Array) -> tuple[list[Estimate], Array]:
         """Go back along the tape, which is empty then.
@@ -190,7 +190,7 @@ class ChainTape:
         return self._shown_hand.estimate_of(state, state.t, shown.sensed, shown.tip_sd)
 
 
-BLOCK_S = 4.0  # s; a tape takes some 25 MB a second
+BLOCK_S = 4.0  # s; a tape grows by about 25 MB a second
 
 Message = ImuSample | BlobFrame | Event
 Fed = tuple[Message, Estimate | None]
@@ -216,7 +216,7 @@ class Smoother:
         self._fed: list[Fed] = []
         self._until = -np.inf
         self._fresh: Any = None  # the state before anything was fed
-        self._anew: set[int] = set()  # blocks that begin with it
+        self._restarted: set[int] = set()  # blocks that begin with it
 
     @property
     def engine(self) -> ChainEngine:
@@ -224,7 +224,7 @@ class Smoother:
         return self._engine
 
     def feed(self, message: Message) -> None:
-        """The next message of the session, in feed order."""
+        """Feeds the next message of the session, in feed order."""
         now = message.t if isinstance(message, Event) else message.t_arrival
         if now > self._until and self._fed:
             self._close_block()
@@ -234,12 +234,13 @@ class Smoother:
             self._until = now + BLOCK_S
         self._fed.append((message, _run(self._engine, message)))
 
-    def begin_anew(self) -> None:
-        """What was taken for the hand is none: what comes tells nothing of what was before."""
+    def restart(self) -> None:
+        """Restarts, since the tracked blobs were not the hand: the messages before are
+        independent."""
         if self._fed:
             self._close_block()
         if self._state is not None:
-            self._anew.add(len(self._blocks))
+            self._restarted.add(len(self._blocks))
             self._engine.set_state(self._fresh)
             self._state = self._fresh
 
@@ -248,11 +249,11 @@ class Smoother:
         self._state, self._fed = self._engine.get_state(), []
 
     def calibration(self) -> Calibration:
-        """What the filter has learned by now."""
+        """Returns the filter's calibration."""
         return self._engine.calibration()
 
     def results(self, progress: Callable[[float], None]) -> Iterator[Fed]:
-        """All messages again, each packet with its smoothed estimate."""
+        """Yields all messages again, each packet with its smoothed estimate."""
         self._close_block()
         smoothed = Shelf()
         self._tape.wear(*self._engine.wearer.synergies)
@@ -264,7 +265,7 @@ class Smoother:
             self._tape.recording = True
             for message, _ in fed:
                 _run(self._engine, message)
-            if i == n - 1 or i + 1 in self._anew:
+            if i == n - 1 or i + 1 in self._restarted:
                 self._engine.catch_up()
                 adjoint = np.zeros(self._size)
             estimates, adjoint = self._tape.back(adjoint)
@@ -287,13 +288,13 @@ class Smoother:
 
 
 def _run(engine: ChainEngine, message: Message) -> Estimate | None:
-    """Feed the engine; what it shows of a packet for which nothing better will come."""
+    """Feeds the engine; returns the estimate of a packet that will not be smoothed."""
     if isinstance(message, Event):
-        said = guided_of(message)
+        guided = guided_of(message)
         if is_reset(message):
             engine.reset_pose()
-        elif isinstance(said, GuidedSaid):
-            engine.wearer.hear(said, message.t)
+        elif isinstance(guided, GuidedSaid):
+            engine.wearer.hear(guided, message.t)
         return None
     if isinstance(message, BlobFrame):
         engine.feed_frame(message)

@@ -57,7 +57,7 @@ from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
 
 MOST_NAMED = 8
-"""Settings that a sentence names."""
+"""Settings in a notice."""
 
 
 def track(
@@ -68,26 +68,26 @@ def track(
     threads: int | None = None,
     force: bool = False,
 ) -> TrackReport:
-    """Track ``source`` again into the new file ``out``, which is there whole or not at all.
+    """Tracks ``source`` again into the new file ``out``, which is complete or absent.
 
-    ``threads`` search images, default: one per core; the result does not depend on it.
-    ``force`` replaces a file that is there, but never ``source``. Raises FileError for a session
-    that lacks what tracking needs.
+    ``threads`` search images (default: one per core); the result does not depend on them.
+    ``force`` replaces an existing file, but never ``source``. Raises FileError for a session that
+    lacks data for tracking.
     """
     options = options or TrackOptions()
     check_target(out, force, [source])
     started = time.perf_counter()
     with SessionReader(source) as plain:
         both = by_side.is_of_both(plain.sides, options)
-    kept = by_side.kept_paths(options.keep_wearer, both)
-    for path in set(kept.values()):
+    profiles = by_side.profile_paths(options.keep_wearer, both)
+    for path in set(profiles.values()):
         check_target(path, force, [source, out])
     instead = by_side.replacements(options, both)
     texts = {name: replacement.text for name, replacement in instead.items()}
     origins = {name: replacement.origin for name, replacement in instead.items()}
     with SessionReader(source, texts, origins=origins) as reader:
         report = _track_session(
-            reader, out, options, kept, progress, threads or usable_cores(), force
+            reader, out, options, profiles, progress, threads or usable_cores(), force
         )
     report.wall_s = time.perf_counter() - started
     return report
@@ -97,12 +97,12 @@ def _track_session(
     reader: SessionReader,
     out: Path,
     options: TrackOptions,
-    kept: Mapping[str, Path],
+    profiles: Mapping[str, Path],
     progress: Callable[[float], None],
     threads: int,
     force: bool,
 ) -> TrackReport:
-    """Tracks an open session; ``kept``: by side, where the wearers' profiles are written."""
+    """Tracks an open session; ``profiles``: by side, the paths for the wearers' profiles."""
     settings = _settings(reader, options)
     info = replace(reader.info, rig=_rig(reader, settings))
     colours = _own_colours(reader, info, options)
@@ -119,14 +119,14 @@ def _track_session(
         }
         run = _run(reader, info, settings, outputs, options, colours)
         for what in unused:
-            outputs[info.side].say(Event.of(start, "tracking", what))
+            outputs[info.side].write_event(Event.of(start, "tracking", what))
         forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
         for message in messages:
             run.feed(message)
             progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
         run.finish(lambda share: progress(forward + (1 - forward) * share))
         _report_repeats(repeats, outputs, start + span)
-        by_side.keep(run.engines, kept)
+        by_side.save_profiles(run.engines, profiles)
     _compare_with_truth(reader, checks, outputs)
     report = TrackReport.of_hands({side: output.report for side, output in outputs.items()})
     report.unused = unused
@@ -151,15 +151,15 @@ def _report_repeats(repeats: Repeats, outputs: Mapping[str, Output], t: float) -
     for side, n in sorted(repeats.counts.items()):
         outputs[side].report.losses["imu_repeated"] = n
         repeated = warning("track.packets_repeated", count=n, side=side)
-        outputs[side].say(Event.of(t, "tracking", repeated))
+        outputs[side].write_event(Event.of(t, "tracking", repeated))
 
 
 def state_at(
     reader: SessionReader, t: float, progress: Callable[[float], None] = lambda share: None
 ) -> EngineState | None:
-    """What tracking this session again knows when all that arrived before ``t`` s has been fed.
+    """Returns the state of tracking this session again up to the messages before ``t`` s.
 
-    None where nothing arrived before. Raises GlovetrackError for a session that cannot be tracked.
+    None if there are none. Raises GlovetrackError for a session that cannot be tracked.
     """
     options = TrackOptions()
     settings = _settings(reader, options)
@@ -204,7 +204,7 @@ def _run(
 
 
 def _goes_on(reader: SessionReader, options: TrackOptions) -> bool:
-    """Whether tracking goes on from the recorded states, as it did live: nothing is replaced."""
+    """Returns whether tracking continues from the recorded states: nothing is replaced."""
     others = (options.hand, options.glove, options.colours, options.wearer, options.hand_length)
     if any(others) or options.settings or not options.guided:
         return False
@@ -223,7 +223,7 @@ def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
 
 
 def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:
-    """The session's camera; None where there is none and the engine needs none."""
+    """Returns the session's camera; None if there is none and the engine needs none."""
     return reader.rig() if capabilities_of(settings.engine).images else reader.info.rig
 
 
@@ -255,7 +255,7 @@ def _settings_of_file(path: Path) -> Settings:
 
 
 def _camera_topics(reader: SessionReader) -> Iterator[str]:
-    """Of what cameras tell: none in a session of a glove alone."""
+    """Yields the topics of cameras; none in a session of a glove alone."""
     return (name for name in reader.topic_names if name.startswith("/camera/"))
 
 
@@ -268,9 +268,9 @@ def _recorded_settings(reader: SessionReader, engine_alone: bool) -> Settings:
 
 
 def _usable_settings(text: str) -> tuple[Settings, list[str]]:
-    """Settings of TOML text, and the keys in it that this version cannot use.
+    """Returns the settings of a TOML text, and the keys in it that this version cannot use.
 
-    Raises ConfigError for what is not TOML.
+    Raises ConfigError for a text that is not TOML.
     """
     unusable: list[str] = []
     try:
@@ -291,7 +291,7 @@ def _unusable_settings(reader: SessionReader) -> list[str]:
 
 
 def _unused_edits(reader: SessionReader) -> list[Notice]:
-    """Interpolated gaps are not taken over: estimates come from the sensors alone."""
+    """Reports interpolated gaps, which are not copied: estimates are of the sensors alone."""
     count = sum(len(edit.filled) for edit in reader.edits)
     return [notice("track.gaps_dropped", count=count, file=reader.path.name)] if count else []
 
@@ -379,8 +379,8 @@ def _of_reader(
 ) -> Iterator[Fed]:
     """`_messages` of the hand that ``reader`` reads.
 
-    Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
-    there are none, the images are searched.
+    Recorded blobs are used unless the colours are replaced; otherwise, and without blobs, the
+    images are searched.
     """
     if info.rig is None:
         return reader.packed_messages((ImuSample, Event, BlobFrame))  # type: ignore[return-value]
@@ -392,7 +392,7 @@ def _of_reader(
         what = (
             "no images to try other colours on" if options.colours else "neither blobs nor images"
         )
-        raise FileError(f"{reader.path} holds {what}.")
+        raise FileError(f"{reader.path} contains {what}.")
     packed = reader.packed_messages((ImuSample, CameraImuSample, Event, StereoFrame))
     if colours is not None:
         return colours.searched(packed, threads, keep)
@@ -423,7 +423,7 @@ def _own_colours(
 
 
 def profile_of(info: SessionInfo) -> ColourProfile:
-    """The session's colour profile; the default one where it brings none."""
+    """Returns the session's colour profile, or the default one."""
     text = info.colours_text or library.text("colours", library.DEFAULT_COLOURS)
     return parse_profile(text, COLOURS)
 

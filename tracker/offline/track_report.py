@@ -1,4 +1,4 @@
-"""What came of tracking a session, counted while it goes on."""
+"""The report of tracking a session, counted during tracking."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class TrackReport:
 
 
 class Counter:
-    """Counts packets and what was made of them into a `TrackReport`."""
+    """Counts packets and their results into a `TrackReport`."""
 
     def __init__(self) -> None:
         self.report = TrackReport()
@@ -110,9 +110,9 @@ class Counter:
 
 
 class StatusClock:
-    """A Status once a second of the session: rates, delays and losses as its messages tell them.
+    """A Status once a second of the session: rates, delays and losses of its messages.
 
-    Nothing of the machine that tracks again is in it, so that a file is the same on any.
+    It does not depend on the computer that tracks again, so that files are identical on any.
     """
 
     def __init__(self) -> None:
@@ -134,15 +134,14 @@ class StatusClock:
             "imu_readings_lost": float(report.losses.get("imu_readings", 0)),
             "lost_s": report.lost_s,
         }
-        for name, recent in (("imu", self._packets), ("frame", self._frames)):
-            while recent and recent[0][0] < sample.t - STATUS_WINDOW:
-                recent.popleft()
-            span = (
-                min(max(sample.t - recent[0][0], 0.1), STATUS_WINDOW) if recent else STATUS_WINDOW
-            )
-            values[f"{name}_rate_hz"] = len(recent) / span
-            if recent:
-                values[f"latency_{name}_ms"] = 1e3 * float(np.median([d for _, d in recent]))
+        for name, stamps in (("imu", self._packets), ("frame", self._frames)):
+            while stamps and stamps[0][0] < sample.t - STATUS_WINDOW:
+                stamps.popleft()
+            reach = max(sample.t - stamps[0][0], 0.1) if stamps else STATUS_WINDOW
+            span = min(reach, STATUS_WINDOW)
+            values[f"{name}_rate_hz"] = len(stamps) / span
+            if stamps:
+                values[f"latency_{name}_ms"] = 1e3 * float(np.median([d for _, d in stamps]))
         values["estimate_rate_hz"] = values["imu_rate_hz"]
         return Status(sample.t, tracking, values)
 

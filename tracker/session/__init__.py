@@ -1,1 +1,1 @@
-"""A session's file: writer beside reader, recovery, verdicts and exports."""
+"""Session files: writing, reading, recovery, verification and export."""

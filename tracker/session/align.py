@@ -1,7 +1,7 @@
-"""Where one recording lies on the time axis of another: by the computers' clocks, or by movement.
+"""Aligns two recordings in time, by the computers' clocks or by movement.
 
-By movement: how fast the hand turns is the same in both, whatever sensors saw it. Two courses of
-speed are laid over each other where their correlation is greatest.
+By movement: the angular speed of the hand is the same in both recordings, whatever the sensors. The
+two are aligned where the correlation of their speeds is greatest.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ WAYS = ("clock", "movement")
 RATE = 100.0  # Hz
 OVERLAP = 3.0  # s that both have to have in common
 LEAST = 0.5  # correlation of a match
-RIVAL = 0.95  # share of it that another place may reach
-APART = 0.5  # s from the best one, from which on it is another place
+RIVAL = 0.95  # share of it that another offset may reach
+APART = 0.5  # s from the best one, from which on it is another offset
 _SMOOTH = 0.05  # s
 
 
@@ -42,7 +42,7 @@ class SpeedCourse:
 @dataclass(frozen=True)
 class Match:
     """``offset`` s at which the second begins on the first one's axis; ``correlation`` there, and
-    the greatest at another place."""
+    the greatest at another offset."""
 
     offset: float
     correlation: float
@@ -51,8 +51,8 @@ class Match:
 
 @dataclass(frozen=True)
 class Alignment:
-    """As it is kept: ``offset_s`` from the first one's first measurement to the second one's;
-    ``clocks_differ_s`` is what has to be added to the second one's stamps."""
+    """A stored alignment: ``offset_s`` from the first one's first measurement to the second one's;
+    ``clocks_differ_s`` must be added to the second one's stamps."""
 
     first: str
     second: str
@@ -64,7 +64,7 @@ class Alignment:
 
 
 def align(first: Path, second: Path, by: str = "movement") -> Alignment:
-    """Raises ConfigError for another way, FileError where the recordings tell no offset."""
+    """Raises ConfigError for another method, FileError if the offset cannot be determined."""
     if by not in WAYS:
         raise ConfigError(notice("align.unknown_method", known=WAYS, method=by))
     a, b = read_courses(first, second)
@@ -86,7 +86,7 @@ def align(first: Path, second: Path, by: str = "movement") -> Alignment:
 
 
 def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
-    """Raises FileError where no place, or more than one, fits well."""
+    """Raises FileError if no offset, or more than one, fits well."""
     x, y = (_even(c) for c in (a, b))
     r = _correlations(x, y)
     lags = np.arange(-(len(y) - 1), len(x)) / RATE
@@ -122,17 +122,17 @@ def _correlations(x: Array, y: Array) -> Array:
     """Pearson's of what both know at each lag, from -(len(y) - 1) on; NaN below `OVERLAP`."""
     from scipy.signal import fftconvolve  # a quarter of a second that the window starts without
 
-    knows_x, knows_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
-    x = np.where(knows_x > 0, x - np.nanmean(x), 0.0)
-    y = np.where(knows_y > 0, y - np.nanmean(y), 0.0)
+    known_x, known_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
+    x = np.where(known_x > 0, x - np.nanmean(x), 0.0)
+    y = np.where(known_y > 0, y - np.nanmean(y), 0.0)
 
     def over(p: Array, q: Array) -> Array:
         return np.asarray(fftconvolve(p, q[::-1]))
 
-    n = np.maximum(over(knows_x, knows_y), 1e-9)
-    sum_x, sum_y = over(x, knows_y), over(knows_x, y)
-    variance_x = over(x**2, knows_y) - sum_x**2 / n
-    variance_y = over(knows_x, y**2) - sum_y**2 / n
+    n = np.maximum(over(known_x, known_y), 1e-9)
+    sum_x, sum_y = over(x, known_y), over(known_x, y)
+    variance_x = over(x**2, known_y) - sum_x**2 / n
+    variance_y = over(known_x, y**2) - sum_y**2 / n
     scale = np.sqrt(np.maximum(variance_x, 1e-12) * np.maximum(variance_y, 1e-12))
     r = (over(x, y) - sum_x * sum_y / n) / scale
     return np.where((n >= OVERLAP * RATE) & (scale > 1e-6 * n), r, np.nan)
@@ -194,8 +194,8 @@ def course_of_angles(start_ns: int, t: Array, angles: Array) -> SpeedCourse:
     return SpeedCourse(start_ns, t, np.where(known, np.sqrt(np.nansum(rate**2, axis=1)), np.nan))
 
 
-def kept_beside(second: Path) -> Path:
-    """Where the window keeps how a recording lies on another's axis."""
+def alignment_path(second: Path) -> Path:
+    """Returns the path where the window stores the alignment of a recording."""
     return second.with_name(f"{second.stem}.aligned.json")
 
 
@@ -205,16 +205,16 @@ def keep(alignment: Alignment, path: Path, force: bool = False) -> None:
 
 
 def read_alignment(path: Path) -> Alignment:
-    """Raises FileError for what is none."""
+    """Reads a stored alignment. Raises FileError for another file."""
     try:
-        said = json.loads(read_text(path))
-        numbers = [float(said[k]) for k in ("offset_s", "clocks_differ_s")]
-        words = [str(said[k]) for k in ("first", "second", "by")]
+        stored = json.loads(read_text(path))
+        numbers = [float(stored[k]) for k in ("offset_s", "clocks_differ_s")]
+        names = [str(stored[k]) for k in ("first", "second", "by")]
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise FileError(notice("align.not_alignment", path=path)) from error
     if not np.isfinite(numbers).all():
         raise FileError(notice("align.not_alignment", path=path))
-    return Alignment(words[0], words[1], words[2], numbers[0], numbers[1])
+    return Alignment(names[0], names[1], names[2], numbers[0], numbers[1])
 
 
 def draw(

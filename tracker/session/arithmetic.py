@@ -23,7 +23,7 @@ BLAS_SUFFIXES = ("64_", "")
 
 @cache
 def arithmetic() -> str:
-    """This computer's, in words that are the same on every computer of its kind."""
+    """Returns this computer's arithmetic as a text, the same on every computer of its kind."""
     return "; ".join(
         (
             f"processor {platform.machine()} {_instructions()}",
@@ -62,7 +62,7 @@ def _libraries() -> list[Path]:
 
 
 def _asked(library: ctypes.CDLL, what: str) -> Any:
-    """A function of OpenBLAS, under whichever name it was built; None where there is none."""
+    """Returns a function of OpenBLAS, whatever its prefix and suffix; None if it is missing."""
     for prefix in BLAS_PREFIXES:
         for suffix in BLAS_SUFFIXES:
             found = getattr(library, f"{prefix}{what}{suffix}", None)

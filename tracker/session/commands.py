@@ -173,7 +173,7 @@ def _export(args: argparse.Namespace) -> int:
 
 
 def _asked_task(args: argparse.Namespace) -> str:
-    """Of whoever sits at the terminal, where a data set is to say what is done in it."""
+    """Asks the user at the terminal for the description of the task in a data set."""
     from tracker.session.export.formats import FORMATS
 
     if FORMATS.get(args.format).dataset is None or args.split or not sys.stdin.isatty():
@@ -232,7 +232,7 @@ def _verdict(path: Path, findings: list[FileFinding]) -> tuple[dict[str, Any], l
 
 
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
-    """All at once, on all cores; a file that is no session counts as damaged."""
+    """In parallel, on all cores; a file that is not a session counts as damaged."""
     from tracker.base.workers import WorkItem, run_all, some_workers, usable_cores
     from tracker.session.verify import FileFinding, verify_one
 
@@ -242,8 +242,8 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     files, lines = {}, []
     for path, outcome in zip(paths, outcomes, strict=True):
         findings = [FileFinding("error", outcome.error, "file")] if outcome.error else outcome.value
-        files[str(path)], said = _verdict(path, findings)
-        lines += said
+        files[str(path)], verdict = _verdict(path, findings)
+        lines += verdict
     return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines
 
 

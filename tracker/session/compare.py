@@ -25,13 +25,13 @@ _ALIGNED_NS = 1_000_000
 def compare(
     a: Path, b: Path, figure: Path | None = None, force: bool = False, shift_s: float = 0.0
 ) -> dict[str, Any]:
-    """Distances of keypoints (mm) and angles (deg) at the instants that both files have.
+    """Returns distances of keypoints (mm) and angles (deg) at the common instants of two files.
 
-    Of sessions of both hands each hand is compared: ``hands`` holds what is said of it, by side,
-    the rest what is true of both, the worse of both or their mean. ``figure``: a PNG or PDF of both
-    over time, which replaces one only with ``force``. ``shift_s`` is added to the stamps of ``b``,
-    whose numbers are then taken on lines between its instants (see `align`). Raises FileError where
-    nothing can be compared.
+    In sessions of both hands each hand is compared: ``hands`` contains the report of each, by side,
+    the rest applies to both, the worse of both or their mean. ``figure``: a PNG or PDF of both over
+    time, which replaces an existing one only with ``force``. ``shift_s`` is added to the stamps of
+    ``b``, whose values are then interpolated linearly (see `align`). Raises FileError if nothing
+    can be compared.
     """
     sides = _common_sides(a, b)
     found, curves = {}, []
@@ -71,7 +71,7 @@ def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, An
     """Of one hand."""
     with _of_side(a, side) as reader_a, _of_side(b, side) as reader_b:
         first, second = (recorded_series(r, segments=False) for r in (reader_a, reader_b))
-        words = _metadata_changes(reader_a, reader_b)
+        changes = _metadata_changes(reader_a, reader_b)
         made_on = [r.metadata.get("arithmetic", "") for r in (reader_a, reader_b)]
     second = _shifted(second, first.stamp_ns, shift_s) if shift_s else second
     rows_a, rows_b = common_rows(first.stamp_ns, second.stamp_ns)
@@ -89,7 +89,7 @@ def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, An
         "rms_deg": float(np.sqrt(_mean(turn**2))),
         "keypoints_mm": {n: _mean(distance[:, i]) for i, n in enumerate(points)},
         "joints_rms_deg": {n: float(np.sqrt(_mean(turn[:, i] ** 2))) for i, n in enumerate(joints)},
-        "differing": words,
+        "differing": changes,
         "made_on": made_on,
     }
     return report, _Curves(first.elapsed[rows_a], distance, turn)
@@ -104,7 +104,7 @@ def _of_side(path: Path, side: str) -> SessionReader:
 
 
 def _of_both(found: dict[str, dict[str, Any]]) -> dict[str, Any]:
-    """What both hands' reports come to."""
+    """Combines the reports of both hands."""
     hands = list(found.values())
     return {
         "hands": found,
@@ -144,7 +144,7 @@ def _shifted(m: EstimateSeries, stamp_ns: IntArray, shift_s: float) -> EstimateS
 
 
 def _on_lines(t: Array, values: Array, at: Array) -> Array:
-    """Values (N, …) between their neighbours; NaN beside one that is lost, and over holes."""
+    """Interpolates values (N, …) linearly; NaN next to a lost one, and in holes."""
     after = np.clip(np.searchsorted(t, at), 1, max(len(t) - 1, 1))
     if len(t) < 2:
         return values[np.zeros(len(at), np.int64)]
@@ -155,12 +155,12 @@ def _on_lines(t: Array, values: Array, at: Array) -> Array:
     return np.asarray(out)
 
 
-def truth_error_mm(tracked: Path, truth: Path, beside: Path | None = None) -> dict[str, float]:
-    """Mean distance (mm) of each keypoint of ``tracked`` from the truth that ``truth`` holds, at
-    the instants that ``beside`` has too.
+def truth_error_mm(tracked: Path, truth: Path, also_in: Path | None = None) -> dict[str, float]:
+    """Returns the mean distance (mm) of each keypoint of ``tracked`` from the truth in ``truth``,
+    at the instants that ``also_in`` has too.
 
-    Empty where it holds none or no instant is common; NaN for a keypoint that was always lost.
-    Raises FileError if ``tracked`` holds no estimates.
+    Empty without truth or common instants; NaN for a keypoint that was always lost. Raises
+    FileError if ``tracked`` contains no estimates.
     """
     with SessionReader(truth) as reader:
         true = list(reader.truth())
@@ -170,8 +170,8 @@ def truth_error_mm(tracked: Path, truth: Path, beside: Path | None = None) -> di
         series = recorded_series(reader, segments=False)
     if not true:
         return {}
-    if beside is not None:
-        with SessionReader(beside) as reader:
+    if also_in is not None:
+        with SessionReader(also_in) as reader:
             other = recorded_series(reader, segments=False)
         series = series.rows(common_rows(series.stamp_ns, other.stamp_ns)[0])
     rows, true_rows = common_rows(series.stamp_ns, stamps)
@@ -226,8 +226,8 @@ def _identical(a: EstimateSeries, b: EstimateSeries) -> bool:
 def _first_difference(
     a: EstimateSeries, b: EstimateSeries, rows_a: IntArray, rows_b: IntArray
 ) -> float | None:
-    """s from the first estimate of ``a`` to the first common instant at which a number or a state
-    differs; None where none does, or the two have other keypoints."""
+    """Returns the s from the first estimate of ``a`` to the first common instant at which a value
+    or a state differs; None if they are identical, or have different keypoints."""
     if a.keypoint_names != b.keypoint_names or a.joint_names != b.joint_names:
         return None
     found = np.flatnonzero(_differs(a.rows(rows_a), b.rows(rows_b)))

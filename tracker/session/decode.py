@@ -43,7 +43,7 @@ MESSAGE_KINDS: tuple[type, ...] = (
 )
 
 Decoded = Message | PackedFrame
-"""What a `MessageDecoder` gives: a StereoFrame comes as a PackedFrame."""
+"""The results of a `MessageDecoder`: a StereoFrame is a PackedFrame."""
 
 
 class MessageDecoder:
@@ -53,7 +53,7 @@ class MessageDecoder:
     """
 
     def __init__(self, info: SessionInfo, packets: bool, timing: Timing, left_out: LeftOut) -> None:
-        """``packets``: the file tells where each glove packet ends."""
+        """``packets``: the file marks the end of each glove packet."""
         self._info, self._left_out = info, left_out
         self._sensors = SensorDecoder(info, packets, timing, left_out)
         self._estimates = EstimateDecoder(info, "hand")
@@ -93,13 +93,13 @@ class MessageDecoder:
         return frozenset(t for kind in kinds for t in table.get(kind, ()))
 
     def rank(self, topic: str) -> int:
-        """Order of topics at one log time: IMU before what was seen, the camera's own between."""
+        """Returns the order of topics at one log time: IMU, the camera's own IMU, detections."""
         if topic.startswith("/glove/"):
             return 0
         return 1 if topic in (topics.TF, topics.CAMERA_POSE, topics.CAMERA_IMU) else 2
 
     def remember(self, raw: RawMessage) -> None:
-        """Take a message from before the first, for what still holds of it."""
+        """Takes a message from before the first one, for its values that are still valid."""
         self._handle(raw)
 
     def feed(self, raw: RawMessage) -> list[Decoded]:
@@ -121,8 +121,8 @@ class MessageDecoder:
 
     def _transforms(self, raw: RawMessage) -> list[Decoded]:
         transforms = motion.unpack_transforms(raw.data)
-        self._estimates.take_segments(transforms)
-        self._sensors.take_camera(transforms)
+        self._estimates.set_segments(transforms)
+        self._sensors.set_camera(transforms)
         return []
 
     def _estimate(self, raw: RawMessage) -> list[Decoded]:
@@ -159,19 +159,19 @@ def _statuses(raw: RawMessage, anchor: ClockAnchor, name: str) -> list[Status]:
 
 
 def _event(raw: RawMessage, anchor: ClockAnchor) -> Event:
-    """Of a foreign text, a note that says it."""
+    """Decodes an event; a text of another program becomes a note."""
     text = motion.unpack_string(raw.data)
     try:
-        said: Any = json.loads(text)
+        content: Any = json.loads(text)
     except (json.JSONDecodeError, RecursionError):
-        said = None
-    if not isinstance(said, dict):
-        said = {"text": text}
-    data = said.get("data")
+        content = None
+    if not isinstance(content, dict):
+        content = {"text": text}
+    data = content.get("data")
     return Event(
-        anchor.monotonic(int(said.get("stamp_ns", raw.log_time))),
-        str(said.get("kind", "note")),
-        str(said.get("text", "")),
+        anchor.monotonic(int(content.get("stamp_ns", raw.log_time))),
+        str(content.get("kind", "note")),
+        str(content.get("text", "")),
         data if isinstance(data, dict) else {},
-        from_json(said),
+        from_json(content),
     )

@@ -28,12 +28,12 @@ class EstimateDecoder:
         self.topics = tuple(self._names)
         self.states_topic = name(info.side, "states")
         self._tracking = Tracking.TRACKING
-        self._words: dict[str, dict[str, str]] = {}
+        self._states_of: dict[str, dict[str, str]] = {}
         self._joints: motion.JointState | None = None
         self._sd: Array | None = None
         self._segments: dict[int, list[motion.Transform]] = {}
 
-    def take_segments(self, transforms: list[motion.Transform]) -> None:
+    def set_segments(self, transforms: list[motion.Transform]) -> None:
         mine = [t for t in transforms if t.child in self._rows]
         if mine:
             self._segments[mine[0].stamp] = mine
@@ -41,7 +41,7 @@ class EstimateDecoder:
                 del self._segments[next(iter(self._segments))]
 
     def feed(self, raw: RawMessage) -> Estimate | None:
-        """An estimate when its keypoints come: they are written last."""
+        """Returns an estimate with its keypoints, which are written last."""
         what = self._names[raw.topic]
         if what == "keypoints":
             return self._build(motion.unpack_poses(raw.data))
@@ -50,15 +50,15 @@ class EstimateDecoder:
         elif what == "keypoint_sd":
             self._sd = motion.unpack_numbers(raw.data)
         else:
-            self._take_states(raw.data)
+            self._read_states(raw.data)
         return None
 
-    def _take_states(self, data: bytes) -> None:
+    def _read_states(self, data: bytes) -> None:
         for s in motion.unpack_diagnostics(data)[1]:
             if s.name == "tracking":
                 self._tracking = tracking_of(s.message)
             else:
-                self._words[s.name] = s.values
+                self._states_of[s.name] = s.values
 
     def _build(self, poses: motion.PoseArray) -> Estimate:
         n = len(self._keypoint_names)
@@ -75,10 +75,10 @@ class EstimateDecoder:
             self._tracking,
             keypoints,
             q,
-            _states(self._words.get("keypoints", {}), self._keypoint_names, known),
+            _states(self._states_of.get("keypoints", {}), self._keypoint_names, known),
             sd,
             angles,
-            _states(self._words.get("joints", {}), self._hand.joint_names, np.isfinite(angles)),
+            _states(self._states_of.get("joints", {}), self._hand.joint_names, np.isfinite(angles)),
             R,
             p,
         )
@@ -100,10 +100,10 @@ class EstimateDecoder:
         return R, p
 
 
-def _states(words: dict[str, str], names: tuple[str, ...], known: np.ndarray) -> IntArray:
-    """States by name; measured where nothing was said, and lost where there is no number."""
-    said = [words.get(n, "measured").upper() for n in names]
-    values = [Validity[w] if w in Validity.__members__ else Validity.LOST for w in said]
+def _states(names_of: dict[str, str], names: tuple[str, ...], known: np.ndarray) -> IntArray:
+    """Returns states by name; measured by default, and lost without a number."""
+    stored = [names_of.get(n, "measured").upper() for n in names]
+    values = [Validity[w] if w in Validity.__members__ else Validity.LOST for w in stored]
     return np.where(known, np.array(values, np.int64), int(Validity.LOST)).astype(np.int64)
 
 

@@ -1,4 +1,4 @@
-"""Robot hands of a session, put together from their topics; the inverse of `encode_robot`."""
+"""Robot hands of a session, assembled from their topics; the inverse of `encode_robot`."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def robot_names(reader: SessionReader) -> tuple[str, ...]:
 def read_robot(
     reader: SessionReader, name: str, start: float | None = None
 ) -> Iterator[RobotMessage]:
-    """What a session holds of one robot, in order, from ``start`` (s) on. Raises FileError."""
+    """Yields the messages of one robot in order, from ``start`` (s) on. Raises FileError."""
     decoder = _RobotDecoder(reader, name)
     first = 0 if start is None else max(reader.anchor.wall(start), 0)
     wanted = frozenset(topics.robot(name, what) for what in topics.ROBOT)
@@ -43,7 +43,7 @@ def read_robot(
 
 
 def robot_model(reader: SessionReader, name: str) -> RobotModel:
-    """What the robot is that a session has. Raises FileError where it does not say."""
+    """Returns the description of a session's robot. Raises FileError if there is none."""
     for message in read_robot(reader, name):
         if isinstance(message, RobotModel):
             return message
@@ -51,7 +51,7 @@ def robot_model(reader: SessionReader, name: str) -> RobotModel:
 
 
 class _RobotDecoder:
-    """A state is whole when its contacts come: they are written last."""
+    """A state is complete with its contacts, which are written last."""
 
     def __init__(self, reader: SessionReader, name: str) -> None:
         self._name, self._t = name, reader.anchor.monotonic
@@ -81,18 +81,18 @@ class _RobotDecoder:
 
     def _model(self, raw: RawMessage) -> RobotModel:
         try:
-            said: Any = json.loads(motion.unpack_string(raw.data))
+            content: Any = json.loads(motion.unpack_string(raw.data))
         except RecursionError as error:
             raise FileError(notice("session.robot_not_json")) from error
-        if not isinstance(said, dict):
+        if not isinstance(content, dict):
             raise FileError(notice("session.robot_not_object"))
         return RobotModel(
             self._t(raw.publish_time),
             self._name,
-            tuple(str(n) for n in said.get("joints", ())),
-            tuple(str(n) for n in said.get("objects", ())),
+            tuple(str(n) for n in content.get("joints", ())),
+            tuple(str(n) for n in content.get("objects", ())),
             self._urdf,
-            json.dumps(said.get("settings", {}), sort_keys=True),
+            json.dumps(content.get("settings", {}), sort_keys=True),
         )
 
     def _state(self, felt: np.ndarray, log_time: int) -> RobotState | None:

@@ -1,4 +1,4 @@
-"""What was sensed, put together from its topics: packets of IMUs, pairs of images and of blobs."""
+"""Sensor messages assembled from their topics: packets of IMUs, pairs of images and of blobs."""
 
 from __future__ import annotations
 
@@ -43,8 +43,9 @@ class Group(Generic[T]):
 class Grouper(Generic[T]):
     """Collects parts whose stamps agree within ``tolerance`` ns.
 
-    A group leaves when it is whole, when `close` says so, or when log time has moved on by more
-    than ``patience`` ns; groups leave in the order of their stamps, at log times that never fall.
+    A group is released when it is complete, by `close`, or when log time has advanced by more than
+    ``patience`` ns; groups are released in the order of their stamps, at log times that never
+    decrease.
     """
 
     def __init__(self, names: frozenset[str], tolerance: int, patience: int) -> None:
@@ -71,7 +72,7 @@ class Grouper(Generic[T]):
         return min(near, key=lambda g: abs(g.stamp - stamp), default=None)
 
     def close(self, stamp: int, log_time: int, sequence: int) -> Group[T]:
-        """Take out the group at exactly ``stamp``; an empty one if no part of it came."""
+        """Removes and returns the group at exactly ``stamp``; an empty one if it has no parts."""
         for group in self._open:
             if group.stamp == stamp:
                 self._open.remove(group)
@@ -135,13 +136,13 @@ Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame
 
 
 class SensorDecoder:
-    """Feeds on raw messages in order; `release` gives what is complete."""
+    """Takes raw messages in order; `release` returns complete ones."""
 
     def __init__(
         self, info: SessionInfo, packets: bool, timing: Timing, left_out: LeftOut | None = None
     ) -> None:
-        """``packets``: the file tells where each glove packet ends. ``left_out`` counts images that
-        turn out to be damaged when they are unpacked."""
+        """``packets``: the file marks the end of each glove packet. ``left_out`` counts images that
+        are found to be damaged when they are unpacked."""
         self._info, self._packets, self._left_out = info, packets, left_out
         self._t = info.anchor.monotonic
         self._imus = Grouper[sensors.ImuMessage](
@@ -151,11 +152,11 @@ class SensorDecoder:
         self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.patience)
         self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
         self._poses: dict[int, CameraPose] = {}
-        self._cloth: dict[tuple[str, int], Cloth] = {}  # of blobs that come next, by their stamp
+        self._cloth: dict[tuple[str, int], Cloth] = {}  # of the next blobs, by their stamp
         self._pose_tolerance = timing.frame_tolerance
 
     def handlers(self) -> dict[str, Callable[[RawMessage], list[Sensed]]]:
-        """What to call with a message of each topic; it returns what is complete at once."""
+        """The function for messages of each topic; it returns messages that are complete."""
         side = self._info.side
         table: dict[str, Callable[[RawMessage], list[Sensed]]] = {
             topics.packets(side): self._packet,
@@ -168,16 +169,16 @@ class SensorDecoder:
         table |= {topics.blobs(camera): self._detections for camera in EYES}
         return table
 
-    def take_camera(self, transforms: list[motion.Transform]) -> None:
+    def set_camera(self, transforms: list[motion.Transform]) -> None:
         """Keep the camera's pose, unless it is known to the last bit."""
         for t in transforms:
             if is_camera(t) and t.stamp not in self._poses:
                 self._keep_pose(t.stamp, pose_of(t))
 
     def release(self, now: int | None) -> list[Sensed]:
-        """What need not wait any longer at log time ``now`` (ns); everything if it is None.
+        """Returns messages that need not wait at log time ``now`` (ns); all of them if it is None.
 
-        At -1 no time has passed: only what is whole leaves.
+        At -1 no time has passed: only complete ones.
         """
         out: list[Sensed] = []
         if not self._packets:

@@ -1,4 +1,4 @@
-"""What a session is about: the models, the clock and the words that go with a recording."""
+"""The description of a session: its models, clock and metadata."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ HAND, GLOVE = "hand.toml", "glove.toml"
 COLOURS, SETTINGS = "colours.toml", "settings.toml"
 METADATA = "glovetrack"
 MAIN = "right"
-"""Of a session of both hands, the one that is shown where one is."""
+"""The default hand of a session of both."""
 
 
 def of_side(name: str, side: str) -> str:
-    """An attachment's name where there is one for each hand: ``hand_left.toml``."""
+    """Returns an attachment's name in a session of both hands: ``hand_left.toml``."""
     stem, _, ending = name.partition(".")
     return f"{stem}_{side}.{ending}"
 
 
 @dataclass(frozen=True, eq=False)
 class SessionInfo:
-    """``moving_camera``: poses come with the frames and ``rig.pose`` is of no account.
+    """``moving_camera``: frames have their own poses and ``rig.pose`` is not used.
 
-    ``arithmetic`` is that of the computer that made the estimates, empty where unknown.
-    ``hues`` are the names that blobs' hues index; by default the glove's. ``extra`` goes into the
-    metadata record as it is (a tracked file's ``source``, for one). ``others`` are the session's
-    other hands, of which hand and glove count.
+    ``arithmetic`` is that of the computer that made the estimates, empty if unknown. ``hues`` are
+    the names that blobs' hues index; by default the glove's. ``extra`` is added to the metadata
+    record unchanged (for example a tracked file's ``source``). ``others`` are the session's other
+    hands, of which only hand and glove are used.
     """
 
     hand: HandModel
@@ -58,7 +58,7 @@ class SessionInfo:
 
     @property
     def hands(self) -> tuple[SessionInfo, ...]:
-        """Those of all hands, the left one first."""
+        """The descriptions of all hands, the left one first."""
         return tuple(sorted((self, *self.others), key=lambda info: info.side))
 
     @property
@@ -75,7 +75,7 @@ class SessionInfo:
         return self.glove.keypoint_names(self.hand)
 
     def attachments(self) -> dict[str, str]:
-        """File name to text of everything that is attached."""
+        """Returns the text of each attachment by its file name."""
         texts: dict[str, str | None] = {COLOURS: self.colours_text, SETTINGS: self.settings_text}
         for info in self.hands:
             for name, text in ((HAND, info.hand_text), (GLOVE, info.glove_text)):
@@ -83,7 +83,7 @@ class SessionInfo:
         return {name: text for name, text in texts.items() if text is not None}
 
     def metadata(self) -> dict[str, str]:
-        """The record ``glovetrack``: all strings."""
+        """Returns the metadata record ``glovetrack``: all strings."""
         return {
             "version": self.version,
             "engine": self.engine,
@@ -99,13 +99,13 @@ class SessionInfo:
 
 
 def of_hands(infos: Sequence[SessionInfo]) -> SessionInfo:
-    """One session's of one hand or of both: what goes for the whole is the main one's."""
+    """Combines the descriptions of one or both hands; common values are those of the main one."""
     main = next((info for info in infos if info.side == MAIN), infos[0])
     return replace(main, others=tuple(info for info in infos if info is not main))
 
 
 def describe(hand_text: str, glove_text: str, anchor: ClockAnchor, **more: object) -> SessionInfo:
-    """A SessionInfo with the models read from their texts; ``more`` are its other fields."""
+    """Returns a SessionInfo with the models read from their texts; ``more``: its other fields."""
     hand = parse_hand(hand_text)
     glove = parse_glove(glove_text, hand)
     return SessionInfo(hand, glove, hand_text, glove_text, anchor, **more)  # type: ignore[arg-type]

@@ -36,7 +36,7 @@ class Filled:
     joints: tuple[str, ...]
     start_ns: int
     stop_ns: int
-    kind: str  # hole, lost or inferred: what was there before
+    kind: str  # hole, lost or inferred: the state before
     cause: str
 
     @property
@@ -69,12 +69,12 @@ def edits_text(edits: Sequence[Edit]) -> str:
 def parse_edits(text: str, where: str) -> tuple[Edit, ...]:
     """The inverse of `edits_text`. Raises FileError that names ``where``."""
     try:
-        said = json.loads(text)
-        if said["schema"] != SCHEMA:
+        stored = json.loads(text)
+        if stored["schema"] != SCHEMA:
             raise FileError(
-                notice("edits.schema", file=where, schema=said["schema"], expected=SCHEMA)
+                notice("edits.schema", file=where, schema=stored["schema"], expected=SCHEMA)
             )
-        edits = tuple(map(edit_of, said["edits"]))
+        edits = tuple(map(edit_of, stored["edits"]))
         count = sum(len(edit.filled) for edit in edits)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise FileError(notice("edits.invalid", file=where, why=error)) from error
@@ -83,37 +83,37 @@ def parse_edits(text: str, where: str) -> tuple[Edit, ...]:
     return edits
 
 
-def edit_of(said: Mapping[str, Any]) -> Edit:
+def edit_of(stored: Mapping[str, Any]) -> Edit:
     """From its form in JSON. Raises KeyError, TypeError or ValueError for another one."""
-    words = {
-        n: str(said.get(n, ""))
+    texts = {
+        n: str(stored.get(n, ""))
         for n in ("method", "who", "when", "program", "source", "source_sha256")
     }
     return Edit(
-        **words,
-        parameters=dict(said.get("parameters", {})),
-        filled=tuple(_filled(each) for each in said["filled"]),
+        **texts,
+        parameters=dict(stored.get("parameters", {})),
+        filled=tuple(_filled(each) for each in stored["filled"]),
     )
 
 
-def _filled(said: Mapping[str, Any]) -> Filled:
+def _filled(stored: Mapping[str, Any]) -> Filled:
     return Filled(
-        side=str(said["side"]),
-        keypoints=tuple(map(str, said["keypoints"])),
-        joints=tuple(map(str, said["joints"])),
-        start_ns=int(said["start_ns"]),
-        stop_ns=int(said["stop_ns"]),
-        kind=str(said.get("kind", "")),
-        cause=str(said.get("cause", "")),
+        side=str(stored["side"]),
+        keypoints=tuple(map(str, stored["keypoints"])),
+        joints=tuple(map(str, stored["joints"])),
+        start_ns=int(stored["start_ns"]),
+        stop_ns=int(stored["stop_ns"]),
+        kind=str(stored.get("kind", "")),
+        cause=str(stored.get("cause", "")),
     )
 
 
 def without_person(text: str) -> str:
     """The record without who edited and without the source's name, which may name the wearer."""
-    said = json.loads(text)
-    for edit in said.get("edits", ()):
+    stored = json.loads(text)
+    for edit in stored.get("edits", ()):
         edit |= {"who": "", "source": ""}
-    return json.dumps(said, indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(stored, indent=1, ensure_ascii=False) + "\n"
 
 
 def masks(

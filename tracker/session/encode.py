@@ -52,19 +52,19 @@ class Out(NamedTuple):
 
 @dataclass(frozen=True)
 class ImageCoding:
-    """``kind``: jpeg, png (lossless) or none (blobs only); ``quality`` 1 to 100 of a JPEG."""
+    """``kind``: jpeg, png (lossless) or none (only blobs); ``quality``: 1 to 100, of a JPEG."""
 
     kind: str = "jpeg"
     quality: int = 90
 
 
 def status_name(info: SessionInfo, side: str) -> str:
-    """Under which a Status stands; that of the second hand of a session of both has its side."""
+    """Returns the name of a Status; that of the second hand in a session of both has its side."""
     return f"tracker_{side}" if info.others and side != MAIN else "tracker"
 
 
 class Encoder:
-    """Turns messages into bytes; remembers what was said last where only changes are written."""
+    """Encodes messages; stores the last value of those of which only changes are written."""
 
     def __init__(self, info: SessionInfo, images: ImageCoding, status: str = "tracker") -> None:
         """``status``: the name under which a Status is written, see `status_name`."""
@@ -172,8 +172,8 @@ class Encoder:
             data = sensors.pack_detections(sensors.Detections(stamp, frame, found, m.hue_names))
             sequence = (m.index + 1) % 2**32
             if found.cloth is not None:
-                worn = sensors.pack_cloth(found.cloth)
-                yield Out(topics.cloth(camera), sensors.CLOTH, log, stamp, worn)
+                cloth = sensors.pack_cloth(found.cloth)
+                yield Out(topics.cloth(camera), sensors.CLOTH, log, stamp, cloth)
             yield Out(topics.blobs(camera), sensors.DETECTIONS, log, stamp, data, sequence)
 
     def estimate(self, m: Estimate) -> Iterator[Out]:
@@ -232,8 +232,8 @@ class Encoder:
         level = 0 if m.tracking == Tracking.TRACKING else 1
         out = [motion.Diagnostic(level, "tracking", tracking, {})]
         for name, rows, states in groups:
-            words = {r: Validity(s).name.lower() for r, s in zip(rows, states, strict=True)}
-            out.append(motion.Diagnostic(int("lost" in words.values()), name, "", words))
+            names = {r: Validity(s).name.lower() for r, s in zip(rows, states, strict=True)}
+            out.append(motion.Diagnostic(int("lost" in names.values()), name, "", names))
         data = motion.pack_diagnostics(stamp, out)
         yield Out(topics.hand(self._side, "states"), motion.DIAGNOSTICS, log, stamp, data)
 
@@ -276,7 +276,7 @@ class Encoder:
         yield Out(topics.EVENTS, motion.STRING, stamp, stamp, motion.pack_string(text))
 
     def rig(self, rig: StereoRig, t: float) -> Iterator[Out]:
-        """The cameras that there are; where they stand too, unless frames bring that."""
+        """Writes the calibrations of the cameras; their poses too, unless frames contain them."""
         now = self._wall(t)
         for camera in rig.sides:
             intrinsics = rig.left if camera == "left" else rig.right
@@ -289,9 +289,9 @@ class Encoder:
             np.array([rig.baseline, 0, 0]),
             np.array([0.0, 0, 0, 1]),
         )
-        beside = [] if rig.one_camera else [right]
+        second = [] if rig.one_camera else [right]
         moving = self._info.moving_camera
-        yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, beside)
+        yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, second)
 
 
 CALIBRATION_ROWS = tuple(

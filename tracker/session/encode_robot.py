@@ -40,8 +40,12 @@ class RobotEncoder:
         known, self._models[m.name] = self._models.get(m.name), m
         if known is not None and known.settings == m.settings:
             return
-        said = {"joints": m.joint_names, "objects": m.objects, "settings": json.loads(m.settings)}
-        urdf, text = motion.pack_string(m.urdf), motion.pack_string(json.dumps(said))
+        about = {
+            "joints": m.joint_names,
+            "objects": m.objects,
+            "settings": json.loads(m.settings),
+        }
+        urdf, text = motion.pack_string(m.urdf), motion.pack_string(json.dumps(about))
         yield topics.robot(m.name, "robot_description"), motion.STRING, urdf
         yield topics.robot(m.name, "model"), motion.STRING, text
 

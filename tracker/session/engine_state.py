@@ -1,20 +1,20 @@
-"""What an engine knows at one instant, as the compact attachment ``engine_state``.
+"""The state of an engine at one instant, as the compact attachment ``engine_state``.
 
-A recording that begins in the middle of tracking can be tracked again bit for bit only from there.
+A recording that begins during tracking can be tracked again bit for bit only from that state.
 Layout, little-endian: ``GTES``, u16 version, u32 CRC-32 of all that follows, u64 unpacked size,
 then zstd of: u32 length of a JSON text, that text, and the bytes of all arrays one after the other.
 
 The text is ``{"engine": name, "arrays": [[type, shape], …], "state": …}``, where a state is made of
 plain values, lists and
 
-    {"record": name, "has": {…}}     of `tracker.base.records`, so of no class's own name
+    {"record": name, "has": {…}}     of `tracker.base.records`, not the name of a class
     {"enum": name, "value": …}
-    {"array": k}                     the k-th array, the same one wherever k stands
+    {"array": k}                     the k-th array, the same object for each k
     {"number": …, "type": …}         a NumPy scalar
     {"tuple": […]}
 
-Reading makes only what is registered and runs none of its code; arrays take no more memory than
-the bytes that are there, and a text is short.
+Reading creates only registered objects and runs none of their code; arrays do not need more memory
+than the file contains, and the text is short.
 """
 
 from __future__ import annotations
@@ -46,14 +46,14 @@ _PLAIN = (bool, int, float, str, type(None))
 
 
 def pack(engine: str, state: Any) -> bytes:
-    """Bytes of ``state``, as `Pipeline.get_state` gives it, of the named engine.
+    """Packs a ``state`` that `Pipeline.get_state` returned, of the named engine.
 
-    Raises TypeError for what is not registered.
+    Raises TypeError for objects that are not registered.
     """
     arrays = _Arrays()
     flat = _flat(state, arrays)
-    said = {"engine": engine, "arrays": arrays.described, "state": flat}
-    text = json.dumps(said, separators=(",", ":")).encode()
+    content = {"engine": engine, "arrays": arrays.described, "state": flat}
+    text = json.dumps(content, separators=(",", ":")).encode()
     raw = struct.pack("<I", len(text)) + text + b"".join(arrays.parts)
     packed = struct.pack("<Q", len(raw)) + zstandard.ZstdCompressor().compress(raw)
     return _MAGIC + struct.pack("<HI", VERSION, zlib.crc32(packed)) + packed
@@ -71,9 +71,9 @@ def unpack(data: bytes) -> tuple[str, Any]:
         (length,) = struct.unpack_from("<I", raw)
         if length > MOST_TEXT:
             raise ValueError("its text is too long")
-        said = json.loads(raw[4 : 4 + length])
-        arrays = _read_arrays(said["arrays"], raw[4 + length :])
-        return str(said["engine"]), _whole(said["state"], arrays)
+        content = json.loads(raw[4 : 4 + length])
+        arrays = _read_arrays(content["arrays"], raw[4 + length :])
+        return str(content["engine"]), _whole(content["state"], arrays)
     except (
         *(ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError),
         *(struct.error, zstandard.ZstdError, MemoryError, OverflowError),
@@ -85,7 +85,7 @@ def unpack(data: bytes) -> tuple[str, Any]:
 
 
 class _Arrays:
-    """Arrays in the order in which they are met, each object once: what is shared stays shared."""
+    """Arrays in order of occurrence, each object once: shared arrays stay shared."""
 
     def __init__(self) -> None:
         self._number: dict[int, int] = {}
@@ -93,9 +93,9 @@ class _Arrays:
         self.parts: list[bytes] = []
 
     def number(self, value: np.ndarray) -> int:
-        """Its place among them."""
+        """Returns the number of an array."""
         if value.dtype.name not in _TYPES:
-            raise TypeError(f"no way to keep an array of {value.dtype}")
+            raise TypeError(f"arrays of {value.dtype} cannot be recorded")
         if id(value) not in self._number:
             self._number[id(value)] = len(self.parts)
             self.described.append((value.dtype.name, value.shape))
@@ -112,7 +112,7 @@ def _flat(value: Any, arrays: _Arrays) -> Any:
         return {"array": arrays.number(value)}
     if isinstance(value, np.generic):
         if value.dtype.name not in _TYPES[:-1]:
-            raise TypeError(f"no way to keep a {value.dtype}")
+            raise TypeError(f"scalars of {value.dtype} cannot be recorded")
         return {"number": value.item(), "type": value.dtype.name}
     if type(value) in _PLAIN:
         return value
@@ -120,7 +120,7 @@ def _flat(value: Any, arrays: _Arrays) -> Any:
         return [_flat(v, arrays) for v in value]
     if type(value) is tuple:
         return {"tuple": [_flat(v, arrays) for v in value]}
-    raise TypeError(f"no way to keep a {type(value).__name__}")
+    raise TypeError(f"objects of {type(value).__name__} cannot be recorded")
 
 
 def _flat_record(value: Any, known: Record, arrays: _Arrays) -> dict[str, Any]:
@@ -160,7 +160,7 @@ def _whole(value: Any, arrays: list[np.ndarray]) -> Any:
         kind: Any = _known(value["enum"], enum.Enum).kind
         return kind(value["value"])
     if "array" in value:
-        return arrays[_place(value["array"])]
+        return arrays[_index(value["array"])]
     if "number" in value:
         if value["type"] not in _TYPES[:-1]:
             raise ValueError("a number of unknown type")
@@ -172,13 +172,13 @@ def _known(name: str, base: type = object) -> Record:
     """The record of a name; an enum's only where one is asked for."""
     known = RECORDS.get(name)
     if known is None or not issubclass(known.kind, base):
-        raise ValueError(f"{str(name)[:60]!r} is no part of an engine")
+        raise ValueError(f"{str(name)[:60]!r} is not a record")
     if base is object and issubclass(known.kind, enum.Enum):
-        raise ValueError(f"{name!r} is no record")
+        raise ValueError(f"{name!r} is not a record")
     return known
 
 
-def _place(number: Any) -> int:
+def _index(number: Any) -> int:
     if type(number) is not int or number < 0:
         raise ValueError("an array that is not there")
     return number

@@ -1,4 +1,4 @@
-"""Sessions at a glance: which a folder has, what each holds, how good it is, how it looks."""
+"""Sessions at a glance: those in a folder, their content, quality and preview."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from tracker.session.message_check import sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
-PLACELESS = "inertial"  # the engine that tracks no place
-OF_ALL_NS = 1_500_000_000  # within which each hand has sent its status, once a second
+PLACELESS = "inertial"  # the engine that does not track the position
+OF_ALL_NS = 1_500_000_000  # within which each hand reports its status, once a second
 
 
 def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
-    """(session, name for what is made of it) of files and folders; folders with all below them.
+    """Returns (session, name for its output) for files and folders, which are searched recursively.
 
-    ``leave_out`` is a folder that is not looked into. Raises FileError for a folder without any.
+    ``leave_out`` is a folder that is not searched. Raises FileError for a folder without sessions.
     """
     found: list[tuple[Path, Path]] = []
     for source in sources:
@@ -92,7 +92,7 @@ def _counts(reader: SessionReader) -> dict[int, int]:
         try:
             messages = reader.source.messages_in(contents.spans[i])
         except FileError:
-            continue  # a damaged chunk holds no message; `verify` speaks of it
+            continue  # a damaged chunk contains no message; `verify` reports it
         for m in messages:
             counts[ids[m.topic]] = counts.get(ids[m.topic], 0) + 1
     return counts
@@ -107,10 +107,10 @@ class HandShare(NamedTuple):
 
 @dataclass(frozen=True)
 class Quality:
-    """``tracked`` as in `HandShare`, of ``hands``, if there are both, that of the one tracked less.
-    ``packets_lost`` of the session itself, by all gloves; None where no status tells it.
-    ``by_imus``: the hand has no place, for want of a camera or by choice, so that ``tracked`` says
-    nothing.
+    """``tracked`` as in `HandShare`, in a session of both ``hands`` the smaller one.
+    ``packets_lost``: of this session, by all gloves; None if no status contains it. ``by_imus``:
+    the position of the hand is not tracked, without a camera or by choice, so that ``tracked`` has
+    no meaning.
     """
 
     tracked: float | None
@@ -120,7 +120,7 @@ class Quality:
 
 
 def quality(reader: SessionReader) -> Quality:
-    """Reads what tells changes of the state alone: an hour takes little longer than a minute."""
+    """Reads only changes of the state: an hour takes little longer than a minute."""
     hands = tuple(HandShare(h.side, _tracked(reader, h.side)) for h in reader.info.hands)
     known = any(hand.tracked is not None for hand in hands)
     least = min(hand.tracked or 0.0 for hand in hands) if known else None
@@ -130,23 +130,23 @@ def quality(reader: SessionReader) -> Quality:
 
 
 def _tracked(reader: SessionReader, side: str) -> float | None:
-    """The share of the session's time; before the first word nothing was tracked."""
+    """Returns the share of the session's time; before the first state nothing was tracked."""
     states = topics.hand(side, "states")  # at each change; a status is once a second
     topic = states if states in reader.topic_names else topics.STATUS
-    said = [
-        (raw.log_time, tracking_of(words.message) == Tracking.TRACKING)
+    changes = [
+        (raw.log_time, tracking_of(status.message) == Tracking.TRACKING)
         for raw in sound(ordered(reader.source, frozenset([topic])), reader.source.left_out)
-        for words in motion.unpack_diagnostics(raw.data)[1]
-        if words.name in (status_name(reader.info, side), "tracking")
+        for status in motion.unpack_diagnostics(raw.data)[1]
+        if status.name in (status_name(reader.info, side), "tracking")
     ]
-    if not said:
+    if not changes:
         return None
     first, last = reader.span_ns
     if first == last:
-        return float(said[-1][1])
-    at = [min(max(t, first), last) for t, _ in said] + [last]
-    held = [b - a for (_, on), (a, b) in zip(said, itertools.pairwise(at), strict=True) if on]
-    return sum(held) / (last - first)
+        return float(changes[-1][1])
+    at = [min(max(t, first), last) for t, _ in changes] + [last]
+    tracked = [b - a for (_, on), (a, b) in zip(changes, itertools.pairwise(at), strict=True) if on]
+    return sum(tracked) / (last - first)
 
 
 def _packets_lost(reader: SessionReader) -> int | None:
@@ -167,15 +167,15 @@ def _packets_lost(reader: SessionReader) -> int | None:
 
 
 def _lost_by_glove(statuses: Iterable[RawMessage]) -> Iterator[tuple[str, float]]:
-    """The name that each status of a hand stands under, and the packets lost by then."""
+    """Yields the name of each status of a hand, and the number of packets lost until then."""
     for raw in statuses:
-        for said in motion.unpack_diagnostics(raw.data)[1]:
-            if "imu_lost" in said.values:
-                yield said.name, float(said.values["imu_lost"])
+        for status in motion.unpack_diagnostics(raw.data)[1]:
+            if "imu_lost" in status.values:
+                yield status.name, float(status.values["imu_lost"])
 
 
 def thumbnail(reader: SessionReader, width: int) -> NDArray[np.uint8] | None:
-    """(h, width, 3) BGR from the middle of the left images; None where there are none."""
+    """Returns (h, width, 3) BGR from the middle of the left images; None without images."""
     wanted = frozenset([topics.image("left")])
     middle = sum(reader.span_ns) // 2
     for start in (middle, 0):

@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 from tracker.messages import Array
 
 LONGEST_FILLED = 0.1
-"""s between two known values, beyond which nothing is put between them."""
+"""s between two known values, beyond which the gap is not interpolated."""
 _ROUNDING = 1e-9  # s
 
 
 def runs(t: Array, known: NDArray[np.bool_]) -> list[slice]:
-    """Stretches of the rising times ``t`` (s) whose known rows lie close to one another.
+    """Returns runs of the rising times ``t`` (s) whose known rows are close to one another.
 
-    Each begins and ends with a known row. Rows inside that are not known are bridged: from the
-    known one before to the one behind is no longer than `LONGEST_FILLED`.
+    Each begins and ends with a known row. Unknown rows inside are bridged: from the known one
+    before to the one after is at most `LONGEST_FILLED`.
     """
     rows = np.flatnonzero(known)
     if len(rows) == 0:
@@ -62,8 +62,9 @@ def with_breaks(t: Array, values: Array, longest: float = LONGEST_FILLED) -> tup
 
 
 def durations(t: Array) -> Array:
-    """(N,) s that each value at the rising times ``t`` (N,) s stands for: half the way to both
-    neighbours, at an end of a run as far outwards as inwards. Nothing stands for a hole."""
+    """Returns the (N,) s that each value at the rising times ``t`` (N,) s represents: half the
+    distance to both neighbours, at an end of a run as far outwards as inwards. Holes are not
+    represented."""
     half = np.diff(t) / 2
     half[half * 2 > LONGEST_FILLED + _ROUNDING] = np.nan
     before, after = np.r_[np.nan, half][: len(t)], np.r_[half, np.nan][: len(t)]
@@ -72,7 +73,8 @@ def durations(t: Array) -> Array:
 
 
 def time_shares(t: Array) -> Array:
-    """(N,) share of the time that each value at ``t`` (N,) s stands for; 1 in all without holes."""
+    """Returns the (N,) share of the time that each value at ``t`` (N,) s represents; the sum is 1
+    without holes."""
     each = durations(t)
     if len(t) == 0 or not each.any():
         return np.full(len(t), 1.0 / max(len(t), 1))
@@ -81,6 +83,6 @@ def time_shares(t: Array) -> Array:
 
 
 def _inside(pair: Array) -> float:
-    """s of the way between two neighbours that one of them stands for."""
+    """Returns the s between two neighbours that one of them represents."""
     step = float(pair[-1] - pair[0])
     return 0.0 if step > LONGEST_FILLED + _ROUNDING else step / 2

@@ -58,7 +58,7 @@ class PackedFrame:
 
 
 def decode_image(data: bytes, name: str) -> NDArray[np.uint8]:
-    """(h, w, 3) BGR of JPEG or PNG bytes. Raises FileError; ``name`` stands for the image."""
+    """Decodes JPEG or PNG bytes to (h, w, 3) BGR. Raises FileError, which contains ``name``."""
     check_image(data, name)
     image = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
     if image is None:
@@ -67,7 +67,8 @@ def decode_image(data: bytes, name: str) -> NDArray[np.uint8]:
 
 
 def check_image(data: bytes, name: str) -> None:
-    """Raises FileError for what is no JPEG or PNG, is too large, or is cut off; decodes nothing."""
+    """Raises FileError for an image that is not a JPEG or PNG, too large or truncated, without
+    decoding it."""
     size = image_size(data)
     if size is None:
         raise FileError(notice("session.image_kind", camera=name))

@@ -1,4 +1,4 @@
-"""How long after a glove's sample what follows from it left, as a session itself says."""
+"""Latencies from a glove's sample to the outputs that follow from it, from a session."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ Figures = dict[str, dict[str, float]]
 
 
 def latencies_of(path: Path) -> Figures:
-    """Of a session: ``count``, ``median_ms``, ``p99_ms``, ``most_ms`` by recipient.
+    """Returns ``count``, ``median_ms``, ``p99_ms`` and ``most_ms`` of a session by output.
 
-    ``packet``: a sample arrived at the host; ``motor``: a motor received a new command (events of
-    kind motor); ``robot NAME``: a robot's command left. All are since the instant of the sample.
-    Raises FileError.
+    ``packet``: the host received a sample; ``motor``: a motor of the glove received a command
+    (events of kind motor); ``robot NAME``: a robot's command was sent. All are since the instant of
+    the sample. Raises FileError.
     """
     found: dict[str, list[float]] = defaultdict(list)
     with SessionReader(path) as reader:
@@ -57,4 +57,4 @@ def latency_lines(figures: Figures) -> list[str]:
         f"most {f['most_ms']:.1f}; {f['count']} times)"
         for what, f in figures.items()
     ]
-    return lines or ["  no sample, no command: nothing tells a latency"]
+    return lines or ["  no latency: the session contains no samples"]

@@ -24,7 +24,7 @@ from tracker.session.ros import motion, sensors
 
 _LATEST_WALL = 2**31 * NS  # ns since 1970: the stamps of ROS 2 count seconds in 31 bits
 _MOST_ATTACHMENTS = 1000
-_BESIDE_TEXT = 1000  # bytes of an attachment's record beside its data
+_RECORD_BYTES = 1000  # of an attachment's record, without its data
 STATE_MODULES = ("..engine.pipeline", "..engine.hands")
 """With the states of all engines they import every module with a ``@record``; a test compares that
 with the source. The names are relative because an installed program has these modules in another
@@ -63,7 +63,7 @@ class McapSession:
 
     @cached_property
     def metadata(self) -> dict[str, str]:
-        """The record ``glovetrack``; empty in a foreign session."""
+        """The record ``glovetrack``; empty in a session of another program."""
         for record in self.source.metadata():
             if record.name == METADATA:
                 return dict(record.metadata)
@@ -73,10 +73,10 @@ class McapSession:
     def attachments(self) -> dict[str, str]:
         """Text attachments by file name; names with a path in them are left out, and large ones."""
         out: dict[str, str] = {}
-        for place in self.source.contents.attachments[:_MOST_ATTACHMENTS]:
-            if place[1] > MOST_BYTES + _BESIDE_TEXT:
+        for entry in self.source.contents.attachments[:_MOST_ATTACHMENTS]:
+            if entry[1] > MOST_BYTES + _RECORD_BYTES:
                 continue
-            a = self.source.attachment_at(place)
+            a = self.source.attachment_at(entry)
             if "/" in a.name or "\\" in a.name or a.name == engine_state.NAME:
                 continue
             try:
@@ -87,22 +87,22 @@ class McapSession:
 
     @cached_property
     def edits(self) -> tuple[Edit, ...]:
-        """What was changed in this session after it was recorded or tracked; see `edits`.
+        """The changes of this session after it was recorded or tracked; see `edits`.
 
-        Raises FileError where the record of it cannot be read.
+        Raises FileError if they cannot be read.
         """
         text = self.attachments.get(edits.NAME)
         return () if text is None else edits.parse_edits(text, f"{self.path}, {edits.NAME}")
 
     @property
     def has_start_state(self) -> bool:
-        """Whether a live tracker recorded what it knew."""
+        """Whether a live tracker recorded its state."""
         return any(a.name == engine_state.NAME for a in self.source.attachments())
 
     def engine_states(self) -> list[EngineState]:
-        """What the engine knew when the recording began, and after each change from outside.
+        """Returns the engine's states at the start of the recording and after each command.
 
-        Raises FileError where one is damaged or of another version.
+        Raises FileError if one is damaged or of another version.
         """
         register_states()
         found = [
@@ -113,9 +113,9 @@ class McapSession:
         return sorted(found, key=lambda state: state.t)
 
     def attachment(self, name: str) -> str:
-        """An attached text. Raises FileError if there is none of that name."""
+        """Returns an attached text. Raises FileError if it is missing."""
         if name not in self.attachments:
-            large = any(n > MOST_BYTES + _BESIDE_TEXT for _, n in self.source.contents.attachments)
+            large = any(n > MOST_BYTES + _RECORD_BYTES for _, n in self.source.contents.attachments)
             if large:
                 raise FileError(
                     notice(
@@ -127,9 +127,9 @@ class McapSession:
 
     @cached_property
     def anchor(self) -> ClockAnchor:
-        """The session's clock; in a foreign session it starts at one second.
+        """The session's clock; in a session of another program it starts at 1 s.
 
-        Raises FileError for an instant that no clock shows.
+        Raises FileError for an impossible instant.
         """
         try:
             anchor = ClockAnchor(
@@ -145,8 +145,8 @@ class McapSession:
     def span_ns(self) -> tuple[int, int]:
         """Log times of the first sensor message or estimate, and of the last message.
 
-        What describes a session may be stamped long before: as its recording once was at the start
-        of tracking. Where nothing was measured all messages count; (0, 0) if there are none.
+        Descriptions of a session may be stamped long before, at the start of tracking. Without
+        measurements all messages count; (0, 0) if there are none.
         """
         first, last = self.source.contents.spans.bounds()
         try:

@@ -1,4 +1,4 @@
-"""Whether the content of a stored message is what its type says, without giving it to anybody."""
+"""Checks whether the content of a stored message matches its type, without using it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What a take's motion measures: ranges and speeds of angles, distances between points.
+"""Measures of the motion in a recording: ranges and speeds of angles, distances between points.
 
-Angles in rad, lengths in m, times in s. What is lost counts for nothing; what is inferred counts,
-and its share is given. Time without estimates (`holes`) counts as lost.
+Angles in rad, lengths in m, times in s. Lost values are ignored; inferred ones are used, and their
+share is given. Time without estimates (`holes`) counts as lost.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tracker.session.reader import SessionReader
 
 APERTURE = ("thumb_tip", "index_tip")
 """Points whose distance is the aperture of a grasp."""
-SMOOTH = 0.05  # s over which a speed is taken: noise of one estimate is no motion
+SMOOTH = 0.05  # s over which a speed is computed: noise of one estimate is not motion
 Pair = tuple[str, str]
 
 
@@ -44,10 +44,10 @@ class Take:
 
 @dataclass(frozen=True)
 class Measure:
-    """Of one angle (rad) or distance (m) over a take: least, greatest, mean and sd of its values;
-    fastest change per s; shares of the time that it was measured, inferred, lost; the mean
-    standard deviation that the tracker claims, NaN where it claims none; and which share of the
-    time an edit interpolated, which is part of what was inferred."""
+    """Of one angle (rad) or distance (m) in a recording: least, greatest, mean and sd of its
+    values; fastest change per s; shares of the time that it was measured, inferred, lost; the mean
+    standard deviation that the tracker reports, NaN without one; and the share of the time that an
+    edit interpolated, which is part of the inferred share."""
 
     name: str
     is_angle: bool
@@ -69,7 +69,7 @@ class Measure:
 
 
 def read_take(reader: SessionReader) -> Take:
-    """All estimates of a session. Raises FileError if there is none."""
+    """Reads all estimates of a session. Raises FileError if there are none."""
     series, info = recorded_series(reader, segments=False), reader.info
     return Take(
         instants(reader, series),
@@ -114,10 +114,10 @@ def take_of(
 
 
 def distance(take: Take, pair: Pair) -> tuple[Array, Array, IntArray]:
-    """(N,) m between two points; the sd (N,) m claimed for it; its state (N,), the worse of both.
+    """Returns (N,) m between two points, its sd (N,) m, and its state (N,), the worse of both.
 
-    The sd takes the points' errors to be independent: an error that they share, as of the hand's
-    place, does not change a distance, so that the truth is rather smaller.
+    The sd assumes that the points' errors are independent: a common error, as of the hand's
+    position, does not change a distance, so the true sd is smaller.
     """
     a, b = (take.point_names.index(name) for name in pair)
     away = np.linalg.norm(take.points[:, a] - take.points[:, b], axis=1)
@@ -135,10 +135,10 @@ def speed(t: Array, values: Array) -> Array:
     at, x = t[known], values[known]
     before = np.searchsorted(at, at - 0.5 * SMOOTH - 1e-9)
     after = np.searchsorted(at, at + 0.5 * SMOOTH + 1e-9, side="right") - 1
-    place, last = np.arange(len(at)), len(at) - 1
+    row, last = np.arange(len(at)), len(at) - 1
     is_slow = after - before < 2  # fewer values than SMOOTH needs
-    before = np.where(is_slow, np.maximum(place - 1, 0), before)
-    after = np.where(is_slow, np.minimum(place + 1, last), after)
+    before = np.where(is_slow, np.maximum(row - 1, 0), before)
+    after = np.where(is_slow, np.minimum(row + 1, last), after)
     span = at[after] - at[before]
     jumps = np.concatenate([[0], np.cumsum(np.diff(at) > LONGEST_FILLED)])
     fine = (span > 0.3 * SMOOTH) & (jumps[after] == jumps[before])
@@ -154,10 +154,10 @@ def curve(take: Take, values: Array, state: IntArray) -> tuple[Array, Array]:
 
 def measures(take: Take, pairs: Sequence[Pair]) -> list[Measure]:
     """Of all angles, then of the distances between the points of each pair."""
-    none = np.full(len(take.t), np.nan)
+    no_sd = np.full(len(take.t), np.nan)
     out = []
     for j, name in enumerate(take.angle_names):
-        found = _measure(name, True, take.t, take.angles[:, j], take.angle_state[:, j], none)
+        found = _measure(name, True, take.t, take.angles[:, j], take.angle_state[:, j], no_sd)
         filled = None if take.angle_filled is None else take.angle_filled[:, j]
         out.append(_with_filled(found, take, filled))
     for pair in pairs:
@@ -194,7 +194,7 @@ def _measure(
     name: str, is_angle: bool, t: Array, values: Array, state: IntArray, sd: Array
 ) -> Measure:
     known = np.isfinite(values) & (state != Validity.LOST)
-    kept = np.where(known, values, np.nan)
+    valid = np.where(known, values, np.nan)
     of_time = time_shares(t)
     shares = [
         float(of_time[known & (state == s)].sum()) for s in (Validity.MEASURED, Validity.INFERRED)
@@ -202,7 +202,7 @@ def _measure(
     if not known.any():
         nan = float("nan")
         return Measure(name, is_angle, nan, nan, nan, nan, nan, 0.0, 0.0, 1.0, nan)
-    x, rate = values[known], speed(t, kept)
+    x, rate = values[known], speed(t, valid)
     fastest = float(np.nanmax(np.abs(rate))) if np.isfinite(rate).any() else float("nan")
     claimed = sd[known & np.isfinite(sd)]
     return Measure(
@@ -221,7 +221,7 @@ class Units:
         return float(np.rad2deg(value)) if self.degrees else value
 
     def of(self, value: float, is_angle: bool) -> float:
-        """An angle (rad) or length (m) as it is written."""
+        """Formats an angle (rad) or length (m)."""
         return self.angle(value) if is_angle else value * 1000.0
 
     def name(self, is_angle: bool) -> str:

@@ -1,8 +1,8 @@
-"""Notes that were changed while their session was recorded: the file keeps each wording.
+"""Notes that were changed while their session was recorded: the file contains each wording.
 
-A recording is only ever added to, so that a killed one loses nothing. A note carries its number and
-the number of its wording; a later wording, stamped as the first, stands in its place, and an empty
-one deletes it.
+Messages are only appended to a recording, so that a killed one loses nothing. A note has a number
+and the number of its wording; a later wording, stamped as the first, replaces it, and an empty one
+deletes it.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ def wording_of(event: Event) -> int:
 
 def standing(events: Iterable[Event]) -> list[Event]:
     """Events in their order, each note in its last wording; deleted ones are left out."""
-    kept: dict[object, Event] = {}
-    for place, event in enumerate(events):
+    latest: dict[object, Event] = {}
+    for index, event in enumerate(events):
         number = _whole(event.data.get(NUMBER), -1) if event.kind == "note" else -1
-        key: object = number if number >= 0 else ("unnumbered", place)
-        if key not in kept or wording_of(event) >= wording_of(kept[key]):
-            kept[key] = event
-    return [e for e in kept.values() if e.kind != "note" or e.text]
+        key: object = number if number >= 0 else ("unnumbered", index)
+        if key not in latest or wording_of(event) >= wording_of(latest[key]):
+            latest[key] = event
+    return [e for e in latest.values() if e.kind != "note" or e.text]
 
 
 def _whole(value: Any, otherwise: int) -> int:

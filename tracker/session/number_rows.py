@@ -1,7 +1,7 @@
 """Numbers of recorded messages as columns: an hour of estimates in seconds.
 
-Messages of one topic differ mostly in their numbers, so that what comes before these is parsed
-once, and again where it changes.
+Messages of one topic differ mostly in their numbers, so the part before these is parsed once, and
+again when it changes.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ States = NDArray[np.int8]
 
 @dataclass
 class _Run:
-    """Messages in a row whose words are the same: the numbers stand at ``at``."""
+    """Consecutive messages with the same texts; their numbers are at ``at``."""
 
     head: bytes
     length: int
@@ -116,7 +116,7 @@ class NumberRows:
 
 
 def _aligned(data: bytes, numbers: bytes) -> int:
-    """Where doubles stand in a message, at eight bytes as CDR puts them; -1 where nowhere."""
+    """Returns the offset of doubles in a message, aligned to eight bytes as in CDR; else -1."""
     at = data.find(numbers, _AFTER_STAMP)
     while at >= 0 and (at - _BODY) % 8:
         at = data.find(numbers, at + 1)
@@ -124,27 +124,27 @@ def _aligned(data: bytes, numbers: bytes) -> int:
 
 
 class StateRows:
-    """States as they were said, and from which estimate on they hold."""
+    """States, and the estimates from which on they apply."""
 
     def __init__(self, keypoints: tuple[str, ...], joints: tuple[str, ...]) -> None:
         self._names = {"keypoints": keypoints, "joints": joints}
-        self._said = {what: self._numbers(what, {}) for what in self._names}
+        self._states = {what: self._numbers(what, {}) for what in self._names}
         self._from = [0]
-        self._rows = {what: [values] for what, values in self._said.items()}
+        self._rows = {what: [values] for what, values in self._states.items()}
 
     def feed(self, data: bytes, row: int) -> None:
         for status in motion.unpack_diagnostics(data)[1]:
             if status.name in self._names:
-                self._said[status.name] = self._numbers(status.name, status.values)
+                self._states[status.name] = self._numbers(status.name, status.values)
         self._from.append(row)
         for what, rows in self._rows.items():
-            rows.append(self._said[what])
+            rows.append(self._states[what])
 
-    def _numbers(self, what: str, words: dict[str, str]) -> States:
-        """Measured where nothing was said, lost for a word that is none."""
-        said = [words.get(n, "measured").upper() for n in self._names[what]]
+    def _numbers(self, what: str, names: dict[str, str]) -> States:
+        """Measured by default, lost for an unknown state."""
+        stored = [names.get(n, "measured").upper() for n in self._names[what]]
         known = Validity.__members__
-        return np.array([known.get(w, Validity.LOST) for w in said], np.int8)
+        return np.array([known.get(w, Validity.LOST) for w in stored], np.int8)
 
     def of(self, what: str, n: int) -> States:
         """(n, rows) of n estimates."""
@@ -152,13 +152,13 @@ class StateRows:
         return np.repeat(np.array(self._rows[what]), counts, axis=0)
 
 
-def at_stamps(stamp: IntArray, known: IntArray, values: Array) -> Array:
-    """The last row of ``values`` (M, …) with each stamp (N,); NaN where there is none."""
-    if not len(known):
+def at_stamps(stamp: IntArray, stamps: IntArray, values: Array) -> Array:
+    """Returns the last row of ``values`` (M, …) with each stamp (N,); NaN if there is none."""
+    if not len(stamps):
         return np.full((len(stamp), *values.shape[1:]), np.nan)
-    order = np.argsort(known, kind="stable")
-    at = np.clip(np.searchsorted(known[order], stamp, side="right") - 1, 0, None)
-    same = (known[order][at] == stamp).reshape(-1, *[1] * (values.ndim - 1))
+    order = np.argsort(stamps, kind="stable")
+    at = np.clip(np.searchsorted(stamps[order], stamp, side="right") - 1, 0, None)
+    same = (stamps[order][at] == stamp).reshape(-1, *[1] * (values.ndim - 1))
     return np.where(same, values[order[at]], np.nan)
 
 
@@ -176,7 +176,7 @@ class DeviationRows:
         self._values.append(values)
 
     def table(self, shape: tuple[int, int]) -> Array:
-        """(N, K) m; NaN where there was none, or one of another length."""
+        """Returns (N, K) m; NaN if it is missing or has another length."""
         out = np.full(shape, np.nan)
         for row, values in zip(self._rows, self._values, strict=True):
             if row < len(out):
@@ -234,9 +234,9 @@ class TransformRows:
         if not self._blocks:
             empty = np.full((len(stamp), len(self._children), 3), np.nan)
             return empty, np.full((*empty.shape, 3), np.nan)
-        number, known, p, R = (np.concatenate(part) for part in zip(*self._blocks, strict=True))
+        number, stamps, p, R = (np.concatenate(part) for part in zip(*self._blocks, strict=True))
         order = np.argsort(number)
-        return at_stamps(stamp, known[order], p[order]), at_stamps(stamp, known[order], R[order])
+        return at_stamps(stamp, stamps[order], p[order]), at_stamps(stamp, stamps[order], R[order])
 
     def _decode(self) -> None:
         by_length: dict[int, list[int]] = {}
@@ -260,11 +260,11 @@ class TransformRows:
                 layout = _layout(first.data)
                 fixed = table[rows][:, layout.fixed]
                 same = (fixed == fixed[0]).all(axis=1)
-                self._take(numbers[rows[same]], table[rows[same]], layout)
+                self._collect(numbers[rows[same]], table[rows[same]], layout)
             rows = rows[~same]
 
-    def _take(self, numbers: IntArray, table: NDArray[np.uint8], layout: _Layout) -> None:
-        mine = [place for place in layout.places if place[0] in self._children]
+    def _collect(self, numbers: IntArray, table: NDArray[np.uint8], layout: _Layout) -> None:
+        mine = [part for part in layout.places if part[0] in self._children]
         if not mine:
             return
         stamps = table[:, mine[0][1] : mine[0][1] + _STAMP.size]

@@ -54,7 +54,7 @@ class RawImu:
         return names, np.concatenate([self.accel, self.gyro], axis=2).reshape(len(self), -1)
 
     def channels_at(self, stamp_ns: IntArray) -> Array:
-        """(M, 6 n) at other instants, on lines between packets; NaN beside one that is missing."""
+        """Returns (M, 6 n) interpolated linearly at other instants; NaN next to a missing one."""
         _, values = self.channels()
         out = np.full((len(stamp_ns), values.shape[1]), np.nan)
         if len(self) == 0:
@@ -66,9 +66,9 @@ class RawImu:
 
 
 def read_raw_imu(reader: SessionReader, need: bool = True) -> RawImu:
-    """All packets in the order of their instants.
+    """Returns all packets in the order of their instants.
 
-    Raises FileError if there is none, unless they are not ``need``ed.
+    Raises FileError if there are none, unless they are not ``need``ed.
     """
     found = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
     if not found and need:

@@ -34,10 +34,10 @@ class SessionReader(McapSession):
     """The hands and the messages of a session file. Raises FileError if it is not a session.
 
     ``instead`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
-    the file lacks or that replace its own; ``origins``, by the same names, is where errors say that
-    those come from. ``watch`` is called every `_WATCH_EVERY` messages with the share (0..1) of the
-    file that `messages` has read, and may raise to stop it. ``side`` is the hand to read in a
-    session of both, the right one by default.
+    the file lacks or that replace its own; ``origins``, by the same names, is their source in
+    errors. ``watch`` is called every `_WATCH_EVERY` messages with the share (0..1) of the file that
+    `messages` has read, and may raise to stop it. ``side`` is the hand to read in a session of
+    both, the right one by default.
     """
 
     def __init__(
@@ -101,7 +101,7 @@ class SessionReader(McapSession):
         )
 
     def rig(self) -> StereoRig:
-        """The stereo camera. Raises FileError that says what of it is missing."""
+        """Returns the stereo camera. Raises FileError that lists its missing parts."""
         if self.info.rig is not None:
             return self.info.rig
         missing = [t for t in map(topics.camera_info, EYES) if t not in self.topic_names] or [

@@ -1,4 +1,4 @@
-"""Making a regular file of what a broken recording still holds."""
+"""Recovers the readable part of a damaged recording into a regular file."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from tracker.session.message_check import sound
 
 @dataclass(frozen=True)
 class Recovery:
-    """What was saved. ``damage`` tells what was not; ``left_out`` counts damaged messages in sound
-    chunks, by topic."""
+    """What was recovered. ``damage`` lists what was not; ``left_out`` counts damaged messages in
+    intact chunks, by topic."""
 
     path: Path
     messages: int
@@ -28,17 +28,17 @@ class Recovery:
 
 
 def needs_recovery(path: Path) -> bool:
-    """Whether a file was never finished. Raises FileError if it is no MCAP."""
+    """Returns whether a file was not finished. Raises FileError if it is not an MCAP."""
     source = McapInput(path)
     source.close()
     return not source.contents.finished
 
 
 def recover(path: Path, out: Path | None = None, force: bool = False) -> Recovery:
-    """Copy every whole record of ``path`` to a new file, by default ``<name>_recovered.mcap``.
+    """Copies every intact record of ``path`` to a new file, by default ``<name>_recovered.mcap``.
 
-    The input is left as it is, and the new file is there whole or not at all; ``force`` replaces
-    one. Raises FileError if nothing in it can be read.
+    The input is not changed, and the new file is complete or absent; ``force`` replaces an existing
+    one. Raises FileError if nothing can be recovered.
     """
     path = Path(path)
     out = out or free_path(path.with_name(f"{path.stem}_recovered{path.suffix}"))
@@ -59,7 +59,7 @@ def recover(path: Path, out: Path | None = None, force: bool = False) -> Recover
 
 
 class _Copy:
-    """One file's records on their way into another."""
+    """Copies the records of a file to another."""
 
     def __init__(self, source: McapInput, out: McapOutput) -> None:
         self.source, self.out = source, out
@@ -82,13 +82,13 @@ class _Copy:
 
     def _extras(self) -> None:
         """Metadata and attachments, but for those that are damaged."""
-        for place in self.source.contents.metadata:
-            with self._noting(place[0]):
-                record = self.source.metadata_at(place)
+        for entry in self.source.contents.metadata:
+            with self._noting(entry[0]):
+                record = self.source.metadata_at(entry)
                 self.out.metadata(record.name, dict(record.metadata))
-        for place in self.source.contents.attachments:
-            with self._noting(place[0]):
-                a = self.source.attachment_at(place)
+        for entry in self.source.contents.attachments:
+            with self._noting(entry[0]):
+                a = self.source.attachment_at(entry)
                 self.out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
 
     @contextmanager

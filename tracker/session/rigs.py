@@ -1,4 +1,4 @@
-"""The stereo camera as a session tells it: at the start, and at each change."""
+"""The stereo camera of a session: at the start, and at each change."""
 
 from __future__ import annotations
 
@@ -41,14 +41,14 @@ def exact_pose(data: bytes) -> CameraPose:
 
 @dataclass
 class _Start:
-    """What is said of the camera first."""
+    """The first calibration and pose of the camera."""
 
     cameras: dict[str, Camera] = field(default_factory=dict)
     exact: CameraPose | None = None
     fixed: CameraPose | None = None
     first: CameraPose | None = None
 
-    def hear(self, raw: RawMessage, left_out: LeftOut) -> None:
+    def take(self, raw: RawMessage, left_out: LeftOut) -> None:
         with left_out.reading(raw.topic, raw.log_time):
             if raw.topic in _INFOS:
                 self.cameras.setdefault(_INFOS[raw.topic], sensors.unpack_camera_info(raw.data))
@@ -61,8 +61,8 @@ class _Start:
                     self.first = self.first or pose_of(t)
 
 
-def cameras_told(source: McapInput) -> int:
-    """How many cameras a session tells of: one where nothing in it is of a right one."""
+def camera_count(source: McapInput) -> int:
+    """Returns the number of cameras of a session: one if nothing in it is of a right camera."""
     there = {channel.topic for channel in source.contents.channels.values()}
     of_right = (topics.camera_info("right"), topics.image("right"), topics.blobs("right"))
     return 2 if there.intersection(of_right) else 1
@@ -80,10 +80,10 @@ def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
 
     Raises FileError where left and right are not of one calibration.
     """
-    start, count = _Start(), cameras_told(source)
+    start, count = _Start(), camera_count(source)
     wanted = frozenset([*_INFOS, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
     for n, raw in enumerate(ordered(source, wanted)):
-        start.hear(raw, source.left_out)
+        start.take(raw, source.left_out)
         if (len(start.cameras) == count and start.first is not None) or n > _LOOK_FOR_RIG:
             break
     pose, moving = start.exact or start.fixed or start.first, start.fixed is None
@@ -96,35 +96,35 @@ def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
 
 
 @dataclass
-class _Standing:
-    """What has been said so far of a device with ``count`` cameras."""
+class _Current:
+    """The latest calibration and pose of a device with ``count`` cameras."""
 
     count: int = 2
     cameras: dict[str, Camera] = field(default_factory=dict)
     pose: CameraPose | None = None
     exact_at: int = -1  # log time of a pose to the last bit, which a transform does not replace
-    said: dict[str, bytes] = field(default_factory=dict)
+    latest: dict[str, bytes] = field(default_factory=dict)
 
-    def hear(self, raw: RawMessage, left_out: LeftOut) -> bool:
-        """Whether the message says anything new; a damaged one does not."""
+    def take(self, raw: RawMessage, left_out: LeftOut) -> bool:
+        """Takes a message; returns whether it contains a change. A damaged one does not."""
         content = raw.data[_BEFORE_CONTENT:]
-        if self.said.get(raw.topic) == content:
+        if self.latest.get(raw.topic) == content:
             return False
-        self.said[raw.topic] = content
+        self.latest[raw.topic] = content
         with left_out.reading(raw.topic, raw.log_time):
-            return self._take(raw)
+            return self._update(raw)
         return False
 
-    def _take(self, raw: RawMessage) -> bool:
+    def _update(self, raw: RawMessage) -> bool:
         if raw.topic in _INFOS:
             self.cameras[_INFOS[raw.topic]] = sensors.unpack_camera_info(raw.data)
         elif raw.topic == topics.CAMERA_POSE:
             self.pose, self.exact_at = exact_pose(raw.data), raw.log_time
         else:
-            return self._hear_transform(raw)
+            return self._take_transform(raw)
         return True
 
-    def _hear_transform(self, raw: RawMessage) -> bool:
+    def _take_transform(self, raw: RawMessage) -> bool:
         if self.exact_at == raw.log_time:
             return False
         for t in filter(is_camera, motion.unpack_transforms(raw.data)):
@@ -143,17 +143,18 @@ class _Standing:
 
 
 def rig_changes(source: McapInput, moving: CameraPose | None) -> Iterator[tuple[int, StereoRig]]:
-    """(log time ns, rig) of each calibration, the first one included; it holds until the next.
+    """Yields (log time ns, rig) of each calibration, including the first; it is valid until the
+    next.
 
     ``moving`` is the pose at the start of a camera whose poses come with the images.
     """
     pose_topics = [] if moving is not None else [topics.TF_STATIC, topics.CAMERA_POSE]
-    standing, changed = _Standing(cameras_told(source), pose=moving), -1
+    current, changed = _Current(camera_count(source), pose=moving), -1
     for raw in ordered(source, frozenset([*_INFOS, *pose_topics])):
-        if 0 <= changed < raw.log_time and (rig := standing.rig()) is not None:
+        if 0 <= changed < raw.log_time and (rig := current.rig()) is not None:
             yield changed, rig
             changed = -1
-        if standing.hear(raw, source.left_out):
+        if current.take(raw, source.left_out):
             changed = raw.log_time
-    if changed >= 0 and (rig := standing.rig()) is not None:
+    if changed >= 0 and (rig := current.rig()) is not None:
         yield changed, rig

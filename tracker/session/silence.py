@@ -1,6 +1,6 @@
-"""For how long nothing came from a device of a session.
+"""Times without messages from a device of a session.
 
-A glove that was away has lost no packet by its counter, which starts from zero.
+A glove that was disconnected has not lost packets by its counter, which restarts.
 """
 
 from __future__ import annotations
@@ -11,24 +11,23 @@ import numpy as np
 
 from tracker.session.ros import topics
 
-SILENT = 1.0  # s without a word after which a device is called silent
+SILENT = 1.0  # s without a message after which a device counts as not responding
 IMAGES = ("compressed", "blobs")  # the ends of their topics' names
-PAUSED = 2.5  # s without a status, of which there is one a second: the recording was held back
+PAUSED = 2.5  # s without a status, of which there is one a second: the recording was paused
 
 
-def silences(received: Mapping[str, Sequence[int]], span_ns: tuple[int, int]) -> dict[str, float]:
-    """Seconds of silence by device (``/glove/right``, ``/camera``), of those that were silent.
+def silences(log_times: Mapping[str, Sequence[int]], span_ns: tuple[int, int]) -> dict[str, float]:
+    """Returns seconds without messages by device (``/glove/right``, ``/camera``).
 
-    ``received``: log times (ns) by topic. A device is silent where none of its topics says
-    anything, also at the session's ends; a device of which there is no topic is none of the
-    session's.
+    ``log_times``: ns, by topic. A device does not respond while none of its topics has a message,
+    also at the session's ends; a device without topics is not part of the session.
     """
     devices: dict[str, list[Sequence[int]]] = {}
-    for topic, times in received.items():
+    for topic, times in log_times.items():
         device = _device(topic)
         if device:
             devices.setdefault(device, []).append(times)
-    pauses = _pauses(received.get(topics.STATUS, ()))
+    pauses = _pauses(log_times.get(topics.STATUS, ()))
     found = {name: _silence(times, span_ns, pauses) for name, times in devices.items()}
     return {name: seconds for name, seconds in found.items() if seconds > 0.0}
 
@@ -49,7 +48,7 @@ def _pauses(status: Sequence[int]) -> np.ndarray:
 
 
 def _silence(times: list[Sequence[int]], span_ns: tuple[int, int], pauses: np.ndarray) -> float:
-    """Seconds in gaps of `SILENT` and more, without what is of a pause."""
+    """Returns the seconds in gaps longer than `SILENT`, without pauses."""
     t = np.unique(np.concatenate([np.asarray(ts, np.int64) for ts in times]))
     edges = np.concatenate(([span_ns[0]], t, [span_ns[1]]))
     late = np.diff(edges) > SILENT * 1e9

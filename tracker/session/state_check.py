@@ -1,9 +1,9 @@
-"""Whether a state from a recording is one that an engine may go on from.
+"""Checks whether an engine can continue from a recorded state.
 
-The state is checked against what its records declare (`tracker.base.records`), in all its parts,
-those within lists and those that an engine at rest does not have too. The engine at rest
-(``fresh``) says only which parts there always are, and how large the hand and the glove are. What
-it holds an empty array of may have grown.
+The state is compared with the declarations of its records (`tracker.base.records`), in all its
+parts, including those in lists and those that a new engine does not have. The new engine
+(``fresh``) only determines the parts that always exist, and the sizes of the hand and the glove.
+Arrays that are empty in it may have grown.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ _NUMBER = int | float | np.generic
 
 
 class _Mismatch(Exception):
-    """Where a state is not what it should be."""
+    """Raised for an invalid part of a state."""
 
 
 def require_match(state: Any, fresh: Any, engine: str) -> None:
-    """Raises FileError where the engine of that name cannot go on from ``state``."""
+    """Raises FileError if the engine of that name cannot continue from ``state``."""
     where = mismatch(state, fresh)
     if where is not None:
         raise FileError(notice("session.state_misfit", engine=engine, where=where))
@@ -75,7 +75,7 @@ class _Declarations:
 
 
 def _match(value: Any, shape: ArrayShape, path: str, own: Sizes, shared: Sizes) -> None:
-    """Arrays of a declared shape, alone or in lists; what is found of names is added."""
+    """Checks arrays of a declared shape, alone or in lists; adds the sizes of names."""
     if isinstance(value, list | tuple):
         for inside in value:
             _match(inside, shape, path, own, shared)
@@ -90,7 +90,7 @@ def _match(value: Any, shape: ArrayShape, path: str, own: Sizes, shared: Sizes) 
 
 
 def _same_parts(state: Any, fresh: Any, path: str, shape: ArrayShape | None) -> None:
-    """What an engine at rest has is there. What is None or in lists may come and go."""
+    """Checks that the parts of a new engine exist; those that are None or in lists may vary."""
     if fresh is None:
         return
     if isinstance(fresh, _NUMBER) and not isinstance(fresh, enum.Enum):

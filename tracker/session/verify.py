@@ -32,7 +32,7 @@ _REMEMBERED = 64  # messages of an IMU that are compared with the next one
 @dataclass(frozen=True)
 class FileFinding:
     """``severity`` error, warning or note; ``where`` a topic, a device, an attachment or a byte.
-    ``silence``: s in all for which nothing came from a device, 0 of other findings.
+    ``silence``: total s without messages from a device, 0 for other findings.
     """
 
     severity: str
@@ -43,7 +43,7 @@ class FileFinding:
 
 @dataclass
 class _Track:
-    """What is kept of one topic while its messages go by."""
+    """The state of one topic while its messages are read."""
 
     last_stamp: int | None = None
     last_delay: int = 0
@@ -60,11 +60,11 @@ class _Track:
 
 
 def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -> list[FileFinding]:
-    """Everything that is wrong with a session. Raises FileError if it is no MCAP at all.
+    """Returns all faults of a session. Raises FileError if it is not an MCAP.
 
-    ``progress`` hears which share (0..1) was read, and may raise to end it.
+    ``progress`` is called with the share (0..1) that was read, and may raise to stop.
     """
-    with gather(), SessionReader(path) as reader:  # what is damaged is among the findings
+    with gather(), SessionReader(path) as reader:  # damaged messages are among the findings
         out = _container(reader)
         out += _description(reader)
         tracks, damage = _read_all(reader, progress)
@@ -73,9 +73,9 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
             out += _judge(topic, track, reader.span_ns[0])
         out += _missing(reader, tracks)
         out += _edits(reader)
-        times = {topic: track.log_times for topic, track in tracks.items()}
-        for device, seconds in silences(times, reader.span_ns).items():
-            text = f"nothing came for {seconds:.1f} s"
+        log_times = {topic: track.log_times for topic, track in tracks.items()}
+        for device, seconds in silences(log_times, reader.span_ns).items():
+            text = f"no messages for {seconds:.1f} s"
             out.append(FileFinding("warning", text, device, seconds))
         return out
 
@@ -86,7 +86,7 @@ def verify_one(path: Path, progress: Callable[[float], None]) -> list[FileFindin
 
 
 def is_ok(findings: list[FileFinding]) -> bool:
-    """Whether none of the findings is an error."""
+    """Returns whether no finding is an error."""
     return all(f.severity != "error" for f in findings)
 
 
@@ -123,7 +123,7 @@ def _description(reader: SessionReader) -> list[FileFinding]:
     except GlovetrackError as error:
         return [FileFinding("error", str(error), "attachments")]
     if info.rig is None and any(t.startswith("/camera/") for t in reader.topic_names):
-        what = "the stereo calibration or where it stands is missing"
+        what = "the stereo calibration or its position is missing"
         return [FileFinding("warning", what, "camera")]
     return []
 
@@ -183,11 +183,11 @@ def _follow(track: _Track, m: RawMessage) -> None:
 
 
 def _judge_delay(track: _Track, step: int, delay: int) -> None:
-    """Tell late arrivals from a clock that jumps.
+    """Distinguishes late arrivals from a clock that jumps.
 
-    Where the host has no time for a message it arrives late while the stamps go on; its delay is
-    back at the usual one afterwards, perhaps at once where messages were lost. A clock that jumps
-    moves the stamps: back, or so far ahead that the delay falls below the usual one.
+    On an overloaded host a message arrives late while the stamps continue; the delay then returns
+    to the usual one, immediately if messages were lost. A clock that jumps moves the stamps: back,
+    or so far ahead that the delay falls below the usual one.
     """
     change = delay - track.last_delay
     if abs(change) <= _CLOCK_JUMP_NS:
@@ -224,7 +224,7 @@ def _times(n: int) -> str:
 
 
 def _damage_text(log_times: list[int], start_ns: int) -> str:
-    """How many messages are damaged, and when (s from the start) the first of them came."""
+    """Returns the number of damaged messages, and the time of the first (s from the start)."""
     after = [max(t - start_ns, 0) / 1e9 for t in sorted(log_times)]
     first = ", ".join(f"{s:.2f} s" for s in after[:MOST_NAMED])
     more = ", …" if len(after) > MOST_NAMED else ""

@@ -28,18 +28,18 @@ GB = 1e9
 
 @dataclass(frozen=True)
 class RecorderParams:
-    """``images``: jpeg, png (lossless) or none (blobs only)."""
+    """``images``: jpeg, png (lossless) or none (only blobs)."""
 
     images: str = "jpeg"
     jpeg_quality: int = 90
     compression: str = "lz4"  # or zstd, none
     chunk_bytes: int = 64 * 1024
-    chunk_s: float = 0.4  # a kill loses this much and what is underway
+    chunk_s: float = 0.4  # a kill loses at most this much and what is being written
     warn_free_gb: float = 5.0
     stop_free_gb: float = 1.0
     check_disk_s: float = 2.0
     sync: bool = True  # hold against a loss of power too
-    sync_beside: bool = False  # in a thread of its own: writing does not wait for the disk
+    sync_in_thread: bool = False  # in a thread of its own: writing does not wait for the disk
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ class RecorderStatus:
 
 
 def load_describer() -> Callable[[SessionInfo], str]:
-    """What describes the hand of a file. It comes late, with scipy, which takes a second: a process
-    that waits for a recording calls this meanwhile, lest a recording's first second be missing."""
+    """Imports the description of the hand, with scipy, which takes a second. A process that waits
+    for a recording calls this before, so that a recording's first second is not missing."""
     from tracker.session.export.urdf import robot_description
 
     return robot_description
@@ -98,7 +98,7 @@ class SessionRecorder:
     def _open(self) -> McapOutput:
         p = self.params
         chunk_ns = round(p.chunk_s * 1e9)
-        sync = (p.sync, p.sync_beside)
+        sync = (p.sync, p.sync_in_thread)
         return McapOutput(self.path, p.compression, p.chunk_bytes, chunk_ns, *sync)
 
     def _write_start(self, out: McapOutput) -> None:
@@ -135,11 +135,11 @@ class SessionRecorder:
         return self._out is None
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
-        """Take one message. While ``overloaded``, images are left out and counted: False.
+        """Writes one message. While ``overloaded``, images are left out and counted: returns False.
 
-        ``side`` is the hand's that it is of, in a session of both.
+        ``side``: the hand of the message, in a session of both.
 
-        FrameResult has no place in a session: it follows from the rest.
+        FrameResult is not written: it follows from the rest.
         """
         if isinstance(message, StereoFrame):
             self._thinned += overloaded
@@ -161,7 +161,7 @@ class SessionRecorder:
         self._guarded(lambda out: out.attach_bytes(name, kind, data, when))
 
     def flush(self) -> None:
-        """Nothing: what is taken is in the file, or in the chunk that is filled next."""
+        """Does nothing: messages are in the file, or in the current chunk."""
 
     def write_packed(self, frame: PackedFrame) -> None:
         """Images that are compressed already, byte for byte."""
@@ -181,7 +181,7 @@ class SessionRecorder:
         self._guarded(lambda out: self._put(out, self._of(side).truth(truth)))
 
     def write_rig(self, rig: StereoRig, t: float) -> None:
-        """A calibration that holds from ``t`` on."""
+        """Writes a calibration that is valid from ``t`` on."""
         self.info = replace(self.info, rig=rig)
         self._guarded(lambda out: self._put(out, self._encoder.rig(rig, t)))
 
@@ -204,7 +204,7 @@ class SessionRecorder:
         raise FileError(notice("recording.disk_full", folder=disk, left=left))
 
     def _guarded(self, work: Callable[[McapOutput], None]) -> None:
-        """Do ``work``; if the disk gives out, close what there is and tell."""
+        """Calls ``work``; if the disk fails, closes the file and raises."""
         if self._out is None:
             raise FileError(notice("recording.has_ended", path=self.path))
         try:

@@ -22,7 +22,7 @@ import tracker
 from extensions.evaluation.vist.cases import Case
 from extensions.evaluation.vist.metrics import Trial
 from tracker.base.errors import ConfigError, FileError
-from tracker.base.files import sha256, slug, write_kept
+from tracker.base.files import sha256, slug, write_with_folder
 
 PROGRAM = "program.txt"
 CASE = "case"  # stored in the file with the fields of a trial
@@ -62,8 +62,8 @@ class StoredTrials:
         values = {f.name: np.asarray(getattr(trial, f.name)) for f in fields(Trial)}
         np.savez_compressed(data, allow_pickle=False, **{CASE: np.array(_text(case)), **values})
         if not (self._folder / PROGRAM).is_file():
-            write_kept(self._folder / PROGRAM, self._program)
-        write_kept(self._path(case, trial.participant), data.getvalue())
+            write_with_folder(self._folder / PROGRAM, self._program)
+        write_with_folder(self._path(case, trial.participant), data.getvalue())
 
     def _path(self, case: Case, participant: int) -> Path:
         text = _text(case)

@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import ConfigError, FileError
-from tracker.base.files import write_kept
+from tracker.base.files import write_with_folder
 from tracker.base.notices import notice
 from tracker.calibration.stereo.checks import require_plausible
 from tracker.messages import Array
@@ -46,7 +46,7 @@ def save_calibration(
 
     Raises FileError where the file cannot be written.
     """
-    write_kept(path, calibration_text(left, right, R, T, note))
+    write_with_folder(path, calibration_text(left, right, R, T, note))
 
 
 def calibration_text(

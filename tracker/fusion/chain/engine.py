@@ -53,7 +53,7 @@ class ChainKept:
     holds: list[Hold] = field(default_factory=list)
 
 
-class PoseReset:
+class PoseAlignment:
     """Aligns the joints with a flat hand that the wearer holds, fingers straight ahead."""
 
     def __init__(self, tracker: ChainTracker, layout: ChainLayout) -> None:
@@ -108,7 +108,7 @@ class ChainEngine(Engine):
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
         self.wearer = self._tracker.wearer
         self.wearer.changed = self._timeline.rebuild_head
-        self._pose_reset = PoseReset(self._tracker, self._layout)
+        self._pose_reset = PoseAlignment(self._tracker, self._layout)
 
     # ---- messages
 

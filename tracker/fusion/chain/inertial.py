@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from tracker.base.notices import Notice, notice, warning
-from tracker.fusion.chain.engine import ChainEngine, PoseReset
+from tracker.fusion.chain.engine import ChainEngine, PoseAlignment
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pose_reset import doubt_drift, heading, turn
 from tracker.fusion.chain.state import ChainState
@@ -63,7 +63,7 @@ class InertialTracker(ChainTracker):
         return True
 
 
-class InertialPoseReset(PoseReset):
+class InertialPoseAlignment(PoseAlignment):
     """Aligns the heading too, and allows for what segments have drifted about the vertical."""
 
     def refusal(self) -> Notice | None:
@@ -99,7 +99,7 @@ class InertialEngine(ChainEngine):
         match = replace(params.match, max_frame_delay=LAG)
         # the camera that the chain asks for is never looked through
         super().__init__(hand, glove, ideal_rig(), replace(params, match=match))
-        self._pose_reset = InertialPoseReset(self._tracker, self._layout)
+        self._pose_reset = InertialPoseAlignment(self._tracker, self._layout)
         self._results: list[FrameResult] = []
 
     def feed_imu(self, sample: ImuSample) -> Estimate:

@@ -1,6 +1,6 @@
-"""The surface of a hand: a closed mesh made of the hand's file, which follows its joints.
+"""The surface of a hand: a closed mesh built from the hand file, which follows its joints.
 
-`form` lays round cones along the bones, muscles and forearm; `field` blends them into one distance;
-`polygons` makes a mesh where that is zero; `weights` says which bones each point follows; `mesh`
-puts it together; `posing` moves it.
+`form` places round cones along the bones, muscles and forearm; `field` blends them into one
+distance; `mesh` builds a mesh where that is zero and assigns the bones that each point follows;
+`posing` moves it.
 """

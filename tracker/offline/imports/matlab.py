@@ -32,12 +32,12 @@ _RATES = ("sampling_rate", "rate", "fs")
 
 
 def read_matlab(path: Path, imu: str) -> ImportedSamples:
-    """``imu``: the name of one that has none. Raises FileError for what is no such file."""
+    """``imu``: the name of one without a name. Raises FileError for another kind of file."""
     found = _loaded(path)
     parts = {imu: found} | {n: vars(v) for n, v in found.items() if hasattr(v, "_fieldnames")}
     pairs = {name: _pair(name, part, path) for name, part in parts.items() if _has_both(part)}
     if not pairs:
-        raise FileError(f"{path} holds no 'acc' and 'gyr' of an IMU.")
+        raise FileError(f"{path} contains no 'acc' and 'gyr' of an IMU.")
     lengths = {len(acc) for acc, _ in pairs.values()}
     if len(lengths) > 1 or lengths == {0} or max(lengths) > MOST:
         raise FileError(f"The IMUs in {path} have no samples, too many, or not the same number.")
@@ -118,7 +118,7 @@ def _time(found: dict[str, Any], n: int, path: Path) -> Array:
             if 1.0 <= rate <= 1e5:
                 return np.asarray(np.arange(n) / rate)
             raise FileError(f"{path}: {name} is {rate:g} Hz, not between 1 and 100 000.")
-    raise FileError(f"{path} tells neither t nor a rate ({', '.join(_RATES)}).")
+    raise FileError(f"{path} contains neither t nor a rate ({', '.join(_RATES)}).")
 
 
 def _numbers(value: Any, shape: tuple[int, ...], what: str) -> Array:

@@ -26,12 +26,12 @@ GAP = 0.05
 RATE = 100.0
 """Hz to which faster recordings are averaged, as the glove itself is sampled."""
 FASTEST = 1.5
-"""Times `RATE` up to which a recording is left as it is."""
+"""Times `RATE` up to which the rate of a recording is not changed."""
 
 
 class ImportedPackets(NamedTuple):
     """t (N,) s from ``began_ns`` since 1970 (None: unknown), accel m/s² and gyro rad/s (N, n, 3) of
-    the glove's n IMUs, NaN where there is none; ``clocks`` where one file of ours tells them."""
+    the glove's n IMUs, NaN where missing; ``clocks`` if it is one file of ours with clocks."""
 
     t: Array
     accel: Array
@@ -40,7 +40,7 @@ class ImportedPackets(NamedTuple):
     clocks: Clocks | None
 
     def samples(self) -> Iterator[ImuSample]:
-        """Messages, from 0 s on; what is missing is not valid."""
+        """Yields the packets, from 0 s on; missing readings are marked invalid."""
         motion = np.concatenate([self.accel, self.gyro], axis=2)
         valid: NDArray[np.bool_] = np.asarray(np.isfinite(motion).all(axis=2))
         first = self.t[0]
@@ -57,9 +57,9 @@ class ImportedPackets(NamedTuple):
 
 
 def chosen(names: Sequence[str], imus: Sequence[str], asked: dict[str, str]) -> dict[str, str]:
-    """IMU of the glove to IMU of the files: as ``asked``, else of the same name, else the only one.
+    """Maps IMUs of the glove to IMUs of the files: as ``asked``, by name, or the only one.
 
-    Raises ConfigError, naming what there is.
+    Raises ConfigError that lists the IMUs.
     """
     there = f"There are {', '.join(names)} in the files and {', '.join(imus)} on the glove."
     for imu, name in asked.items():
@@ -78,10 +78,10 @@ def chosen(names: Sequence[str], imus: Sequence[str], asked: dict[str, str]) -> 
 def together(
     files: Sequence[ImportedSamples], imus: Sequence[str], wanted: dict[str, str]
 ) -> ImportedPackets:
-    """Raises FileError where the files have no time in common, or only some tell the calendar's."""
-    has_start = {f.began_ns is not None for f in files}
-    if len(has_start) > 1:
-        raise FileError("Only some of the files tell the time of day; they cannot be put together.")
+    """Raises FileError if the files do not overlap in time, or only some contain the date."""
+    dated = {f.began_ns is not None for f in files}
+    if len(dated) > 1:
+        raise FileError("Only some of the files contain the time of day; they cannot be combined.")
     began = min((f.began_ns for f in files if f.began_ns is not None), default=None)
     shifted = [f.t + (0.0 if began is None else ((f.began_ns or 0) - began) * 1e-9) for f in files]
     used = [k for k, f in enumerate(files) if set(wanted.values()) & set(f.names)]
@@ -126,7 +126,7 @@ def at_instants(t_old: Array, values: Array, t: Array) -> Array:
 
 
 def _means(at: Array, values: Array, t: Array, step: float) -> Array:
-    """Means of what lies within half a ``step`` (s) of each instant; NaN where nothing does."""
+    """Returns means of the samples within half a ``step`` (s) of each instant; else NaN."""
     first, last = np.searchsorted(at, t - step / 2), np.searchsorted(at, t + step / 2)
     sums = np.concatenate([np.zeros((1, 3)), np.cumsum(values, axis=0)])
     count = (last - first).astype(float)
@@ -137,7 +137,7 @@ def _means(at: Array, values: Array, t: Array, step: float) -> Array:
 FOLDERS_FILE = "Inertial.csv"
 """What x-IMU3's program writes in a folder for each IMU."""
 ENGINE = "inertial"
-"""Default engine of such a session, which has no images."""
+"""The default engine for such a session, which has no images."""
 
 
 @dataclass(frozen=True)
@@ -152,9 +152,9 @@ class ImportOptions:
 def import_imus(
     sources: list[Path], out: Path, options: ImportOptions | None = None, force: bool = False
 ) -> dict[str, Any]:
-    """Write a session of the samples in ``sources``; what became of them.
+    """Writes a session of the samples in ``sources``; returns a summary.
 
-    Raises ConfigError and FileError in words.
+    Raises ConfigError and FileError.
     """
     options = options or ImportOptions()
     paths = [path for source in sources for path in _files(source)]
@@ -203,7 +203,7 @@ def _read(path: Path) -> ImportedSamples:
 
 
 def _began(path: Path, packets: ImportedPackets) -> int:
-    """Where the file tells no time of day, its last change is taken for its end."""
+    """Without a time of day in the file, its last modification is used as its end."""
     return path.stat().st_mtime_ns - round(float(packets.t[-1] - packets.t[0]) * NS)
 
 

@@ -1,4 +1,4 @@
-"""Samples of IMUs as other programs' files tell them."""
+"""Samples of IMUs from other programs' files."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PLAUSIBLE = (0.7, 1.4)
 
 
 class Clocks(NamedTuple):
-    """What a file of ours tells beside `Samples.t`: (N,) s of arrival, (N,) s of the glove's own
+    """Clocks in a file of ours besides `Samples.t`: (N,) s of arrival, (N,) s of the glove's own
     clock, NaN where unknown, and numbers of packets (N,), -1 where unknown."""
 
     arrival: Array
@@ -36,7 +36,7 @@ class Clocks(NamedTuple):
 class ImportedSamples:
     """Of one file: names (n), t (N,) s, accel m/s² and gyro rad/s (N, n, 3), NaN where missing.
 
-    ``began_ns`` is the instant of t = 0 since 1970 where the file tells it.
+    ``began_ns`` is the instant of t = 0, ns since 1970, if the file contains it.
     """
 
     names: tuple[str, ...]
@@ -54,9 +54,9 @@ class ImportedSamples:
     def rows(self, rows: IntArray) -> ImportedSamples:
         """Some of the samples."""
         c = self.clocks
-        kept = None if c is None else Clocks(c.arrival[rows], c.device[rows], c.seq[rows])
+        clocks = None if c is None else Clocks(c.arrival[rows], c.device[rows], c.seq[rows])
         return replace(
-            self, t=self.t[rows], accel=self.accel[rows], gyro=self.gyro[rows], clocks=kept
+            self, t=self.t[rows], accel=self.accel[rows], gyro=self.gyro[rows], clocks=clocks
         )
 
 

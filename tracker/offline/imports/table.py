@@ -1,7 +1,7 @@
-"""CSV tables of IMUs: x-IMU3's, our own, and others whose header tells units.
+"""CSV tables of IMUs: x-IMU3's, our own, and others whose header contains units.
 
-A header names a column as ``Gyroscope X (deg/s)``, ``hand_acc_x [m/s^2]`` and the like; what stands
-before the quantity is the IMU's name, and where nothing does it is the file's.
+A header names a column as ``Gyroscope X (deg/s)``, ``hand_acc_x [m/s^2]`` and the like; the text
+before the quantity is the IMU's name, by default that of the file.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _TIME = re.compile(
     re.IGNORECASE,
 )
 _LONGEST_LINE = 100_000  # characters
-_LONGEST_NAME = 200  # characters of a column's name: what finds units in it takes longer than that
+_LONGEST_NAME = 200  # characters of a column's name: longer ones take too long to search for units
 _MOST_NUMBERS = 100_000_000
 """Of one file, 0.8 GB of memory: five hours of seven IMUs at 100 Hz."""
 _CLOCKS = ("time", "arrived", "device")
@@ -60,7 +60,7 @@ class _Column(NamedTuple):
 def read_table(path: Path, imu: str) -> ImportedSamples:
     """``imu``: the name of one that the header does not name.
 
-    Raises FileError, naming the line, for what is no such table.
+    Raises FileError with the line for an invalid table.
     """
     try:
         check_regular(path)
@@ -77,7 +77,7 @@ def read_table(path: Path, imu: str) -> ImportedSamples:
 
 
 def _short(file: TextIO, path: Path) -> Iterator[str]:
-    """Lines, none read beyond its bound: a file without line ends does not fill the memory."""
+    """Yields lines up to a maximum length: a file without line ends does not fill the memory."""
     n = 0
     while line := file.readline(_LONGEST_LINE + 1):
         n += 1
@@ -87,7 +87,7 @@ def _short(file: TextIO, path: Path) -> Iterator[str]:
 
 
 def _column(cell: str, imu: str, path: Path) -> _Column | None:
-    """None for one that is none of ours. Raises FileError for units that are not known."""
+    """None for a column that is not used. Raises FileError for unknown units."""
     if len(cell) > _LONGEST_NAME:
         return None
     if cell == "packet":
@@ -113,7 +113,8 @@ def _clock(word: str) -> str:
 
 
 class _Table(NamedTuple):
-    """Numbers by column, NaN where empty; ``whole`` those of clocks as integers, -1 where none."""
+    """Returns numbers by column, NaN where empty; ``whole``: of clocks, as integers, -1 where
+    empty."""
 
     values: dict[int, Array]
     whole: dict[int, IntArray]
@@ -207,7 +208,7 @@ def _seconds(
     values, whole = table.values[k], table.whole[k]
     known = np.flatnonzero(np.isfinite(values))
     if len(known) == 0:
-        raise FileError(f"{path} holds no sample.")
+        raise FileError(f"{path} contains no sample.")
     first = int(known[0])
     began = values[first] * column.factor
     if began < SINCE_1970:

@@ -18,7 +18,7 @@ class Axes:
     """``rows`` (3, 3): the new axes in G (x forward, y left, z up)."""
 
     rows: Array
-    words: str
+    description: str
 
     @property
     def left_handed(self) -> bool:

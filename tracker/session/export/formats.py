@@ -34,7 +34,7 @@ COPIED = ("start", "stop", "anonymous")
 
 @dataclass(frozen=True)
 class ExportFormat:
-    """``name`` is what ``--format`` takes and the ending of a file; ``title`` is for menus, in
+    """``name`` is the value of ``--format`` and the ending of a file; ``title`` is for menus, in
     English.
 
     Exactly one of ``writer`` and ``dataset`` is given. Both import their module when they are
@@ -43,8 +43,8 @@ class ExportFormat:
     data sets gets several sessions, and returns what the JSON file next to the data set contains.
 
     ``options``: the fields of `ExportOptions` that the format supports. ``both_hands``: one file
-    contains both hands; of other formats there is a file for each. ``folder``: it makes a folder.
-    ``beside``: endings, in place of the file's own, of further files that the writer makes.
+    contains both hands; of other formats there is a file for each. ``folder``: it creates a folder.
+    ``beside``: endings, instead of the file's own, of further files that the writer creates.
     ``extra``: what to install with pip if a package is missing. ``order``: position in menus.
     """
 

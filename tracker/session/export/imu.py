@@ -20,7 +20,7 @@ own clock, and the packet's number."""
 
 
 def export_imu_csv(reader: SessionReader, path: Path, options: ExportOptions) -> None:
-    """Units stand in the header; what did not answer is empty. Raises FileError without IMUs."""
+    """The header contains the units; missing readings are empty. Raises FileError without IMUs."""
     raw = _chosen(reader, options)
     names, values = columns(raw)
     with path.open("w", encoding="utf-8", newline="\n") as out:

@@ -21,7 +21,7 @@ class JointMotion(NamedTuple):
     turn: Array
 
     def median_offset(self, otherwise: Array) -> Array:
-        """(S, 3) m over what is known, ``otherwise`` (S, 3) where nothing is."""
+        """Returns means (S, 3) m of known values, ``otherwise`` (S, 3) without any."""
         known: NDArray[np.bool_] = np.asarray(np.isfinite(self.offset).all(axis=2))
         rows = [
             np.median(self.offset[known[:, s], s], axis=0) if known[:, s].any() else otherwise[s]
@@ -32,9 +32,9 @@ class JointMotion(NamedTuple):
     def flexed_last(self) -> Array:
         """(N, S, 3) abduction, twist, flexion of all joints, turned in this order: Rz Rx Ry.
 
-        Abduction and flexion are those of the Rz Ry nearest to a turn, which joints without twist
-        are given (`tracker.geometry.so3.joint_angles`): what is left turns about the axis that is
-        orthogonal to both. Unlike in Rz Ry Rx no two axes meet where a finger is flexed by 90°.
+        Abduction and flexion are those of the nearest rotation Rz Ry, as for joints without twist
+        (`tracker.geometry.so3.joint_angles`): the remaining rotation is about the axis orthogonal
+        to both. Unlike in Rz Ry Rx, no two axes coincide when a finger is flexed by 90°.
         """
         out = np.full(self.turn.shape[:3], np.nan)
         R = self.turn

@@ -19,10 +19,10 @@ def load_series(
     axes: str = "z-up",
     segments: bool = False,
 ) -> EstimateSeries:
-    """Estimates of a session, as ``options`` ask; ``even``: the format has one rate only;
+    """Reads the estimates of a session with ``options``; ``even``: the format has one fixed rate;
     ``segments``: with the poses of all segments, which take most of the time to read.
 
-    Raises FileError if the session holds none.
+    Raises FileError if the session contains none.
     """
     series = recorded_series(reader, segments).between(options.start, options.stop)
     rate = options.rate
@@ -42,7 +42,7 @@ def load_series(
         series = replace(series, stamp_ns=series.stamp_ns - zero, zero_ns=zero)
     notes: dict[str, object] = {
         "axes": named,
-        "axes_are": AXES[named].words,
+        "axes_are": AXES[named].description,
         "resampled_hz": rate,
     }
     return replace(series, notes=notes)

@@ -29,14 +29,14 @@ class Markers(NamedTuple):
 
 
 class Sizes(NamedTuple):
-    """Factors (C, S, 3) of a session's calibrations, the nominal size first, and from when on
-    (C,) ns each holds."""
+    """Factors (C, S, 3) of a session's calibrations, the nominal size first, and the instants (C,)
+    ns from which on each is valid."""
 
     since_ns: IntArray
     scale: Array
 
     def at(self, stamp_ns: IntArray) -> IntArray:
-        """(N,) which of them holds at each instant."""
+        """Returns (N,) the one that is valid at each instant."""
         return np.maximum(np.searchsorted(self.since_ns, stamp_ns, side="right") - 1, 0)
 
 
@@ -65,11 +65,11 @@ def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
 
 
 def dorsal_points(reader: SessionReader, m: EstimateSeries) -> Markers:
-    """One point above the back of each segment, without which the turn of a bone about its own
-    line, and the bend of a finger that is nearly straight, are poorly determined by points."""
+    """Returns one point above the back of each segment. Without it, the rotation of a bone about
+    its axis, and the flexion of a nearly straight finger, can hardly be derived from points."""
     hand = m.info.hand
-    place = np.array([[0.5 * s.length, 0.0, ABOVE] for s in hand.segments])
-    return carried(reader, m, dorsal_names(hand), np.arange(len(place)), place)
+    position = np.array([[0.5 * s.length, 0.0, ABOVE] for s in hand.segments])
+    return carried(reader, m, dorsal_names(hand), np.arange(len(position)), position)
 
 
 def carried(
@@ -77,13 +77,14 @@ def carried(
     m: EstimateSeries,
     names: tuple[str, ...],
     segment: IntArray,
-    place: Array,
+    position: Array,
 ) -> Markers:
-    """Points at ``place`` (M, 3) m in the B of their ``segment`` (M,), as if of nominal size."""
+    """Returns points at ``position`` (M, 3) m in the B of their ``segment`` (M,), of nominal
+    size."""
     info, sizes = m.info, read_sizes(reader)
     scale = sizes.scale[:, segment]  # (C, M, 3)
     own = np.array([1.0, -1.0, 1.0]) if AXES[str(m.notes["axes"])].left_handed else np.ones(3)
-    offset = (place * scale * own)[sizes.at(m.stamp_ns + m.zero_ns)]
+    offset = (position * scale * own)[sizes.at(m.stamp_ns + m.zero_ns)]
     q, p = m.segment_q[:, segment], m.segment_p[:, segment]
     position = np.full(p.shape, np.nan)
     known = np.isfinite(q).all(axis=2) & np.isfinite(p).all(axis=2)
@@ -103,6 +104,6 @@ def dorsal_names(hand: HandModel) -> tuple[str, ...]:
 
 
 def _base_of(segments: IntArray, count: int) -> IntArray:
-    """(S,) row of the first keypoint of each segment; 0 where it has none."""
+    """Returns (S,) the row of the first keypoint of each segment; 0 without one."""
     first = {int(s): k for k, s in reversed(list(enumerate(segments)))}
     return np.array([first.get(s, 0) for s in range(count)], np.int64)

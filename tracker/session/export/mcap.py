@@ -1,4 +1,4 @@
-"""MCAP: the session itself, or a part of it, without personal data."""
+"""MCAP: the session itself, or a part of it, without data that must not be published."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tracker.session.message_check import check_message, sound
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, topics
 
-_TELLS_OF_THE_PERSON = ("source",)  # a file's name holds the participant's
+_IDENTIFYING = ("source",)  # a file's name contains the participant's
 
 
 def export_mcap(reader: SessionReader, path: Path, options: ExportOptions) -> None:
@@ -37,11 +37,11 @@ def copy_part(
     options: ExportOptions,
     state: bytes | None = None,
 ) -> None:
-    """The messages with log times (ns) of ``span``, and the last values before it until they are
-    repeated; damaged ones are left out.
+    """Copies the messages with log times (ns) of ``span``, and the values from before that are
+    valid until they are published again; damaged ones are left out.
 
-    ``state``: what an engine knows at the start of the part, as `engine_state.pack` gives it. A
-    part says of itself that it began when it does.
+    ``state``: an engine's state at the start of the part, from `engine_state.pack`. The clocks of a
+    part begin with it.
     """
     start, end = span
     out = McapOutput(path, sync=False)
@@ -62,7 +62,7 @@ def copy_part(
 
 
 def copy_extras(reader: SessionReader, out: McapOutput, without: Sequence[str] = ()) -> None:
-    """What a session says of itself, and all its attachments but those named ``without``."""
+    """Copies a session's metadata and all its attachments but those named ``without``."""
     _write_extras(reader, out, ExportOptions(), 0, without)
 
 
@@ -96,7 +96,7 @@ def _write_extras(
             values |= _begun_at(values, start)
             values |= {k: "" for k in options.anonymous if k in values}
             if "participant" in options.anonymous:
-                values = {k: v for k, v in values.items() if k not in _TELLS_OF_THE_PERSON}
+                values = {k: v for k, v in values.items() if k not in _IDENTIFYING}
         out.metadata(record.name, values)
     for a in reader.source.attachments():
         if a.name in without or (a.name == engine_state.NAME and a.log_time < start):
@@ -108,7 +108,7 @@ def _write_extras(
 
 
 def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
-    """The same two clocks, read at the start of the part (ns): no stamp changes by it."""
+    """Returns the same two clocks, anchored at the start of the part (ns); stamps do not change."""
     try:
         wall, monotonic = int(values["wall_clock_ns"]), int(values["monotonic_ns"])
     except (KeyError, ValueError):
@@ -119,22 +119,22 @@ def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
 
 
 def _standing_topics(reader: SessionReader) -> list[str]:
-    """Topics whose last message holds until the next."""
+    """Returns the topics whose last message is valid until the next."""
     sides = [hand.side for hand in reader.info.hands]
     hand = [topics.hand(s, what) for s in sides for what in ("states", "calibration")]
     camera = [topics.camera_info(c) for c in EYES]
-    told_once = ("robot_description", "model")  # in this order: the second is read with the first
-    robot = [t for t in reader.topic_names if topics.robot_of(t)[1] in told_once]
+    latched = ("robot_description", "model")  # in this order: the second is read with the first
+    robot = [t for t in reader.topic_names if topics.robot_of(t)[1] in latched]
     return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand, *sorted(robot, reverse=True)]
 
 
 def _is_note(m: RawMessage) -> bool:
-    """Whether a message is a note, or an event that is none of ours and may be one."""
+    """Returns whether a message is a note, or another program's event, which may be one."""
     if m.topic != topics.EVENTS:
         return False
     text = motion.unpack_string(m.data)
     try:
-        said = json.loads(text)
+        content = json.loads(text)
     except json.JSONDecodeError:
         return True
-    return not isinstance(said, dict) or said.get("kind", "note") == "note"
+    return not isinstance(content, dict) or content.get("kind", "note") == "note"

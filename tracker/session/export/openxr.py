@@ -1,4 +1,4 @@
-"""OpenXR's joints in place of our keypoints."""
+"""OpenXR's joints instead of our keypoints."""
 
 from __future__ import annotations
 

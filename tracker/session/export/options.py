@@ -13,7 +13,7 @@ VIEWS = ("left", "right", "3d", "curves")
 """What films and drawn images show: the cameras, the hand in 3D, flexions over time."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
 OPENXR = "openxr"
-"""In place of names of joints: OpenXR's 26, in OpenXR's world unless axes are asked for."""
+"""Instead of names of joints: OpenXR's 26, in OpenXR's world unless axes are given."""
 UNITS = {"m": 1.0, "cm": 100.0, "mm": 1000.0}
 """How many of each make a metre."""
 BONE_AXES = "x along the bone to its tip, z out of the back of the hand"
@@ -29,9 +29,9 @@ HIDEABLE = (*PERSONAL, "hand", "time")
 
 @dataclass(frozen=True)
 class DatasetOptions:
-    """``task``: what is done, in a sentence; without one, the note an episode begins with or the
-    session's own notes. ``split``: an episode from each note to the next, not one of each session.
-    ``images`` one of `IMAGES`. Raises ConfigError for another.
+    """``task``: a description; by default the note that an episode begins with, or the session's
+    notes. ``split``: an episode from each note to the next, not one per session. ``images``: one of
+    `IMAGES`. Raises ConfigError for another.
     """
 
     task: str = ""
@@ -45,11 +45,11 @@ class DatasetOptions:
 
 @dataclass(frozen=True)
 class ExportOptions:
-    """None keeps what the session or the format has. Raises ConfigError for what cannot be.
+    """None: as in the session or the format. Raises ConfigError for invalid values.
 
     ``rate`` Hz; ``start``, ``stop`` s from the first estimate; ``joints`` keypoints and angles to
-    keep, or ("openxr",); ``anonymous`` what is left out, of `HIDEABLE`; ``every`` n-th image is
-    drawn, as ``views`` side by side; ``dataset`` of formats that hold many sessions.
+    export, or ("openxr",); ``anonymous`` fields to omit, of `HIDEABLE`; ``every`` n-th image is
+    drawn, as ``views`` side by side; ``dataset`` for formats of many sessions.
     """
 
     rate: float | None = None

@@ -18,7 +18,7 @@ from tracker.session.export.series import EstimateSeries
 from tracker.session.holes import runs
 
 MOST_ROWS = 1_000_000
-"""Beside twenty for each estimate: more come of stamps that are wrong."""
+"""In addition to twenty for each estimate: more are the result of wrong stamps."""
 
 
 def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
@@ -70,7 +70,7 @@ def sampled_at(m: EstimateSeries, t: Array, rate: float) -> EstimateSeries:
 
 
 def low_passed(m: EstimateSeries, rate: float) -> EstimateSeries:
-    """A Gaussian that halves what lies at 0.4 of the new rate, so that little folds over."""
+    """Returns a Gaussian whose gain is one half at 0.4 of the new rate, against aliasing."""
     sigma = np.sqrt(2 * np.log(2)) / (2 * np.pi * 0.4 * rate) * m.rate  # samples
     reach = max(int(np.ceil(3 * sigma)), 1)
     kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
@@ -85,7 +85,7 @@ def low_passed(m: EstimateSeries, rate: float) -> EstimateSeries:
 
 
 def _smoothed(t: Array, values: Array, kernel: Array) -> Array:
-    """Weighted means along time of what is known, not across holes; what is lost stays lost."""
+    """Returns weighted means over time of known values, not across holes; lost stays lost."""
     flat = values.reshape(len(values), -1)
     out = np.full_like(flat, np.nan)
     for k, column in enumerate(flat.T):

@@ -1,4 +1,4 @@
-"""`export` picks the format, writes the file and a small JSON beside it."""
+"""`export` selects the format, writes the file and a JSON file that describes it."""
 
 from __future__ import annotations
 
@@ -30,14 +30,13 @@ def export(
     watch: Callable[[float], None] = lambda share: None,
     force: bool = False,
 ) -> dict[str, Any]:
-    """Write ``path_in`` as ``format`` to ``path_out``; returns what the JSON beside it says.
+    """Exports ``path_in`` as ``format`` to ``path_out``; returns the content of its JSON file.
 
-    Of a session of both hands a format that holds one gives a file for each, ``path_out`` with
-    ``_left`` and ``_right`` at its name's end; returned is then what both say, by side, as
-    ``hands``. A file and the JSON beside it are there whole or not at all. What exists is replaced
-    only with ``force``, and the session itself never. ``watch`` hears which share of the session
-    has been read, once per pass over it, and may raise to end the export. Raises GlovetrackError
-    in words.
+    In a session of both hands, a format for one hand gives a file for each, ``path_out`` with
+    ``_left`` and ``_right`` at the end of its name; the result then contains both, by side, as
+    ``hands``. A file and its JSON file are complete or absent. Existing files are replaced only
+    with ``force``, the session itself never. ``watch`` is called with the share of the session that
+    has been read, per pass over it, and may raise to stop the export. Raises GlovetrackError.
     """
     kind = FORMATS.get(format)
     options = options or ExportOptions()
@@ -103,7 +102,7 @@ def _export_one(
     others = [path_out.with_suffix(ending) for ending in kind.beside]
     forget_orphan(sidecar, path_out)
     names = (sidecar, *others, path_out)
-    with whole_files(*names, force=force, inputs=[path_in]) as (beside, *parts, partial):
+    with whole_files(*names, force=force, inputs=[path_in]) as (described, *parts, partial):
         with SessionReader(path_in, watch=watch, side=side) as reader:
             series = write(reader, partial, options)
             report = _report(reader, kind.name, path_out, options, series)
@@ -111,7 +110,7 @@ def _export_one(
                 report["left_out"] = reader.source.left_out.by_topic()
         if parts:
             report[BESIDE] = {part.name: sha256(part) for part in parts}
-        beside.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
+        described.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
     return report
 
 
@@ -150,9 +149,9 @@ def _report(
 
 
 def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
-    """Of each keypoint the shares of rows that it was measured, inferred, lost, and the mean sd (m)
-    where it was not lost: what a BVH, a TRC or a URDF has no place for. In an edited session also
-    the share that was interpolated, which is part of what was inferred."""
+    """Returns for each keypoint the shares of rows in which it was measured, inferred and lost, and
+    the mean sd (m) unless lost, which a BVH, a TRC or a URDF cannot contain. In an edited session
+    also the interpolated share, which is part of the inferred one."""
     out: dict[str, dict[str, float | None]] = {}
     filled = None if series.point_filled is None else series.interpolated
     for k, name in enumerate(series.keypoint_names if len(series) else ()):
@@ -166,7 +165,7 @@ def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
 
 
 def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
-    """Remove personal data and everything from which they could be inferred."""
+    """Removes values that must not be published, and values from which they follow."""
     top, inside = set(), set(anonymous)
     if "participant" in anonymous:  # automatic names of files hold it
         top.add("source")
@@ -178,5 +177,5 @@ def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, An
     if "time" in anonymous:
         top.add("start_ns")
         inside |= {"wall_clock_ns", "monotonic_ns"}
-    kept = {k: v for k, v in report.items() if k not in top}
-    return kept | {"metadata": {k: v for k, v in report["metadata"].items() if k not in inside}}
+    public = {k: v for k, v in report.items() if k not in top}
+    return public | {"metadata": {k: v for k, v in report["metadata"].items() if k not in inside}}

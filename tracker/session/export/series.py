@@ -71,7 +71,7 @@ class EstimateSeries:
 
     @property
     def bone_axes(self) -> str:
-        """Which axes `q` turns, in words."""
+        """Describes the axes that `q` rotates."""
         return BONE_AXES if self.radius is None else OPENXR_AXES
 
     def __len__(self) -> int:
@@ -95,7 +95,7 @@ class EstimateSeries:
         )
 
     def between(self, start: float | None, stop: float | None) -> EstimateSeries:
-        """Those from ``start`` to ``stop``, s from the first. Raises FileError if there is none."""
+        """Returns those from ``start`` to ``stop``, s from the first. Raises FileError if empty."""
         low = -np.inf if start is None else start
         high = np.inf if stop is None else stop
         rows = np.flatnonzero((self.elapsed >= low) & (self.elapsed <= high))
@@ -104,7 +104,8 @@ class EstimateSeries:
         return self.rows(rows)
 
     def only(self, names: tuple[str, ...]) -> EstimateSeries:
-        """Keypoints and angles of those names. Raises ConfigError for a name that is none."""
+        """Returns only keypoints and angles of those names. Raises ConfigError for an unknown
+        one."""
         for name in names:
             if name not in self.keypoint_names and name not in self.joint_names:
                 raise ConfigError(notice("session.no_joint", name=name))
@@ -150,9 +151,9 @@ def recorded_series(reader: SessionReader, segments: bool = True) -> EstimateSer
 
 
 def read_series(reader: SessionReader, segments: bool = True) -> EstimateSeries:
-    """All estimates of the reader's hand, unchanged, in the order of their stamps.
+    """Reads all estimates of the reader's hand, unchanged, in the order of their stamps.
 
-    Without ``segments``, which take most of the time, there are none: (N, 0, 3) and (N, 0, 4).
+    Without ``segments``, which take most of the time, these are (N, 0, 3) and (N, 0, 4).
     """
     side, info = reader.info.side, reader.info
     rows = {f"{side}_{s}": i for i, s in enumerate(info.hand.segment_names)} if segments else {}
@@ -201,7 +202,7 @@ def _with_edits(reader: SessionReader, series: EstimateSeries) -> EstimateSeries
 
 
 def series_of(info: SessionInfo, found: Sequence[Estimate]) -> EstimateSeries:
-    """Estimates in the order of their times; of none, one of no rows."""
+    """Returns estimates in the order of their times; without estimates it has no rows."""
     k, j, s = len(info.keypoint_names), len(info.hand.joint_names), len(info.hand.segments)
     return EstimateSeries(
         info,
@@ -230,10 +231,10 @@ def _quaternions(R: Array) -> Array:
     return q
 
 
-def state_words(state: IntArray, filled: Mask) -> list[str]:
+def state_names(state: IntArray, filled: Mask) -> list[str]:
     """measured, inferred, interpolated or lost for each number."""
-    words = [Validity(int(s)).name.lower() for s in state]
-    return [WORD if f else w for w, f in zip(words, filled, strict=True)]
+    names = [Validity(int(s)).name.lower() for s in state]
+    return [WORD if f else name for name, f in zip(names, filled, strict=True)]
 
 
 def seconds_text(ns: int) -> str:

@@ -1,4 +1,4 @@
-"""The JSON beside an export, and what a killed export leaves of it."""
+"""The JSON file that describes an export, and its remains after a killed export."""
 
 from __future__ import annotations
 
@@ -20,12 +20,14 @@ def forget_orphan(sidecar: Path, path: Path) -> None:
     if os.path.lexists(path) or not sidecar.is_file():
         return
     try:
-        said = json.loads(read_text(sidecar))
+        content = json.loads(read_text(sidecar))
     except (ValueError, FileError, RecursionError):
         return
-    if not (isinstance(said, dict) and "glovetrack" in said and said.get("file") == path.name):
+    if not (
+        isinstance(content, dict) and "glovetrack" in content and content.get("file") == path.name
+    ):
         return
-    listed = said.get(BESIDE)
+    listed = content.get(BESIDE)
     for name, digest in listed.items() if isinstance(listed, Mapping) else ():
         other = path.parent / Path(str(name)).name
         if other.is_file() and sha256(other) == digest:

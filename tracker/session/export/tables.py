@@ -16,11 +16,11 @@ from tracker.messages import Array, Validity
 from tracker.session.edits import Mask
 from tracker.session.export.load import load_series
 from tracker.session.export.options import UNITS, ExportOptions
-from tracker.session.export.series import EstimateSeries, seconds_text, state_words
+from tracker.session.export.series import EstimateSeries, seconds_text, state_names
 from tracker.session.reader import SessionReader
 
 NUMBERS = ("x", "y", "z", "qx", "qy", "qz", "qw", "sd")
-"""Columns of each keypoint: position, orientation of the bone, and standard deviation."""
+"""The numbers of each keypoint: its position, the bone's orientation, and its sd."""
 
 
 def numbered(m: EstimateSeries) -> tuple[str, ...]:
@@ -60,10 +60,10 @@ def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> Est
 def _row(m: EstimateSeries, i: int, numbers: Array, filled: tuple[Mask, Mask]) -> list[str]:
     """``filled``: (K,) keypoints and (J,) angles that are interpolated."""
     cells = [seconds_text(int(m.stamp_ns[i]))]
-    for point, state in zip(numbers, state_words(m.state[i], filled[0]), strict=True):
+    for point, state in zip(numbers, state_names(m.state[i], filled[0]), strict=True):
         cells += [_cell(float(v)) for v in point]
         cells.append(state)
-    for angle, state in zip(m.angles[i], state_words(m.angle_state[i], filled[1]), strict=True):
+    for angle, state in zip(m.angles[i], state_names(m.angle_state[i], filled[1]), strict=True):
         cells += [_cell(float(angle)), state]
     return cells
 
@@ -73,8 +73,8 @@ def _cell(value: float) -> str:
 
 
 def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``t`` is a UTC timestamp; states are dictionaries of words; axes and units are stated in the
-    schema's metadata. ConfigError without the extra ``parquet``.
+    """``t`` is a UTC timestamp; states are dictionary-encoded names; the schema's metadata contains
+    axes and units. Raises ConfigError without the extra ``parquet``.
     """
     pa, pq = arrow()
     m = load_series(reader, options)
@@ -85,17 +85,17 @@ def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) ->
     for k, name in enumerate(m.keypoint_names):
         for c, what in enumerate(numbered(m)):
             table[f"{name}_{what}"] = pa.array(numbers[:, k, c], from_pandas=True)
-        words = state_words(m.state[:, k], points[:, k])
-        table[f"{name}_state"] = pa.array(words).dictionary_encode()
+        names = state_names(m.state[:, k], points[:, k])
+        table[f"{name}_state"] = pa.array(names).dictionary_encode()
     for j, name in enumerate(m.joint_names):
         table[name] = pa.array(m.angles[:, j], from_pandas=True)
-        words = state_words(m.angle_state[:, j], angles[:, j])
-        table[f"{name}_state"] = pa.array(words).dictionary_encode()
-    pq.write_table(pa.table(table).replace_schema_metadata(_told(m, unit)), path)
+        names = state_names(m.angle_state[:, j], angles[:, j])
+        table[f"{name}_state"] = pa.array(names).dictionary_encode()
+    pq.write_table(pa.table(table).replace_schema_metadata(_metadata(m, unit)), path)
     return m
 
 
-def _told(m: EstimateSeries, unit: str) -> dict[str, str]:
+def _metadata(m: EstimateSeries, unit: str) -> dict[str, str]:
     """What the columns' numbers mean."""
     return {
         "axes": str(m.notes["axes_are"]),
@@ -103,12 +103,12 @@ def _told(m: EstimateSeries, unit: str) -> dict[str, str]:
         "length_unit": unit,
         "angle_unit": "rad",
         "quaternion": "x, y, z, w of the bone that begins at the keypoint",
-        "sd": "root of the mean variance of the keypoint's place",
+        "sd": "root of the mean variance of the keypoint's position",
     }
 
 
 def arrow() -> tuple[ModuleType, ModuleType]:
-    """Arrow, which takes 165 MB and serves Parquet alone. ConfigError without it."""
+    """Imports Arrow, which needs 165 MB and is only for Parquet. Raises ConfigError without it."""
     try:
         import pyarrow
         import pyarrow.parquet

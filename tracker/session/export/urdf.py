@@ -93,15 +93,15 @@ def _chain(
     robot: ET.Element,
     names: tuple[str, str],
     axes: LinkAxes,
-    place: tuple[Array, Array],
+    at: tuple[Array, Array],
 ) -> None:
-    """From a parent to a child: first its place (3,) m with the shifts, then its rest (3, 3) with
-    the turns; links between them are bare."""
+    """Joints from a parent to a child: first its position (3,) m with the shifts, then its rest
+    (3, 3) with the rotations; the links between them are empty."""
     parent, child = names
-    xyz, rest = _numbers(place[0]), _numbers(Rotation.from_matrix(place[1]).as_euler("xyz"))
+    xyz, rest = _numbers(at[0]), _numbers(Rotation.from_matrix(at[1]).as_euler("xyz"))
     steps: list[UrdfAxis | None] = [*axes.shifts, *axes.turns]
     if not axes.turns and (rest != _NOUGHT or not steps):
-        steps.append(None)  # no axis: what is left of place and rest
+        steps.append(None)  # no axis: the remaining position and rest
     for k, axis in enumerate(steps):
         end = child if k == len(steps) - 1 else f"{child}_link_{k + 1}"
         if end != child:
@@ -127,7 +127,7 @@ def _joint(
 
 
 def _moves(joint: ET.Element, axis: UrdfAxis) -> None:
-    """Its axis, and limits that what was tracked keeps."""
+    """Its axis, and limits that include the tracked values."""
     ET.SubElement(joint, "axis", xyz=_VECTOR[axis.letter])
     rates = {"effort": _STRONGEST, "velocity": _FASTEST}
     if axis.kind == "continuous":

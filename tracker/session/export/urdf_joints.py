@@ -1,9 +1,9 @@
-"""What the joints of a URDF have to do so that it stands where the estimates say, at each instant.
+"""Values of the joints of a URDF that reproduce the estimates, at each instant.
 
-A joint of anatomy has the axes and the angles of the session. What these leave out has joints of
-its own, of one axis each: bones whose size was still being found shift the joint at their end, and
-a rotation that was estimated about an axis that the joint has not leans. Their zero is the hand of
-the last calibration, so one who sets the angles alone has that hand.
+An anatomical joint has the axes and the angles of the session. The rest has further joints of one
+axis each: bones whose size was still being estimated shift the joint at their end, and joints of
+kind lean represent rotations about an axis that the joint does not have. Their zero is the hand of
+the last calibration, so setting only the angles gives that hand.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _LETTERS = "xyz"
 
 class UrdfAxis(NamedTuple):
     """A joint of one degree of freedom: ``kind`` of URDF, ``letter`` of its axis, values (N,) m or
-    rad, ``limits`` that hold beside what was tracked."""
+    rad, ``limits`` in addition to the tracked values."""
 
     name: str
     kind: str
@@ -103,7 +103,7 @@ def _joint(m: EstimateSeries, motion: JointMotion, i: int, origin: Array) -> Lin
 
 
 def _angle(m: EstimateSeries, i: int, k: int, turn: Array) -> Array:
-    """(N,) the session's angle; where it says none but knows the segment, nought."""
+    """Returns (N,) the session's angle; 0 if it is missing but the segment is known."""
     column = m.info.hand.axis_columns[i][k]
     known = np.isfinite(turn).all(axis=(1, 2))
     angle = m.angles[:, column]
@@ -115,8 +115,8 @@ def _leans(name: str, turn: Array, angles: Array) -> tuple[UrdfAxis, ...]:
     left = np.full((len(turn), 3), np.nan)
     known = np.isfinite(turn).all(axis=(1, 2)) & np.isfinite(angles).all(axis=1)
     if known.any():
-        said = Rotation.from_euler("ZYX", angles[known])
-        left[known] = (said.inv() * Rotation.from_matrix(turn[known])).as_euler("ZYX")
+        joint = Rotation.from_euler("ZYX", angles[known])
+        left[known] = (joint.inv() * Rotation.from_matrix(turn[known])).as_euler("ZYX")
     used = _used(left, STILL)
     return tuple(
         UrdfAxis(f"{name}_lean_{c}", "revolute", c, left[:, k])

@@ -1,4 +1,4 @@
-"""Fills chosen gaps of a hand: the estimates that take the place of those in a session."""
+"""Fills chosen gaps of a hand: the estimates that replace those of a session."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ class Left(NamedTuple):
 
 @dataclass(eq=False)
 class HandFill:
-    """Of one hand: the estimates between the stamps of ``spans`` (ns), in order, those after each
-    span, which are unchanged, and what was filled."""
+    """For one hand: the estimates between the stamps of ``spans`` (ns), in order, those after each
+    span, which are unchanged, and the filled gaps."""
 
     estimates: list[Estimate] = field(default_factory=list)
     afterwards: list[Estimate] = field(default_factory=list)
@@ -97,7 +97,7 @@ def fill_hand(
 
 
 class _Grid(NamedTuple):
-    """Rows of a span and beside it: their stamps (n,) ns, the estimates they are, -1 for new."""
+    """Rows of a span and next to it: their stamps (n,) ns, the estimates they are, -1 for new."""
 
     stamp_ns: IntArray
     row: IntArray
@@ -163,7 +163,7 @@ class _HandWork:
         self._put(found, sd, (int(at[span[0]]), int(at[span[1]])), out)
 
     def _grid(self, span: tuple[int, int]) -> _Grid:
-        """The rows of a span, those beside it that tell its speed, and new ones in holes."""
+        """Returns the rows of a span, those next to it for its speed, and new ones in holes."""
         a, b = span
         low = int(np.searchsorted(self._t, self._t[a] - SPEED_OVER - _ROUNDING))
         high = int(np.searchsorted(self._t, self._t[b] + SPEED_OVER + _ROUNDING, side="right"))
@@ -194,7 +194,7 @@ class _HandWork:
         return RecordedMotion(t, *parts), states[0], states[1]
 
     def _record(self, gap: Gap, rows: tuple[int, int], found: _Found, out: HandFill) -> bool:
-        """Note what was filled of a gap; False where nothing was."""
+        """Stores the filled part of a gap; returns False if nothing was filled."""
         inside = slice(rows[0] + 1, rows[1])
         columns = self._columns(gap)
         full = [k for k in columns if found.points[inside, k].all() and rows[1] - rows[0] > 1]
@@ -219,7 +219,7 @@ class _HandWork:
         return True
 
     def _deviations(self, found: _Found, gaps: Sequence[tuple[Gap, tuple[int, int]]]) -> Array:
-        """(n, K) m of what was filled; NaN elsewhere."""
+        """Returns (n, K) m of filled values; NaN elsewhere."""
         sd = np.full(found.points.shape, np.nan)
         own = self._estimates(found.grid)
         for gap, (a, b) in gaps:

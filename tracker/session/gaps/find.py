@@ -52,7 +52,7 @@ class Gap:
 
 
 class Interval(NamedTuple):
-    """Rows of the estimates before and after; -1 and N where there is none."""
+    """Rows of the estimates before and after; -1 and N without one."""
 
     kind: str
     before: int
@@ -123,7 +123,7 @@ def hand_gaps(reader: SessionReader, hand: EstimateSeries, limit: float) -> list
 def _is_filled(
     reader: SessionReader, keypoints: tuple[str, ...], start_ns: int, stop_ns: int
 ) -> bool:
-    """Whether an edit interpolated all of what is inferred there."""
+    """Returns whether an edit interpolated all inferred values there."""
     return any(
         f.side == reader.info.side
         and f.start_ns <= start_ns

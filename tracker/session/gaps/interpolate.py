@@ -1,7 +1,8 @@
 """Interpolates a hand across gaps so that its bones keep their lengths.
 
-Not the keypoints are interpolated but what moves them: the hand's pose, the angles of the joints,
-and how each segment stands in its parent. Poses of segments follow from these, parents first.
+Instead of the keypoints, the values that move them are interpolated: the hand's pose, the angles of
+the joints, and the pose of each segment in its parent. Poses of segments follow from these, parents
+first.
 """
 
 from __future__ import annotations
@@ -20,8 +21,8 @@ from tracker.session.description import SessionInfo
 from tracker.session.gaps.merge import merged
 from tracker.session.gaps.methods import CUBIC, LINEAR
 
-SPEED_OVER = 0.08  # s beside a gap from which the speed at its end is taken
-SPEED_FOR = 0.3  # s for which that speed goes on into a gap; longer, a cubic swings far out
+SPEED_OVER = 0.08  # s next to a gap from which the speed at its end is computed
+SPEED_FOR = 0.3  # s for which that speed continues into a gap; longer, a cubic overshoots
 Mask = NDArray[np.bool_]
 Rows = tuple[int, int]
 """The rows before and after a gap."""
@@ -91,12 +92,12 @@ def fill_motion(
     method: str = LINEAR,
     shape: RecordedMotion | None = None,
 ) -> tuple[Mask, Mask]:
-    """Fill ``motion`` in place, strictly between the rows given for each column of a keypoint.
-    Returns which keypoints (N, K) and which angles (N, J) were filled.
+    """Fills ``motion``, strictly between the rows given for each column of a keypoint. Returns
+    which keypoints (N, K) and which angles (N, J) were filled.
 
     free_angles (N, J): angles that may be replaced; those of an unfilled joint never are. ``shape``
-    has the rows of ``motion``: what is between is its course, moved so that both ends fit.
-    A gap whose ends, parent or shape are not known stays as it is.
+    has the rows of ``motion``: its course is used in a gap, moved so that both ends fit. A gap with
+    an unknown end, parent or shape is not changed.
     """
     filler = _Filler(motion, skeleton, free_angles, method == CUBIC, shape)
     for segment in range(len(skeleton.hand.segments)):
@@ -127,10 +128,10 @@ class _Filler:
         for column in self._of.angles_of(segment):
             self._fill_angle(column, rows)
         parent = self._of.hand.parent[segment]
-        place = self._local_place(self._m, parent, self._of.origin[segment])
+        position = self._local_position(self._m, parent, self._of.origin[segment])
         turn = self._local_turn(self._m, segment)
         inside = self._inside(rows)
-        p = self._vectors(place, rows, self._shaped_place(parent, self._of.origin[segment]))
+        p = self._vectors(position, rows, self._shaped_position(parent, self._of.origin[segment]))
         q = self._turns(segment, turn, rows)
         if p is None or q is None:
             return
@@ -138,8 +139,8 @@ class _Filler:
 
     def fill_point(self, segment: int, k: int, rows: Rows) -> None:
         """A keypoint that is fixed to a segment."""
-        place = self._local_place(self._m, segment, k)
-        p = self._vectors(place, rows, self._shaped_place(segment, k))
+        position = self._local_position(self._m, segment, k)
+        p = self._vectors(position, rows, self._shaped_position(segment, k))
         if p is None:
             return
         n = len(self._inside(rows))
@@ -175,7 +176,7 @@ class _Filler:
 
     # --- poses in the parent
 
-    def _local_place(self, m: RecordedMotion, parent: int, k: int) -> Array:
+    def _local_position(self, m: RecordedMotion, parent: int, k: int) -> Array:
         """(N, 3) m of a keypoint in the parent's B, or in G."""
         if parent < 0:
             return m.keypoints[:, k]
@@ -195,8 +196,8 @@ class _Filler:
             return own
         return _product(_inverse(m.q[:, self._of.origin[parent]]), own)
 
-    def _shaped_place(self, parent: int, k: int) -> Array | None:
-        return None if self._shape is None else self._local_place(self._shape, parent, k)
+    def _shaped_position(self, parent: int, k: int) -> Array | None:
+        return None if self._shape is None else self._local_position(self._shape, parent, k)
 
     # --- between two rows
 
@@ -266,18 +267,18 @@ class _Filler:
 
 
 def _carried(speed: Array, span: float) -> Array:
-    """The way at a speed for `SPEED_FOR` at most."""
+    """Returns the distance at a speed for at most `SPEED_FOR`."""
     return np.asarray(speed * min(span, SPEED_FOR))
 
 
-def _hermite(u: Array, a: Array, b: Array, way_a: Array, way_b: Array) -> Array:
-    """(n, C) at shares u (n,) from ``a`` to ``b``, with the slopes ``way_a`` and ``way_b``."""
+def _hermite(u: Array, a: Array, b: Array, slope_a: Array, slope_b: Array) -> Array:
+    """(n, C) at shares u (n,) from ``a`` to ``b``, with the slopes ``slope_a`` and ``slope_b``."""
     u = u[:, None]
     return np.asarray(
         a * (2 * u**3 - 3 * u**2 + 1)
         + b * (3 * u**2 - 2 * u**3)
-        + way_a * (u**3 - 2 * u**2 + u)
-        + way_b * (u**3 - u**2)
+        + slope_a * (u**3 - 2 * u**2 + u)
+        + slope_b * (u**3 - u**2)
     )
 
 

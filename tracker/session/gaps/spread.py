@@ -23,10 +23,11 @@ _PER_OCTAVE = 2  # lengths that are tried apart
 
 
 class Spread:
-    """Errors of one method on a hand's ``motion``, in which ``known`` (N, K) was not interpolated.
+    """Returns errors of one method on a hand's ``motion``, in which ``known`` (N, K) was not
+    interpolated.
 
-    Gaps of the same length are cut into stretches where the hand is known, evenly over the session,
-    filled, and compared with what was cut out. The motion around a real gap may be faster.
+    Gaps of the same length are cut where the hand is known, evenly over the session, filled, and
+    compared with the removed motion. The motion around a real gap may be faster.
     """
 
     def __init__(
@@ -37,7 +38,7 @@ class Spread:
         method: str,
         shape: RecordedMotion | None = None,
     ) -> None:
-        """``shape``: as `fill_motion` takes it, with the rows of ``motion``."""
+        """``shape``: as for `fill_motion`, with the rows of ``motion``."""
         self._m, self._known, self._of, self._method = motion, known, skeleton, method
         self._shape = shape
         self._tried: dict[tuple[object, ...], Array] = {}

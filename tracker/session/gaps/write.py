@@ -45,11 +45,11 @@ def write_filled(
         for raw in ordered(reader.source):
             for hand in hands:
                 hand.write_before(raw, copier)
-            kept: RawMessage | None = raw
+            copied: RawMessage | None = raw
             for hand in hands:
-                kept = hand.kept(kept) if kept is not None else None
-            if kept is not None:
-                copier.copy(kept)
+                copied = hand.unreplaced(copied) if copied is not None else None
+            if copied is not None:
+                copier.copy(copied)
         for hand in hands:
             hand.write_rest(copier)
     finally:
@@ -63,7 +63,7 @@ def _log_times(reader: SessionReader, side: str) -> dict[int, int]:
 
 
 class _New(NamedTuple):
-    """A message that takes its place by log time and, among a hand's estimates, by stamp."""
+    """A message that is sorted by log time and, among a hand's estimates, by stamp."""
 
     log_time: int
     stamp: int
@@ -71,7 +71,7 @@ class _New(NamedTuple):
 
 
 class _HandCopy:
-    """Puts one hand's new estimates in place of those in its spans."""
+    """Replaces the estimates in the spans of one hand by new ones."""
 
     def __init__(self, info: SessionInfo, fill: HandFill, log_times: Mapping[int, int]) -> None:
         self._spans = np.array(fill.spans, np.int64).reshape(-1, 2)
@@ -85,7 +85,7 @@ class _HandCopy:
         return raw.topic in self._topics
 
     def write_before(self, raw: RawMessage, copier: Copier) -> None:
-        """What comes before a message of the session."""
+        """Returns the new messages before a message of the session."""
         while self._coming and self._coming[0].log_time <= raw.log_time:
             first = self._coming[0]
             if first.log_time == raw.log_time and not (
@@ -98,8 +98,8 @@ class _HandCopy:
         while self._coming:
             _put(self._coming.popleft(), copier)
 
-    def kept(self, raw: RawMessage) -> RawMessage | None:
-        """A message as it stays; None for an estimate that another one takes the place of."""
+    def unreplaced(self, raw: RawMessage) -> RawMessage | None:
+        """Returns the message to copy; None for an estimate that is replaced."""
         at = int(np.searchsorted(self._spans[:, 0], raw.publish_time)) - 1
         inside = at >= 0 and self._spans[at, 0] < raw.publish_time < self._spans[at, 1]
         if not inside or not self._is_mine(raw):

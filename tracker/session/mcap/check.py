@@ -1,4 +1,4 @@
-"""What is wrong with a finished file beyond its chunks: sums and indexes that say otherwise."""
+"""Finds faults of a finished file outside its chunks: wrong checksums and indexes."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _Entries = dict[int, list[tuple[int, int]]]
 
 
 def index_damage(path: Path, contents: Contents) -> list[Damage]:
-    """Findings in a file whose ``contents`` were read from its summary.
+    """Returns the faults of a file whose ``contents`` were read from its summary.
 
-    With a checksum of the data section that is enough; without one the records are walked over,
-    and the summary and the message indexes compared with what is there.
+    A checksum of the data section is sufficient; without one all records are read, and the summary
+    and the message indexes are compared with them.
     """
     file = RecordFile(path)
     try:
@@ -57,11 +57,11 @@ def _compared(file: RecordFile, contents: Contents) -> list[Damage]:
         ("chunks", {s[:4] for s in _all(contents)}, {s[:4] for s in _all(found)}),
         ("attachments", contents.attachments, found.attachments),
         ("metadata", contents.metadata, found.metadata),
-        ("channels", _said(contents.channels), _said(found.channels)),
-        ("schemas", _said(contents.schemas), _said(found.schemas)),
+        ("channels", _fields(contents.channels), _fields(found.channels)),
+        ("schemas", _fields(contents.schemas), _fields(found.schemas)),
     )
     text = "the summary's {} are not those of the file"
-    out = [Damage(0, text.format(name)) for name, said, there in pairs if said != there]
+    out = [Damage(0, text.format(name)) for name, indexed, found in pairs if indexed != found]
     for span in _all(contents):
         out += _message_index_damage(file, span)
     return [*found.damage, *out]
@@ -71,7 +71,7 @@ def _all(contents: Contents) -> list[Span]:
     return [contents.spans[i] for i in range(len(contents.spans))]
 
 
-def _said(records: Mapping[int, object]) -> dict[int, dict[str, object]]:
+def _fields(records: Mapping[int, object]) -> dict[int, dict[str, object]]:
     return {i: vars(r) for i, r in records.items()}
 
 
@@ -89,7 +89,7 @@ def _message_index_damage(file: RecordFile, span: Span) -> list[Damage]:
 
 
 def _named(file: RecordFile, at: int) -> _Entries:
-    """(log time, place in the chunk) by channel, as the records at ``at`` tell."""
+    """Returns (log time, offset in the chunk) by channel, from the index records at ``at``."""
     out: _Entries = {}
     while True:
         opcode, length = file.record(at)
@@ -104,7 +104,7 @@ def _named(file: RecordFile, at: int) -> _Entries:
 
 
 def _there(file: RecordFile, span: Span) -> _Entries:
-    """The same, as the chunk itself tells."""
+    """Returns the same from the chunk itself."""
     out: defaultdict[int, list[tuple[int, int]]] = defaultdict(list)
     at = 0
     for opcode, body in span_records(file, span):

@@ -35,27 +35,27 @@ def decompress(name: str, packed: bytes, size: int) -> bytes:
 
 
 def unpacked(chunk: bytes) -> bytes:
-    """The records of a chunk record's content. Raises ValueError, in words, if it is damaged."""
+    """Returns the records of a chunk. Raises ValueError if it is damaged."""
     try:
         _, _, size, crc, n = _HEAD.unpack_from(chunk)
         name = chunk[32 : 32 + n].decode()
         packed = chunk[40 + n :]
         if size > LIMIT or size > max(INNOCENT, MOST_SWELLING * len(packed)):
-            raise ValueError(f"it says it holds {size} bytes")
+            raise ValueError(f"its header declares {size} bytes")
         data = decompress(name, packed, size)
     except (*BAD_RECORD, RuntimeError, zstandard.ZstdError) as error:
         raise ValueError(str(error)) from error
     if len(data) != size:
-        raise ValueError("it holds another amount of data than it says")
+        raise ValueError("its size differs from its header")
     if crc and zlib.crc32(data) != crc:
         raise ValueError("its checksum is wrong")
     return data
 
 
 def records(block: bytes) -> Iterator[tuple[int, bytes]]:
-    """(opcode, content) of the records in a block. Raises ValueError where one is not whole.
+    """Yields (opcode, content) of the records in a block. Raises ValueError for an incomplete one.
 
-    Opcode 0 is none: a block of zeros would be a record every nine bytes.
+    Opcode 0 is invalid: a block of zeros would be a record every nine bytes.
     """
     at = 0
     while at < len(block):
@@ -70,11 +70,11 @@ def records(block: bytes) -> Iterator[tuple[int, bytes]]:
 
 
 def message_records(block: bytes, length: int) -> Iterator[tuple[int, bytes]]:
-    """`records` of what a span of ``length`` bytes of the file holds.
+    """Yields `records` of a span of ``length`` bytes of the file.
 
-    Raises ValueError also for one that cannot be in a chunk, and for more of them than can have
-    been written in so few bytes: a message has two times and a number of its own, which no
-    compression brings below four bytes. So the work on a file is bounded by its size.
+    Raises ValueError also for a record that is not allowed in a chunk, and for more records than
+    fit in so few bytes: a message has two times and a number of its own, which compression cannot
+    reduce below four bytes. So the work on a file is bounded by its size.
     """
     most = _FEW + length // _FEWEST_BYTES
     for n, (opcode, body) in enumerate(records(block)):

@@ -23,7 +23,7 @@ from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.ros.definitions import definition
 
 
-class SyncBeside:
+class SyncThread:
     """Calls ``sync``, which may raise DiskError, after `soon`; methods are for one thread."""
 
     def __init__(self, sync: Callable[[], None]) -> None:
@@ -52,7 +52,7 @@ class SyncBeside:
                 return
 
     def end(self) -> None:
-        """Wait for the time that has begun; there is none after it."""
+        """Waits for the current synchronisation, which is the last one."""
         self._ending = True
         self._asked.set()
         self._thread.join()
@@ -66,7 +66,7 @@ COMPRESSION = {
 
 
 MOST_CHANNELS = 65_535
-"""The format counts them, and their schemas, in 16 bits; schema 0 stands for none."""
+"""Channels and schemas are numbered in 16 bits; schema 0 means no schema."""
 
 
 class _Waiting(NamedTuple):
@@ -82,9 +82,9 @@ class _Waiting(NamedTuple):
 class McapOutput:
     """An MCAP being written.
 
-    ``chunk_ns``: the longest log time that may stay unwritten, and that a chunk spans. Messages
-    that come late, behind others of a later log time, go into chunks of their own. ``sync``: have
-    the disk hold each chunk against a loss of power, too; ``sync_beside``: without waiting for it.
+    ``chunk_ns``: the longest log time that may be unwritten, and that a chunk spans. Late messages,
+    after others of a later log time, go into chunks of their own. ``sync``: synchronise each chunk
+    with the disk, against loss of power; ``sync_in_thread``: without waiting for it.
     """
 
     def __init__(
@@ -94,7 +94,7 @@ class McapOutput:
         chunk_bytes: int = 64 * 1024,
         chunk_ns: int = 400_000_000,
         sync: bool = True,
-        sync_beside: bool = False,
+        sync_in_thread: bool = False,
     ) -> None:
         self._file = WholeRecordFile(path)
         self._writer = Writer(
@@ -105,7 +105,7 @@ class McapOutput:
         )
         self._writer.start("ros2", f"glovetrack {__version__}")
         self._chunk_ns, self._sync = chunk_ns, sync
-        self._beside = SyncBeside(self._file.sync) if sync and sync_beside else None
+        self._syncing = SyncThread(self._file.sync) if sync and sync_in_thread else None
         self._schemas: dict[str, int] = {}
         self._channels: dict[str, int] = {}
         self._n_channels = self._n_schemas = 0
@@ -161,7 +161,7 @@ class McapOutput:
         if not self._waiting:
             self._opened = newest
         self._newest = newest
-        # 0 stands for unknown times before 1970, which the format cannot hold.
+        # 0 replaces unknown times before 1970, which the format does not allow.
         self._waiting.append(
             _Waiting(max(log_time, 0), channel, max(stamp, 0), sequence, bytes(data))
         )
@@ -170,10 +170,10 @@ class McapOutput:
             self.close_chunk()
 
     def close_chunk(self) -> None:
-        """Write what is held back, down to the disk."""
+        """Writes buffered data to the disk."""
         self._write_waiting()
-        if self._beside is not None:
-            self._beside.soon()
+        if self._syncing is not None:
+            self._syncing.soon()
         elif self._sync:
             self._file.sync()
 
@@ -201,14 +201,14 @@ class McapOutput:
             self._file.close()
 
     def abandon(self) -> None:
-        """Close the file as it is; `recover` makes a regular one of it."""
+        """Closes the file unfinished; `recover` makes a regular one of it."""
         self._end_sync()
         self._file.close()
 
     def _end_sync(self) -> None:
-        beside, self._beside = self._beside, None
-        if beside is not None:
-            beside.end()
+        syncing, self._syncing = self._syncing, None
+        if syncing is not None:
+            syncing.end()
 
 
 class Copier:

@@ -14,10 +14,10 @@ from tracker.base.notices import notice
 
 
 class WholeRecordFile:
-    """A new file in which every ``write`` lands whole or not at all.
+    """A new file in which every ``write`` is complete or absent.
 
-    Bytes go to the operating system at once, so that a killed process loses none of them. Raises
-    FileError if the file exists already or cannot be written.
+    Bytes are passed to the operating system immediately, so that a killed process loses none.
+    Raises FileError if the file exists already or cannot be written.
     """
 
     def __init__(self, path: Path) -> None:
@@ -42,7 +42,7 @@ class WholeRecordFile:
         return len(data)
 
     def _forget_part(self) -> None:
-        """Cut off what a failed write left; a disk that is gone cannot be cut."""
+        """Removes the rest of a failed write, unless the disk is disconnected."""
         with contextlib.suppress(OSError):
             os.ftruncate(self._fd, self._size)
             os.lseek(self._fd, self._size, os.SEEK_SET)
@@ -54,7 +54,7 @@ class WholeRecordFile:
         """Nothing is held back."""
 
     def sync(self) -> None:
-        """Have the disk itself hold what was written, against a loss of power."""
+        """Synchronises the file with the disk, against loss of power."""
         try:
             os.fsync(self._fd)
         except OSError as error:
@@ -72,5 +72,5 @@ class WholeRecordFile:
 def automatic_path(folder: Path, wall_ns: int, label: str = "") -> Path:
     """A name that no file in ``folder`` has: ``2026-11-21_05-17-03[_label].mcap`` (UTC)."""
     stem = datetime.fromtimestamp(wall_ns // NS, UTC).strftime("%Y-%m-%d_%H-%M-%S")
-    words = name_part(label)[:40]
-    return free_path(folder / (f"{stem}_{words}.mcap" if words else f"{stem}.mcap"))
+    part = name_part(label)[:40]
+    return free_path(folder / (f"{stem}_{part}.mcap" if part else f"{stem}.mcap"))

@@ -1,7 +1,7 @@
-"""What is where in an MCAP file that may be damaged, unfinished, hostile or very long.
+"""The index of an MCAP file that may be damaged, unfinished, hostile or very long.
 
-The index is taken from the summary, or made by walking over the records where there is none, so
-that an unfinished file is read like a whole one.
+The index is read from the summary or, without one, built from the records, so that an unfinished
+file is read like a complete one.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Contents:
     damage: list[Damage] = field(default_factory=list)
 
     def define(self, opcode: int, body: bytes) -> None:
-        """Take a schema or channel record; others are of no account."""
+        """Takes a schema or channel record; ignores others."""
         stream = ReadDataStream(BytesIO(body))
         if opcode == Opcode.SCHEMA:
             schema = Schema.read(stream)
@@ -52,7 +52,7 @@ class Contents:
             channel = Channel.read(stream)
             self.channels[channel.id] = channel
 
-    def take_header(self, file: RecordFile, offset: int, length: int) -> None:
+    def read_header(self, file: RecordFile, offset: int, length: int) -> None:
         try:
             header = Header.read(ReadDataStream(BytesIO(file.body(offset, length))))
         except BAD_RECORD as error:
@@ -61,7 +61,7 @@ class Contents:
 
 
 def read_contents(file: RecordFile, scan: bool = False) -> Contents:
-    """What ``file`` holds; ``scan``: walk over all records even if there is a summary."""
+    """Returns the contents of ``file``; ``scan``: read all records even if there is a summary."""
     contents = Contents()
     damage: list[Damage] = []
     try:
@@ -98,41 +98,41 @@ def _footer(file: RecordFile) -> bytes | None:
 
 
 def summary_start(file: RecordFile) -> int:
-    """Where the footer says that the summary begins; 0 where there is none."""
+    """Returns the offset of the summary according to the footer; 0 without a summary."""
     tail = _footer(file)
     start = 0 if tail is None else struct.unpack("<Q", tail[9:17])[0]
     return start if start <= file.size - _FOOTER else 0
 
 
 def _read_summary(file: RecordFile, contents: Contents) -> bool:
-    """Fill the contents from the summary; False where there is none, or it has no index.
+    """Fills the contents from the summary; returns False without one, or without its index.
 
-    Raises an error of `BAD_RECORD` where it is damaged.
+    Raises an error of `BAD_RECORD` if it is damaged.
     """
     tail, start = _footer(file), summary_start(file)
     if tail is None:
         return False
     contents.finished = True
-    (said, _, crc), end = struct.unpack("<QQI", tail[9:29]), file.size - _FOOTER
-    if said == 0:
+    (start, _, crc), end = struct.unpack("<QQI", tail[9:29]), file.size - _FOOTER
+    if start == 0:
         return False
     if not start or end - start > LIMIT:
-        raise ValueError("it cannot be where it is said to be")
+        raise ValueError("its offset is invalid")
     block = file.at(start, end - start)
     if crc and zlib.crc32(tail[:25], zlib.crc32(block)) != crc:
         raise ValueError("its checksum is wrong")
     opcode, length = file.record(len(MAGIC))
     if opcode != Opcode.HEADER:
         raise ValueError("there is no header")
-    contents.take_header(file, len(MAGIC), length)
+    contents.read_header(file, len(MAGIC), length)
     for opcode, body in records(block):
-        _take_summary(file, contents, opcode, body)
+        _read_summary_record(file, contents, opcode, body)
     if not contents.spans.channels <= contents.channels.keys():
         return False  # the summary need not repeat them
     return len(contents.spans) > 0 or not any((contents.counts or {}).values())
 
 
-def _take_summary(file: RecordFile, contents: Contents, opcode: int, body: bytes) -> None:
+def _read_summary_record(file: RecordFile, contents: Contents, opcode: int, body: bytes) -> None:
     if opcode == Opcode.CHUNK_INDEX:
         start, end, offset, length, n = struct.unpack_from("<QQQQI", body)
         if offset + length > file.size or 36 + n > len(body) or end > LATEST:
@@ -174,7 +174,7 @@ class _Scan:
     def _visit(self, opcode: int, at: int, length: int) -> None:
         c = self._contents
         if opcode == Opcode.HEADER:
-            c.take_header(self._file, at, length)
+            c.read_header(self._file, at, length)
         elif opcode == Opcode.CHUNK:
             self._visit_chunk(at, length)
         elif opcode == Opcode.MESSAGE and length >= MESSAGE.size:
@@ -200,7 +200,7 @@ class _Scan:
             return
         start, end, _, _ = _CHUNK.unpack(self._file.at(at + 9, _CHUNK.size))
         if end > LATEST:
-            c.damage.append(Damage(at, "a chunk is said to be of the far future"))
+            c.damage.append(Damage(at, "a chunk has a log time in the far future"))
             return
         ids = self._indexed_channels(at + 9 + length)
         span = Span(start, end, at, 9 + length, ids or None)

@@ -36,10 +36,10 @@ class RawMessage(NamedTuple):
 
 
 class McapInput:
-    """An MCAP opened for reading. Raises FileError if it is none.
+    """An MCAP opened for reading. Raises FileError if it is not one.
 
-    ``scan``: walk over all records even if there is a summary. ``left_out`` counts the messages
-    whose content is damaged: those who decode them leave them out.
+    ``scan``: read all records even if there is a summary. ``left_out`` counts messages with damaged
+    content, which decoders skip.
     """
 
     def __init__(self, path: Path, scan: bool = False) -> None:
@@ -63,7 +63,7 @@ class McapInput:
                 continue
             channel_id, sequence, log, publish = MESSAGE.unpack_from(body)
             if log > LATEST or publish > LATEST:
-                raise self._file.damaged(span.offset, "a message is said to be of the far future")
+                raise self._file.damaged(span.offset, "a message has a log time in the far future")
             channel = self.contents.channels.get(channel_id)
             if channel is None or (topics is not None and channel.topic not in topics):
                 continue
@@ -93,15 +93,15 @@ class McapInput:
 
     def attachments(self) -> Iterator[Attachment]:
         """Raises FileError where one is damaged."""
-        for place in self.contents.attachments:
-            yield self.attachment_at(place)
+        for entry in self.contents.attachments:
+            yield self.attachment_at(entry)
 
-    def attachment_at(self, place: tuple[int, int]) -> Attachment:
+    def attachment_at(self, entry: tuple[int, int]) -> Attachment:
         """One of ``contents.attachments``. Raises FileError if it is damaged."""
-        offset, _ = place
+        offset, _ = entry
         body = self._checked_body(offset, Opcode.ATTACHMENT)
-        with self._file.in_words(offset):
-            (crc,) = struct.unpack("<I", body[-4:])  # 0: there is none
+        with self._file.explained(offset):
+            (crc,) = struct.unpack("<I", body[-4:])  # 0: no checksum
             record = Attachment.read(ReadDataStream(BytesIO(body)))
         if crc and zlib.crc32(body[:-4]) != crc:
             raise FileError(
@@ -111,14 +111,14 @@ class McapInput:
 
     def metadata(self) -> Iterator[Metadata]:
         """Raises FileError where one is damaged."""
-        for place in self.contents.metadata:
-            yield self.metadata_at(place)
+        for entry in self.contents.metadata:
+            yield self.metadata_at(entry)
 
-    def metadata_at(self, place: tuple[int, int]) -> Metadata:
+    def metadata_at(self, entry: tuple[int, int]) -> Metadata:
         """One of ``contents.metadata``. Raises FileError if it is damaged."""
-        offset, _ = place
+        offset, _ = entry
         body = self._checked_body(offset, Opcode.METADATA, MOST_METADATA)
-        with self._file.in_words(offset):
+        with self._file.explained(offset):
             return Metadata.read(ReadDataStream(BytesIO(body)))
 
     def _checked_body(self, offset: int, opcode: int, limit: int = LIMIT) -> bytes:

@@ -10,7 +10,7 @@ from tracker.base.notices import notice
 from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
 from tracker.session.mcap.records import LIMIT
 
-_PER_MESSAGE = 400  # bytes that it takes beside its data
+_PER_MESSAGE = 400  # bytes in memory in addition to its data
 
 
 def ordered(
@@ -20,10 +20,10 @@ def ordered(
     end: int = FOREVER,
     rank: Callable[[str], int] = lambda topic: 0,
 ) -> Iterator[RawMessage]:
-    """Messages with start ≤ log_time < end (ns) by log_time, ``rank`` of the topic, place.
+    """Yields messages with start ≤ log_time < end (ns), sorted by log_time, ``rank``, position.
 
-    A span is read when its first log time comes up, so memory holds only spans that overlap.
-    Raises FileError on damage, or where so many spans overlap that this would take too much.
+    ``rank``: of the topic. A span is read when its first log time is reached, so only overlapping
+    spans are in memory. Raises FileError on damage, or if too many spans overlap.
     """
     heap: list[tuple[int, int, int, int, RawMessage]] = []
     held = 0

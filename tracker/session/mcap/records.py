@@ -1,7 +1,7 @@
-"""The bytes of an MCAP file: records by their place, none believed before it is checked.
+"""The bytes of an MCAP file: records by their offset, validated before use.
 
-Nothing in the file is believed before it is checked against the file's size, and no record makes
-the reader allocate more than `LIMIT` bytes.
+Every length is checked against the file's size before use, and no record makes the reader allocate
+more than `LIMIT` bytes.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ LIMIT = 256 * 2**20
 BAD_RECORD = (
     *(McapError, struct.error, ValueError, EOFError, IndexError, MemoryError, OverflowError),
 )
-"""What a record that is not what it says raises when it is taken apart."""
+"""Errors that parsing a damaged record raises."""
 SAVED = "`glovetrack recover` saves the rest of it."
 LATEST = 2**63 - 1
 """ns since 1970 (the year 2262): the last instant that anything here can count to."""
@@ -39,7 +39,7 @@ class Damage(NamedTuple):
 
 
 class RecordFile:
-    """An MCAP file opened for reading. Raises FileError if it is none."""
+    """An MCAP file opened for reading. Raises FileError if it is not one."""
 
     def __init__(self, path: Path) -> None:
         self.path = Path(path)
@@ -72,12 +72,12 @@ class RecordFile:
         return self.at(offset + _HEAD.size, length)
 
     def damaged(self, offset: int, why: str = "") -> FileError:
-        """The error to raise for what stands at ``offset``."""
+        """Returns the error to raise for the record at ``offset``."""
         text = f"{self.path} is damaged at byte {offset}"
         return FileError(f"{text}: {why}. {SAVED}" if why else f"{text}. {SAVED}")
 
     @contextmanager
-    def in_words(self, offset: int) -> Iterator[None]:
+    def explained(self, offset: int) -> Iterator[None]:
         """Turns what goes wrong with the record at ``offset`` into a FileError."""
         try:
             yield

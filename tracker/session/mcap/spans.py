@@ -51,12 +51,12 @@ class Spans:
         return frozenset().union(*self._known)
 
     def bounds(self) -> tuple[int, int]:
-        """First and last log time; (0, 0) if there is none."""
+        """Returns the first and last log time; (0, 0) without messages."""
         _, starts, latest = self._sorted()
         return (int(starts[0]), int(latest[-1])) if len(self) else (0, 0)
 
     def between(self, start: int, end: int) -> NDArray[np.int64]:
-        """Indices of spans that touch [start, end), by start and then by place in the file."""
+        """Returns indices of spans that touch [start, end), by start and then by offset."""
         order, starts, latest = self._sorted()
         first = np.searchsorted(latest, np.uint64(max(start, 0)))
         last = np.searchsorted(starts, np.uint64(max(end, 0)))
@@ -73,7 +73,7 @@ class Spans:
 
 
 class LooseMessages:
-    """Messages outside of chunks; those that stand one after the other become one span."""
+    """Messages outside of chunks; adjacent ones form one span."""
 
     def __init__(self, spans: Spans) -> None:
         self._spans = spans

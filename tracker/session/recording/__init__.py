@@ -1,1 +1,1 @@
-"""Recording in a process of its own, so that neither encoding nor the disk is in anyone's way."""
+"""Recording in a child process, so that encoding and the disk do not delay other threads."""

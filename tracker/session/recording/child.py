@@ -1,7 +1,7 @@
 """The recorder's process: waits for recordings to begin, and writes one after the other.
 
-It ends with the pipe. A window that is killed closes the pipe, too: what has come through it by
-then is written, and the file is finished.
+It ends with the pipe. A window that is killed closes the pipe, too: messages received until then
+are written, and the file is finished.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class ImageCompression:
         self._waiting: deque[Future[PackedFrame]] = deque()
 
     def put(self, reader: SlotReader, image: ImageInSlot) -> None:
-        """Begin with a pair; its place is free again once it is compressed."""
+        """Starts compressing a pair; its slot is free again afterwards."""
         future = self._pool.submit(self._compressed, reader, image)
         self._waiting.append(future)
         future.add_done_callback(lambda _: self._done())
@@ -67,12 +67,12 @@ class ImageCompression:
     def _encoded(self, image: Image) -> bytes:
         return encode_image(image, self._kind, self._quality)
 
-    def take(self) -> Iterator[PackedFrame]:
-        """Pairs that are ready, in the order in which they came."""
+    def finished(self) -> Iterator[PackedFrame]:
+        """Yields the pairs that are ready, in their original order."""
         while self._waiting and self._waiting[0].done():
             yield self._waiting.popleft().result()
 
-    def take_all(self) -> Iterator[PackedFrame]:
+    def finish_all(self) -> Iterator[PackedFrame]:
         """The same, and those that are not ready yet."""
         while self._waiting:
             yield self._waiting.popleft().result()
@@ -83,16 +83,16 @@ class ImageCompression:
 
 
 MOST_WAITING = 2000
-"""Batches: more than a minute of them; a disk that takes longer holds the window's side back."""
+"""Batches, more than a minute of them; a slower disk blocks the window's side."""
 
 
 class _Signal(Enum):
-    ENDS = auto()  # the window's process has gone, or wants this one to
+    ENDS = auto()  # the window's process has ended, or has requested the end
     IMAGE = auto()  # an image pair is compressed
 
 
 class _Inbox:
-    """What came through the pipe, read at once: the pipe holds little, and the window may die."""
+    """Messages from the pipe, read immediately: the pipe is small, and the window may die."""
 
     def __init__(self, pipe: Connection) -> None:
         self._pipe = pipe
@@ -115,7 +115,7 @@ class _Inbox:
             self._room.release()
         return item
 
-    def tell(self, what: _Signal) -> None:
+    def post(self, what: _Signal) -> None:
         """To be called from any thread or signal."""
         self._items.put(what)
 
@@ -126,7 +126,7 @@ def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
     for name in ("SIGINT", "SIGHUP"):  # meant for the window, which then ends this process
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, lambda *_: inbox.tell(_Signal.ENDS))
+    signal.signal(signal.SIGTERM, lambda *_: inbox.post(_Signal.ENDS))
     cv2.setNumThreads(1)
     if prepare is not None:
         prepare()
@@ -141,7 +141,7 @@ def _recorded(begin: Begin, pipe: Connection, inbox: _Inbox) -> bool:
     try:
         recorder = SessionRecorder(begin.path, begin.info, begin.params)
     except (GlovetrackError, OSError) as error:
-        _reply(pipe, Failed(_in_words(error)))
+        _reply(pipe, Failed(_as_glovetrack_error(error)))
         return True
     _reply(pipe, Begun(recorder.path))
     recording = _Recording(recorder, begin, pipe, inbox)
@@ -152,16 +152,16 @@ def _recorded(begin: Begin, pipe: Connection, inbox: _Inbox) -> bool:
 
 
 def _reply(pipe: Connection, what: object) -> None:
-    with suppress(OSError):  # no receiver
+    with suppress(OSError):  # the window has ended
         pipe.send(what)
 
 
-def _in_words(error: Exception) -> GlovetrackError:
+def _as_glovetrack_error(error: Exception) -> GlovetrackError:
     return error if isinstance(error, GlovetrackError) else FileError(str(error))
 
 
 class _Recording:
-    """Writes what comes out of the inbox until the end, or until writing fails."""
+    """Writes the messages of the inbox until the end, or until writing fails."""
 
     def __init__(
         self, recorder: SessionRecorder, begin: Begin, pipe: Connection, inbox: _Inbox
@@ -170,7 +170,7 @@ class _Recording:
         self._sink: Sink = begin.companion(recorder) if begin.companion else recorder
         self._readers: dict[int, SlotReader] = {}
         p = begin.params
-        self._images = ImageCompression(p.images, p.jpeg_quality, lambda: inbox.tell(_Signal.IMAGE))
+        self._images = ImageCompression(p.images, p.jpeg_quality, lambda: inbox.post(_Signal.IMAGE))
         self._failed = False
 
     def run(self) -> bool:
@@ -181,27 +181,27 @@ class _Recording:
                 if isinstance(item, End) or item is _Signal.ENDS:
                     self._guarded(self._finish)
                     return isinstance(item, End)
-                self._guarded(partial(self._take, item))
+                self._guarded(partial(self._process, item))
         finally:
             self._images.close()
             for reader in self._readers.values():
                 reader.close()
 
     def _guarded(self, work: Callable[[], None]) -> None:
-        """Do ``work`` unless something has failed before; tell the window what fails."""
+        """Calls ``work`` unless something has failed before; reports failures to the window."""
         if self._failed:
             return
         try:
             work()
         except (GlovetrackError, OSError) as error:
             self._failed = True
-            _reply(self._pipe, Failed(_in_words(error)))
+            _reply(self._pipe, Failed(_as_glovetrack_error(error)))
 
-    def _take(self, item: list[Item] | _Signal) -> None:
+    def _process(self, item: list[Item] | _Signal) -> None:
         if isinstance(item, list):
             for message in item:
                 self._write(message)
-        for frame in self._images.take():
+        for frame in self._images.finished():
             self._recorder.write_packed(frame)
 
     def _write(self, item: Item) -> None:
@@ -218,6 +218,6 @@ class _Recording:
                 self._sink.write(item)
 
     def _finish(self) -> None:
-        for frame in self._images.take_all():
+        for frame in self._images.finish_all():
             self._recorder.write_packed(frame)
         self._sink.close()

@@ -1,7 +1,7 @@
-"""Images on their way to the recorder's process: places in shared memory, one image pair each.
+"""Images in transit to the recorder's process: slots in shared memory, one image pair each.
 
-The first byte of each place's mark is 1 while the pair is on its way; who makes the pair sets it,
-who has encoded the pair clears it. One thread puts; any thread of the other process clears.
+The first byte of each slot's mark is 1 while the pair is in transit; the sender sets it, the
+encoder clears it. One thread writes; any thread of the other process clears.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Shape = tuple[int, ...]
 
 
 class SlotsOpened(NamedTuple):
-    """New memory that the following images lie in."""
+    """New memory of the following images."""
 
     number: int
     name: str
@@ -45,10 +45,10 @@ class ImageInSlot(NamedTuple):
 
 
 class ImageSlots:
-    """The side that hands images over; ``opened`` tells the other one where they lie.
+    """The sending side; ``opened`` is the location of the images for the other one.
 
-    The lowest free place is taken, so memory is used only as far as images pile up. Raises
-    NoSharedMemory where not even the first has room.
+    The lowest free slot is used, so memory is used only as far as images accumulate. Raises
+    NoSharedMemory if there is no room for the first.
     """
 
     def __init__(self, number: int, slot_bytes: int) -> None:
@@ -57,7 +57,7 @@ class ImageSlots:
         self._room, self._ready = RoomFor(self._memory), 0  # places that have room
         self.opened = SlotsOpened(number, self._memory.name, slots, slot_bytes)
         try:
-            self._room.take(0, slots)
+            self._room.reserve(0, slots)
             self._make_ready()
         except NoSharedMemory:
             self.close()
@@ -65,11 +65,11 @@ class ImageSlots:
 
     def _make_ready(self) -> None:
         at = self.opened.slots + self._ready * self.opened.slot_bytes
-        self._room.take(at, self.opened.slot_bytes)
+        self._room.reserve(at, self.opened.slot_bytes)
         self._ready += 1
 
     def put(self, frame: StereoFrame) -> ImageInSlot | None:
-        """Copy the images into a free place; None where there is none."""
+        """Copies the images into a free slot; returns None without one."""
         slot = self._free_slot()
         if slot is None:
             return None
@@ -99,18 +99,18 @@ class ImageSlots:
             try:
                 self._make_ready()
             except NoSharedMemory:
-                return None  # those that there are come free again
+                return None  # used slots become free again
         return slot
 
     def close(self) -> None:
         """Give the memory back once the other side has, too."""
-        forget_name(self._memory)  # if the other side never came to attach to it
+        forget_name(self._memory)  # if the other side has not attached to it
         self._room.close()
         self._memory.close()
 
 
 class SlotReader:
-    """The side that takes images out."""
+    """The receiving side."""
 
     def __init__(self, opened: SlotsOpened) -> None:
         self._opened, self._memory = opened, attached(opened.name)
@@ -126,7 +126,7 @@ class SlotReader:
         return out
 
     def free(self, image: ImageInSlot) -> None:
-        """The place may be used again."""
+        """Frees a slot."""
         _bytes(self._memory)[image.slot] = 0
 
     def close(self) -> None:

@@ -60,8 +60,8 @@ MOST_TOGETHER = 256  # messages in a batch
 class RemoteRecorder:
     """As `tracker.session.writer.SessionRecorder`, in another process; for one thread.
 
-    Messages go there in batches, with `flush`. Raises FileError, from any method, when writing has
-    failed there or the process is gone; NoSharedMemory from `write` where images have no room.
+    Messages are sent in batches, with `flush`. Raises FileError, from any method, when writing has
+    failed or the process has ended; NoSharedMemory from `write` if there is no room for images.
     """
 
     def __init__(self, process: Process, images: bool, release: Callable[[], None]) -> None:
@@ -77,7 +77,7 @@ class RemoteRecorder:
         return self._process.pid
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
-        """Take one message; False where it is an image that there is no room for."""
+        """Queues one message; returns False for an image without a free slot."""
         item: Item | None = OfHand(side, message) if side else message
         if isinstance(message, StereoFrame):
             item = None if overloaded else self._image(message)
@@ -93,14 +93,14 @@ class RemoteRecorder:
     def _image(self, frame: StereoFrame) -> Item | None:
         size = bytes_of(frame) if self._wants_images else 0
         if size == 0:
-            return replace(frame, left=None, right=None)  # where the camera was is kept
+            return replace(frame, left=None, right=None)  # with the camera's pose
         if not self._slots or self._slots[-1].opened.slot_bytes < size:
             self._slots.append(ImageSlots(len(self._slots), size))
             self._batch.append(self._slots[-1].opened)
         return self._slots[-1].put(frame)
 
     def flush(self) -> None:
-        """Hand over what was taken: from then on it does not depend on this process."""
+        """Sends the queued messages, which then do not depend on this process."""
         batch, self._batch = self._batch, []
         try:
             if batch:
@@ -132,7 +132,7 @@ class RemoteRecorder:
                 self._process.end()
 
 
-BEGIN_TIMEOUT = 30.0  # s, for a process that is just starting on a busy machine, too
+BEGIN_TIMEOUT = 30.0  # s, enough for a process that is just starting on a loaded machine
 SEND_TIMEOUT = 30  # s, for a process that is held up; it reads at once what it is sent
 END_TIMEOUT = 60.0  # s, for a disk that is slow
 LEAVE_TIMEOUT = 5.0  # s, for a process that has nothing to do
@@ -141,13 +141,13 @@ LEAVE_TIMEOUT = 5.0  # s, for a process that has nothing to do
 class RecorderProcess:
     """Writes one recording after the other; all calls from one thread at a time.
 
-    ``prepare`` is called there first; it and what it holds travel to the process.
+    ``prepare`` is called there first; it is pickled.
     """
 
     def __init__(self, prepare: Callable[[], object] | None = None) -> None:
         self._pipe, self._process = start_child("glovetrack-recorder", serve, prepare)
         _limit_sending(self._pipe)
-        self._told: Failed | None = None
+        self._reported: Failed | None = None
         self._left = False
         self.path = Path()
 
@@ -162,7 +162,7 @@ class RecorderProcess:
 
     def begin(self, begin: Begin) -> Path:
         """Open a file; its path. Raises FileError as `SessionRecorder` does."""
-        self.path, self._told = begin.path, None
+        self.path, self._reported = begin.path, None
         self._send(begin)
         reply = self._reply(BEGIN_TIMEOUT)
         if isinstance(reply, Begun):
@@ -170,7 +170,7 @@ class RecorderProcess:
             return self.path
         if isinstance(reply, Failed):
             raise reply.error
-        raise self._gone()
+        raise self._ended()
 
     def send(self, items: list[Any]) -> None:
         """Hand over a batch; may wait for the process. Raises what has failed there."""
@@ -179,15 +179,14 @@ class RecorderProcess:
 
     def check(self) -> None:
         """Raises what has failed there."""
-        while self._told is None and self._reply_waits(0.0):
+        while self._reported is None and self._reply_waits(0.0):
             reply = self._reply(0.0)
             if isinstance(reply, Failed):
-                self._told = reply
+                self._reported = reply
                 raise reply.error
 
     def end(self) -> None:
-        """Wait until the file is closed. Raises errors of that process that were not reported
-        yet."""
+        """Waits until the file is closed. Raises an error there that was not reported yet."""
         self._send(End())
         failed: Failed | None = None
         while True:
@@ -195,32 +194,32 @@ class RecorderProcess:
             if isinstance(reply, Ended):
                 break
             if not isinstance(reply, Failed):
-                raise self._gone()
+                raise self._ended()
             failed = reply
-        if failed is not None and self._told is None:
+        if failed is not None and self._reported is None:
             raise failed.error
 
     def _send(self, what: object) -> None:
         try:
             self._pipe.send(what)
         except OSError as error:
-            raise self._gone() from error
+            raise self._ended() from error
 
     def _reply(self, timeout: float) -> Any:
-        """None where none comes."""
+        """Returns the next reply; None if there is none in time."""
         try:
             return self._pipe.recv() if self._reply_waits(timeout) else None
         except (EOFError, OSError) as error:
-            raise self._gone() from error
+            raise self._ended() from error
 
     def _reply_waits(self, timeout: float) -> bool:
         try:
             return self._pipe.poll(timeout)
         except OSError as error:
-            raise self._gone() from error
+            raise self._ended() from error
 
-    def _gone(self) -> FileError:
-        """The process has ended, or is left alone: it ends by itself when its disk lets it."""
+    def _ended(self) -> FileError:
+        """The process has ended, or does not respond; then it ends when its disk responds."""
         with suppress(OSError):
             self._pipe.close()
         self._process.join(0.5)
@@ -287,7 +286,7 @@ class RecorderProcesses:
         self.warm()
         with self._lock:
             process = self._idle.pop() if self._idle else RecorderProcess(self._prepare)
-        params = replace(params or RecorderParams(), sync_beside=True)
+        params = replace(params or RecorderParams(), sync_in_thread=True)
         try:
             process.begin(Begin(Path(path), info, params, companion))
         except GlovetrackError:

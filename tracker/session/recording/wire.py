@@ -45,7 +45,7 @@ Item = Message | OfHand | ImageInSlot | SlotsOpened | PackedState
 
 @dataclass(frozen=True)
 class Begin:
-    """``companion`` is put around the recorder there: it adds what only a simulation knows."""
+    """``companion`` wraps the recorder there: it adds the truth of a simulation."""
 
     path: Path
     info: SessionInfo
@@ -54,7 +54,7 @@ class Begin:
 
 
 class End(NamedTuple):
-    """Write what is there and close the file."""
+    """Writes the received messages and closes the file."""
 
 
 class Begun(NamedTuple):

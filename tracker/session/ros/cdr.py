@@ -21,7 +21,7 @@ _END_OF_TIME = 2**31 * NS
 
 
 class CdrError(ValueError):
-    """The bytes are not the message that they are said to be."""
+    """The bytes are not a message of the given type."""
 
 
 class CdrWriter:
@@ -82,7 +82,7 @@ class CdrWriter:
             self._body += values.tobytes()
 
     def no_layout(self) -> None:
-        """std_msgs/MultiArrayLayout of one row of numbers, which needs none."""
+        """std_msgs/MultiArrayLayout of one row of numbers, which is empty."""
         self.u32(0)  # dimensions
         self.u32(0)  # offset
 
@@ -108,7 +108,7 @@ class CdrReader:
         self._at = 4
         self._order = "<" if data[1] == 1 else ">"
 
-    def _take(self, size: int, align: int = 1) -> bytes:
+    def _read(self, size: int, align: int = 1) -> bytes:
         start = self._at + (4 - self._at) % align
         end = start + size
         if size < 0 or end > len(self._data):
@@ -117,13 +117,13 @@ class CdrReader:
         return self._data[start:end]
 
     def u8(self) -> int:
-        return self._take(1)[0]
+        return self._read(1)[0]
 
     def u32(self) -> int:
-        return int(struct.unpack(self._order + "I", self._take(4, 4))[0])
+        return int(struct.unpack(self._order + "I", self._read(4, 4))[0])
 
     def count(self, smallest: int = 1) -> int:
-        """Length of a sequence whose elements take at least ``smallest`` bytes."""
+        """Returns the length of a sequence whose elements have at least ``smallest`` bytes."""
         n = self.u32()
         if n * smallest > len(self._data) - self._at + 8:
             raise CdrError(f"a list of {n} elements does not fit")
@@ -131,11 +131,11 @@ class CdrReader:
 
     def time(self) -> int:
         """Nanoseconds since 1970."""
-        sec, nanosec = struct.unpack(self._order + "iI", self._take(8, 4))
+        sec, nanosec = struct.unpack(self._order + "iI", self._read(8, 4))
         return int(sec * NS + nanosec)
 
     def text(self) -> str:
-        raw = self._take(self.u32())
+        raw = self._read(self.u32())
         try:
             return raw.rstrip(b"\0").decode()
         except UnicodeDecodeError as error:
@@ -148,7 +148,7 @@ class CdrReader:
         """(n,) float64, writable."""
         if n == 0:
             return np.zeros(0)
-        return np.frombuffer(self._take(8 * n, 8), self._order + "f8").astype(np.float64)
+        return np.frombuffer(self._read(8 * n, 8), self._order + "f8").astype(np.float64)
 
     def double_list(self) -> Array:
         return self.doubles(self.count(8))
@@ -158,10 +158,10 @@ class CdrReader:
         n = self.count(8)
         if n == 0:
             return np.zeros(0, np.int64)
-        return np.frombuffer(self._take(8 * n, 8), self._order + "i8").astype(np.int64)
+        return np.frombuffer(self._read(8 * n, 8), self._order + "i8").astype(np.int64)
 
     def skip_layout(self) -> None:
-        """std_msgs/MultiArrayLayout, whatever it says."""
+        """Skips a std_msgs/MultiArrayLayout."""
         for _ in range(self.count(12)):
             self.text()
             self.u32()
@@ -172,4 +172,4 @@ class CdrReader:
         return [self.text() for _ in range(self.count(4))]
 
     def byte_list(self) -> bytes:
-        return self._take(self.u32())
+        return self._read(self.u32())

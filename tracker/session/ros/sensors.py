@@ -175,7 +175,7 @@ def unpack_cloth(data: bytes) -> Cloth:
     source.skip_layout()
     values = source.long_list()
     if len(values) < 3:
-        raise CdrError("a map of cloth says how large it is")
+        raise CdrError("a map of cloth must contain its size")
     columns, rows, n = values[:3].tolist()
     if not (0 <= columns < LONGEST_IMAGE and 0 <= rows < LONGEST_IMAGE and 0 <= n < len(values)):
         raise CdrError("a map of cloth is larger than any image")

@@ -16,7 +16,7 @@ import numpy as np
 import tomli_w
 
 from tracker.base.errors import FileError
-from tracker.base.files import write_kept
+from tracker.base.files import write_with_folder
 from tracker.base.notices import notice
 from tracker.base.toml_reader import parse_toml, read_text
 from tracker.fusion.chain.distal import OWN, DistalSegments, Synergies
@@ -43,7 +43,7 @@ class WearerFile:
 
 def write_wearer(path: Path, wearer: WearerFile) -> None:
     """Replace the file as a whole. Raises FileError in words."""
-    write_kept(path, wearer_text(wearer))
+    write_with_folder(path, wearer_text(wearer))
 
 
 def wearer_text(wearer: WearerFile) -> str:
