@@ -1,6 +1,6 @@
 """``python -m app.tools.translations``: lists the window's words for translators.
 
-Writes ``resources/translations/glovetrack_LANGUAGE.ts`` anew, with what has been translated, and of
+Writes ``resources/translations/glovetrack_LANGUAGE.ts``, with what has been translated, and of
 each language that is complete the ``.qm`` file that the window reads. PySide's ``lupdate`` files
 words by class, which our catalogue does not ask for, and misses those of view-models.
 """

@@ -84,12 +84,12 @@ def test_support_counts_markers_and_fades_with_distance(
 ) -> None:
     right = posed(hand, layout)
     there = right.digits.support(right.state, INDEX, right.points)
-    aside = right.points.p_G + [0.0, 0.0, 0.5 * RADIUS]
-    half = replace(right.points, p_G=aside)
+    lateral = right.points.p_G + [0.0, 0.0, 0.5 * RADIUS]
+    half = replace(right.points, p_G=lateral)
     assert there > 2.5
     seen = right.digits.support(right.state, INDEX, half)
     assert seen == pytest.approx(0.75 * there, rel=0.02)  # 1 - (1/2)²; the way to the camera same
-    nothing = right.points.within(aside[0] + 1.0, 0.1)
+    nothing = right.points.within(lateral[0] + 1.0, 0.1)
     assert right.digits.support(right.state, INDEX, nothing) == 0.0
 
 

@@ -22,7 +22,7 @@ def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
     return ChainLayout(hand, glove)
 
 
-def aside(layout: ChainLayout, degrees: dict[int, float]) -> ChainState:
+def lateral(layout: ChainLayout, degrees: dict[int, float]) -> ChainState:
     """A flat hand whose digits are turned about the palm's normal, G's z, by ``degrees``."""
     state = initial_state(layout)
     for digit, angle in degrees.items():
@@ -38,8 +38,8 @@ def seen(state: ChainState, layout: ChainLayout) -> StereoPoints:
 
 
 def test_fingers_stand_where_their_markers_are(layout: ChainLayout) -> None:
-    """12° aside, the middle finger's end is 2 cm away; turns of 5° leave 2.5° at most."""
-    true, flat = aside(layout, {INDEX: -12.0, MIDDLE: 12.0}), aside(layout, {})
+    """12° to the side, the middle finger's end is 2 cm away; turns of 5° leave 2.5° at most."""
+    true, flat = lateral(layout, {INDEX: -12.0, MIDDLE: 12.0}), lateral(layout, {})
     R = spread(flat, layout, seen(true, layout))
     turned = np.flatnonzero(np.isin(digit_of(layout), (INDEX, MIDDLE)))
     others = np.setdiff1d(np.arange(len(R)), turned)
@@ -49,16 +49,16 @@ def test_fingers_stand_where_their_markers_are(layout: ChainLayout) -> None:
 
 
 def test_fingers_that_stand_right_stay(layout: ChainLayout) -> None:
-    flat = aside(layout, {})
+    flat = lateral(layout, {})
     np.testing.assert_array_equal(spread(flat, layout, seen(flat, layout)), flat.R_GB)
 
 
 def test_one_stray_point_turns_nothing(layout: ChainLayout) -> None:
     """A thing in a marker's colour where a turned finger would have it is half a marker's worth at
     most, once the others are where they should be."""
-    flat = aside(layout, {})
+    flat = lateral(layout, {})
     points = seen(flat, layout)
-    stray = marker_positions(aside(layout, {INDEX: 15.0}), layout)
+    stray = marker_positions(lateral(layout, {INDEX: 15.0}), layout)
     row = np.flatnonzero(digit_of(layout)[layout.marker_segment] == INDEX)[0]
     more = StereoPoints(
         np.vstack([points.p_G, stray[row]]),

@@ -51,7 +51,7 @@ class Worn:
     def look(self, state: ChainState, frame: BlobFrame) -> None:
         if self.tips.image(state, frame, ABOVE, self.own):
             self.shown.wear(
-                *self.tips.worn(self.distal.gains(self.own), self.distal.aside(self.own))
+                *self.tips.worn(self.distal.gains(self.own), self.distal.lateral(self.own))
             )
             self.shown.trust(*self.tips.trusted(self.own))
 
@@ -154,9 +154,9 @@ def test_images_without_cloth_change_nothing(
     layout: ChainLayout, rig: StereoRig, flat: ChainState
 ) -> None:
     worn = Worn(layout, rig)
-    gains, aside = worn.distal.gains(worn.own), worn.distal.aside(worn.own)
+    gains, lateral = worn.distal.gains(worn.own), worn.distal.lateral(worn.own)
     assert not worn.tips.image(flat, BlobFrame(0.0, 0.0, (), Blobs.empty(), None), ABOVE, worn.own)
-    assert worn.tips.worn(gains, aside) == (gains, aside)
+    assert worn.tips.worn(gains, lateral) == (gains, lateral)
     assert worn.tips.trusted(worn.own)[0] is worn.own
 
 

@@ -111,24 +111,24 @@ def moved(info: SessionInfo, by: float) -> StereoRig:
 
 
 def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
-    """Half way it is calibrated anew, 5 cm aside: nothing else than the rig says so."""
+    """Half way it is calibrated anew, 5 cm to the side: nothing else than the rig says so."""
     sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, images=False))
-    aside = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
+    lateral = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
     told, silent = tmp_path / "told.mcap", tmp_path / "silent.mcap"
     for path in (told, silent):
         with SessionRecorder(path, info) as recorder:
-            for before, after in zip(sim.feed(), aside.feed(), strict=False):
+            for before, after in zip(sim.feed(), lateral.feed(), strict=False):
                 if before.t_arrival < 2.0:
                     recorder.write(before)
                     continue
                 if path == told and recorder.info.rig is info.rig:
-                    recorder.write_rig(aside.rig, 2.0)
+                    recorder.write_rig(lateral.rig, 2.0)
                 recorder.write(after)
                 if isinstance(after, ImuSample):
                     recorder.write_truth(truth_message(after.t, sim.truth(after.t), info))
     with SessionReader(told) as reader:
         ((t, rig),) = reader.rig_changes()
-        assert t == pytest.approx(2.0) and np.array_equal(rig.pose.p_GC, aside.rig.pose.p_GC)
+        assert t == pytest.approx(2.0) and np.array_equal(rig.pose.p_GC, lateral.rig.pose.p_GC)
     right = track(told, tmp_path / "a.mcap", TrackOptions(with_sensors=True)).error_mm["mean"]
     wrong = track(silent, tmp_path / "b.mcap").error_mm["mean"]
     assert right < 6 and wrong > 20

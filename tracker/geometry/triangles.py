@@ -1,7 +1,8 @@
 """The surface of a closed triangle mesh: its nearest point, and how far in or out one is.
 
-Triangles stand in small groups with a box around each, so that of a large mesh only few are looked
-at. In or out is told by the angle-weighted normal of the face, edge or corner that is nearest
+Triangles are in small groups with a bounding box each, so that only few of a large mesh are tested.
+Inside or outside is determined by the angle-weighted normal of the nearest face, edge or corner
+
 (Bærentzen & Aanæs 2005, doi:10.1109/TVCG.2005.49). Lengths in m.
 """
 

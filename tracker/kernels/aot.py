@@ -1,10 +1,10 @@
 """numba's ahead-of-time compiler, in which each function keeps the options of its own decorator.
 
 numba.pycc compiles all functions of a module with one set of options, without fast-math and with
-Python's lock held, and has no public place to say otherwise. So one method of its compiler is
-written anew here and four others are put aside meanwhile, which leans on numba's inside:
-pyproject.toml keeps numba below the next minor version, and tests/kernels/test_aot.py says whether
-another one still is as this wants it.
+Python's lock held, and has no public option for this. So one method of its compiler is replaced
+here and four others are disabled meanwhile, which depends on numba's internals: pyproject.toml
+keeps numba below the next minor version, and tests/kernels/test_aot.py shows whether another
+version still works.
 """
 
 from __future__ import annotations

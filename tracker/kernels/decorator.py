@@ -11,8 +11,8 @@ from tracker.kernels import parts
 from tracker.kernels.library import Library, load
 
 MODE = "GLOVETRACK_KERNELS"
-"""Environment variable. ``numba``: leave the compiled library aside. ``build``: as the library's
-compiler wants kernels, with nothing out of numba's cache."""
+"""Environment variable. ``numba``: ignore the compiled library. ``build``: kernels as required by
+the library's compiler, without numba's cache."""
 
 F = TypeVar("F", bound=Callable[..., Any])
 

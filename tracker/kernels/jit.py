@@ -34,6 +34,6 @@ class KernelCache(FunctionCache):
         try:
             return super().load_overload(sig, target_context)
         except (AttributeError, ImportError) as error:
-            _log.debug("compiled anew, %s: %s", self._name, error)
+            _log.debug("compiled again, %s: %s", self._name, error)
             self.flush()
             return None

@@ -142,9 +142,9 @@ class ChainTape:
         self._entries: list[SmootherStep | Update | Forgotten | _Shown] = []
         self.recording = False
 
-    def wear(self, gains: Array, aside: Array) -> None:
+    def wear(self, gains: Array, lateral: Array) -> None:
         """Smooth the hand of a wearer with these synergies, as `Completion.wear`."""
-        self._shown_hand.wear(gains, aside)
+        self._shown_hand.wear(gains, lateral)
 
     # ---- recording the tape
 

@@ -139,11 +139,12 @@ def _classify_vivid(
     flags: Written[IntVector],
     line: Written[IntVector],
 ) -> int:
-    """The same for every pixel, where greys are told first: most images hold little else.
+    """The same for every pixel; greys are rejected first, since most pixels are grey.
 
-    For the processor's vector instructions every byte of the row counts as the first of a pixel;
-    ``flags`` takes one for each, three words for eight pixels. Where any is set, all eight are
-    looked up: asking each would be guessed wrong too often where the background is coloured.
+    For vector instructions, every byte of the row is treated as the first byte of a pixel;
+    ``flags`` receives one flag per byte, three words for eight pixels. If any flag is set, all
+    eight pixels are looked up: testing each would cause too many branch mispredictions on coloured
+    backgrounds.
     """
     count = last - first + 1
     if count <= 0:

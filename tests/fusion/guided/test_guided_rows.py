@@ -97,7 +97,7 @@ def test_a_flexion_has_the_jacobian_of_finite_differences(layout, distal):
 def test_a_fingertip_is_where_the_shown_hand_has_it(hand, layout, distal):
     state, own = somehow(layout), changed(distal)
     complete = Completion(layout)
-    complete.wear(distal.gains(own), distal.aside(own))
+    complete.wear(distal.gains(own), distal.lateral(own))
     from tracker.fusion.chain.kinematics import segment_positions
 
     R, p, scale, *_ = complete(state.R_GB, segment_positions(state, layout), state.scale3())

@@ -198,7 +198,7 @@ def _made(layout: ChainLayout, segments: IntArray) -> DigitPostures:
     normal = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_normal[markers])
     marker = place[:, rows] + at - place[:, :1]
     reach = float(np.sqrt((marker**2).sum(axis=2).max(initial=0.0)))
-    # einsum and what is picked by index may lie in another order: a kernel would be compiled anew
+    # einsum and what is picked by index may lie in another order: a kernel would be compiled again
     marker, normal = np.ascontiguousarray(marker), np.ascontiguousarray(normal)
     return DigitPostures(marker, normal, rotation, markers, segments, reach)
 

@@ -4,9 +4,9 @@ A distal segment without IMU and markers bends as the joint before it does,
 
     flexion = ratio * flexion of the source + offset,
 
-and stands aside by a fixed angle, since no joint's axis is quite where the hand file has it. These
-three are the wearer's, one set per digit, and known no better than people differ. Equation numbers
-are those of docs/chain.md.
+and is rotated laterally by a fixed angle, since no joint's axis is quite where the hand file has
+it. These three are the wearer's, one set per digit, and known no better than people differ.
+Equation numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Digit(NamedTuple):
 @dataclass(eq=False)
 class Synergies:
     """What is known of the d digits of `DistalSegments`: value (d, 3) ratio, offset (rad) and
-    aside (rad); covariance P (3 d, 3 d)."""
+    lateral (rad); covariance P (3 d, 3 d)."""
 
     value: Array
     P: Array
@@ -129,8 +129,8 @@ class DistalSegments:
             out[d.link] = synergies.value[k, :ASIDE]
         return out
 
-    def aside(self, synergies: Synergies) -> Array:
-        """(S,) rad that each of the hand's segments stands aside."""
+    def lateral(self, synergies: Synergies) -> Array:
+        """(S,) rad that each of the hand's segments is rotated laterally."""
         out = np.zeros(len(self._layout.hand.segments))
         for k, d in enumerate(self.digits):
             out[d.segment] = synergies.value[k, ASIDE]

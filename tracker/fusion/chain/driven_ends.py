@@ -36,7 +36,7 @@ class DrivenEnds(NamedTuple):
 
     parent (d,) active segment that it hangs on; source (d,) active segment whose joint drives it,
     free (d, 2) whether that joint abducts and twists; origin (d, 3) m and before (d, 3, 3) where it
-    stands in its parent's B, aside included; length (d,) m.
+    stands in its parent's B, lateral included; length (d,) m.
     """
 
     parent: IntVector
@@ -61,8 +61,8 @@ def driven_ends(layout: ChainLayout, distal: DistalSegments, own: Synergies) -> 
     digits, hand = distal.digits, layout.hand
     columns = hand.axis_columns
     free = [[columns[layout.active[d.source]][k] >= 0 for k in (0, 2)] for d in digits]
-    aside = distal.aside(own)
-    before = [hand.segments[d.segment].R_rest @ so3.rz(aside[d.segment]) for d in digits]
+    lateral = distal.lateral(own)
+    before = [hand.segments[d.segment].R_rest @ so3.rz(lateral[d.segment]) for d in digits]
     return DrivenEnds(
         np.array([d.parent for d in digits], np.int64),
         np.array([d.source for d in digits], np.int64),
@@ -141,7 +141,7 @@ def driven_points(
     P: Matrix,
 ) -> tuple[Stack, Stack, Stack, Matrix]:
     """Of d driven segments: the joint and the end, ``length`` beyond it, in G (d, 2, 3) m; the
-    end's Jacobian (d, 3, 2) by flexion and aside, its covariance (d, 3, 3) m² by the state alone;
+    end's Jacobian (d, 3, 2) by flexion and lateral, its covariance (d, 3, 3) m² by the state alone;
     flexion (rad) of the driving joint and factor of the girth (d, 2)."""
     known, origins = origin_jacobians(skeleton, at, body), segment_origins(skeleton, body, p)
     d, room = len(driven.parent), known.value.shape[2] + BEYOND
@@ -300,7 +300,7 @@ def _turned(
 def _own_trace(own: OwnBends, i: int, bend: Vector, turned: Vector) -> float:
     """m² of the end, all axes, by what is not known of the digit's own bend (eq. 51).
 
-    Along the flexion ratio, offset and posture add up; aside turns about z.
+    Along the flexion ratio, offset and posture add up; the lateral angle is about z.
     """
     first = OWN * i
     P = own.P[first : first + OWN, first : first + OWN]

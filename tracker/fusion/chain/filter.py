@@ -133,7 +133,7 @@ class ChainFilter:
 
     def doubt(self, imus: IntArray) -> None:
         """Segments whose IMUs (k,) were away may stand anywhere: doubt them, their own weight
-        aside."""
+        lateral."""
         for j in imus:
             rows = self._layout.blocks.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
             self.state.P[rows, rows] += self._params.prior.returned**2

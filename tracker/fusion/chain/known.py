@@ -95,14 +95,14 @@ class KnownWearer:
 
     @property
     def synergies(self) -> tuple[Array, Array]:
-        """The wearer's: gains (k, 2) and aside (S,) rad, as `Completion.wear` takes them."""
+        """The wearer's: gains (k, 2) and lateral (S,) rad, as `Completion.wear` takes them."""
         own = self.guided.synergies
-        return self._distal.gains(own), self._distal.aside(own)
+        return self._distal.gains(own), self._distal.lateral(own)
 
     @property
     def end_joints(self) -> dict[str, Array]:
         """By the names of the digits whose end joint is not sensed, and whose way to bend is known
-        or may be given: covariance (3, 3) of its ratio, offset (rad) and aside (rad)."""
+        or may be given: covariance (3, 3) of its ratio, offset (rad) and lateral (rad)."""
         P, digits = self.guided.synergies.P, self._distal.digits
         return {
             d.name: P[OWN * k : OWN * (k + 1), OWN * k : OWN * (k + 1)]
@@ -117,10 +117,10 @@ class KnownWearer:
     def show(self) -> None:
         """Show the hand with the wearer's own synergies, end joints as images show them."""
         tips = self._shows.tips
-        gains, aside = tips.worn(*self.synergies)
-        self._shows.hand.wear(gains, aside)
+        gains, lateral = tips.worn(*self.synergies)
+        self._shows.hand.wear(gains, lateral)
         self._shows.hand.trust(*tips.trusted(self.guided.synergies))
-        self._shows.recognition.wear(gains, aside)
+        self._shows.recognition.wear(gains, lateral)
 
     def shown(self) -> Calibration:
         """Estimated parameters with their uncertainty."""

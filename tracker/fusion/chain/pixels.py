@@ -85,9 +85,9 @@ class PixelModel:
         self._digit = digit_of(layout)[layout.marker_segment]
         self._complete = Completion(layout)
 
-    def wear(self, gains: Array, aside: Array) -> None:
+    def wear(self, gains: Array, lateral: Array) -> None:
         """From now on with a wearer's own synergies, as `Completion.wear`."""
-        self._complete.wear(gains, aside)
+        self._complete.wear(gains, lateral)
 
     def predict(
         self, state: ChainState, pose: CameraPose, unhidden: Array | None = None
@@ -160,7 +160,7 @@ def matched(
 
     Limits as in `tracker.vision.correspondence.GateParams`; costs as in eq. 23. The cost of no
     match grows with the innovation covariance, or an unsure filter would match nothing. A blob that
-    is as near to another digit's marker is nobody's, but for a hand that is not sure yet.
+    is equally close to another digit's marker is not used, except for an uncertain hand.
     """
     rows, S = prediction.rows, prediction.S
     digit = marker_digit[rows]
@@ -185,7 +185,7 @@ def _is_disputed(
     i: int, found: IntVector, uv: Matrix, markers: ExpectedPixels, digit: IntVector
 ) -> bool:
     """Whether the blob of marker ``i`` would suit another digit's that has none as well, were both
-    in sight: which finger hides which hangs on millimetres that nobody knows of a bent hand."""
+    in sight: the occlusion order of a bent hand is not observable at this scale."""
     if found[i] < 0:
         return False
     own = _distance(uv[found[i]], markers.uv[i], markers.S[i])

@@ -161,9 +161,9 @@ class Recognition:
         self.digit = digit_of(layout)
         self.kept = RecognitionKept()
 
-    def wear(self, gains: Array, aside: Array) -> None:
+    def wear(self, gains: Array, lateral: Array) -> None:
         """From now on with a wearer's own synergies, as `Completion.wear`."""
-        self._pixels.wear(gains, aside)
+        self._pixels.wear(gains, lateral)
 
     def image(self, frame: BlobFrame) -> SeenImage:
         """What of a frame can be the glove's."""
@@ -244,7 +244,8 @@ class Recognition:
         One camera tells distance by how far markers are apart, posture and size taken for granted:
         while these do not fit, distance and its speed are wrong by more than the filter believes,
         so its blobs must be where they were expected. And a hand that leaves most of the image's
-        blobs to nobody, and finds fewer of its markers than a start asks for, is there by chance.
+        blobs to no marker, and finds fewer of its markers than a start asks for, is there by
+        chance.
         """
         if not image.is_mono:
             return seen.is_likely

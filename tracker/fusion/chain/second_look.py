@@ -107,7 +107,7 @@ class SecondLook:
         """Put digits whose markers are not where they should be where they are.
 
         Each is asked: one that has taken its neighbour's markers for its own hides the rest from
-        itself, and lacks none. Only blobs that are nobody's can show that it does: where there are
+        itself, and lacks none. Only unassigned blobs can show that it does: where there are
         none nothing is asked.
         """
         if self._recognition.is_all_known(image, found):

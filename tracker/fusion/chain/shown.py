@@ -37,9 +37,9 @@ class ShownHand:
         """The whole hand from the segments that are estimated, as it is shown."""
         return self._output.complete
 
-    def wear(self, gains: Array, aside: Array) -> None:
+    def wear(self, gains: Array, lateral: Array) -> None:
         """From now on with a wearer's own synergies, as `Completion.wear`."""
-        self._output.complete.wear(gains, aside)
+        self._output.complete.wear(gains, lateral)
 
     def trust(self, own: Synergies, posture: Array) -> None:
         """From now on as sure of end joints as of these synergies and (d,) rad beside them."""

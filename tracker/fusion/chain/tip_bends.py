@@ -42,7 +42,7 @@ BEND, SIDE = 0, 1
 @record("chain.tip_bends", shapes={"bend": "d 2", "drive": "d", "P": "d 2 2"})
 @dataclass(eq=False)
 class TipBendsKept:
-    """All of it that changes: of d digits flexion and aside (d, 2) rad beyond what the joints
+    """All of it that changes: of d digits flexion and lateral (d, 2) rad beyond what the joints
     before tell, whose flexions were drive (d,) rad; their covariance P (d, 2, 2) rad²; and when
     that was, s. Empty before a tip was looked for."""
 
@@ -71,15 +71,15 @@ class TipBends:
 
     # ---- what is known
 
-    def worn(self, gains: Array, aside: Array) -> tuple[Array, Array]:
-        """gains (k, 2) and aside (S,) of `Completion.wear` as the end joints were seen."""
+    def worn(self, gains: Array, lateral: Array) -> tuple[Array, Array]:
+        """gains (k, 2) and lateral (S,) of `Completion.wear` as the end joints were seen."""
         if not len(self.kept.bend):
-            return gains, aside
-        gains, aside = gains.copy(), aside.copy()
+            return gains, lateral
+        gains, lateral = gains.copy(), lateral.copy()
         for digit, bend in zip(self._distal.digits, self.kept.bend, strict=True):
             gains[digit.link, 1] += bend[BEND]
-            aside[digit.segment] += bend[SIDE]
-        return gains, aside
+            lateral[digit.segment] += bend[SIDE]
+        return gains, lateral
 
     def trusted(self, own: Synergies) -> tuple[Synergies, Array]:
         """The wearer's synergies as the end joints were seen, and (d,) rad of what else they do."""
@@ -99,7 +99,7 @@ class TipBends:
         return Synergies(value, P), posture
 
     def _prior(self, own: Synergies, drive: Array) -> Array:
-        """(d, 2, 2) rad² of flexion and aside where no tip was seen, for the flexions ``drive``
+        """(d, 2, 2) rad² of flexion and lateral where no tip was seen, for the flexions ``drive``
         (d,) rad of the joints before."""
         P = np.zeros((len(drive), 2, 2))
         for k, q in enumerate(drive):

@@ -20,7 +20,7 @@ class HandTables(NamedTuple):
     """Of the S segments of a hand: parent (S,), origin (S, 3) m, R_rest (S, 3, 3), columns (S, 3)
     of a joint's abduction, flexion and twist among the angles, -1 for none; limits (J, 2) rad of
     the angles; of the synergies links (k, 2), an angle and the one that drives it, and gains (k, 2)
-    ratio and offset (rad); row (S,) among the active segments, -1 for none; aside (S,) rad of
+    ratio and offset (rad); row (S,) among the active segments, -1 for none; lateral (S,) rad of
     abduction that a segment without one stands at."""
 
     parent: IntVector
@@ -31,7 +31,7 @@ class HandTables(NamedTuple):
     links: IntMatrix
     gains: Matrix
     row: IntVector
-    aside: Vector
+    lateral: Vector
 
 
 class ActiveSegments(NamedTuple):
@@ -62,9 +62,9 @@ class Completion:
             np.zeros(len(hand.segments)),
         )
 
-    def wear(self, gains: Array, aside: Array) -> None:
-        """From now on with a wearer's own synergies (k, 2) and ``aside`` (S,)."""
-        self.tables = self.tables._replace(gains=gains, aside=aside)
+    def wear(self, gains: Array, lateral: Array) -> None:
+        """From now on with a wearer's own synergies (k, 2) and ``lateral`` (S,)."""
+        self.tables = self.tables._replace(gains=gains, lateral=lateral)
 
     def __call__(
         self, R: Array, p: Array, scale3: Array
@@ -95,7 +95,7 @@ def complete(
     hand: HandTables, active: ActiveSegments
 ) -> tuple[Stack, Matrix, Matrix, Vector, BoolVector]:
     """`Completion` of active segments."""
-    parent, origin, R_rest, columns, limits, links, gains, row, aside = hand
+    parent, origin, R_rest, columns, limits, links, gains, row, lateral = hand
     R, p, scale3 = active
     n, n_angles = len(parent), len(limits)
     R_all, p_all, scale = np.empty((n, 3, 3)), np.empty((n, 3)), np.empty((n, 3))
@@ -130,7 +130,7 @@ def complete(
             if columns[i, k] >= 0:
                 joint[k] = angles[columns[i, k]]
         R_all[i] = mul3(
-            mul3(R_all[a], R_rest[i]), _rotation(joint[0] + aside[i], joint[1], joint[2])
+            mul3(R_all[a], R_rest[i]), _rotation(joint[0] + lateral[i], joint[1], joint[2])
         )
         p_all[i] = p_all[a] + rotate(R_all[a], scale[a] * origin[i])
         total, count = np.zeros(3), 0

@@ -4,7 +4,8 @@ A point at the nominal lever d from its segment's IMU (in B) stands at  z = p_GI
 
     dz/dp = I,  dz/dth = -R_GI [R_IB u]x,  dz/dphi = -R_GB [u]x,  dz/dlambda = R_GB D(d)
 
-with u = lambda∘d. These are H of eq. 10 (Lee et al. 2021), derived anew; the paper's: note S6.
+with u = lambda∘d. These are H of eq. 10 (Lee et al. 2021), derived again; the paper's derivation:
+note S6.
 """
 
 from __future__ import annotations

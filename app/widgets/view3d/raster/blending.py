@@ -138,8 +138,8 @@ def _with_grid(style: float, cover: float, grid: float) -> tuple[float, float]:
 def _with_rim(cover: float, n: Vector3, d: Vector3) -> float:
     """A transparent body is more opaque where the ray passes through more of its surface."""
     length = np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
-    aside = 1.0 - abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / length
-    return cover + (1.0 - cover) * RIM * aside * aside * aside
+    edge = 1.0 - abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / length
+    return cover + (1.0 - cover) * RIM * edge * edge * edge
 
 
 @kernel(error_model="numpy", inline="always")

@@ -1,9 +1,9 @@
 """A wearer's profile as a file: what belongs to the person, and stays so when the glove comes off.
 
 A TOML text of schema 1: factors of bones against the hand file, offsets of finger bases (m), own
-synergies (ratio, offset and aside in rad), and how sure all of that is, as covariances in the order
-in which they stand. What belongs to one putting-on of the glove (mountings, markers) and to one day
-(biases) is not in it: a reader starts those as for anybody.
+synergies (ratio, offset and lateral in rad), and how sure all of that is, as covariances in the
+order in which they stand. What belongs to one putting-on of the glove (mountings, markers) and to
+one day (biases) is not in it: a reader starts those as for anybody.
 """
 
 from __future__ import annotations

@@ -46,7 +46,8 @@ BETTER = 0.5  # markers by which a turned digit must be supported more
 
 
 def spread(state: ChainState, layout: ChainLayout, seen: StereoPoints) -> Array:
-    """R_GB (A, 3, 3) of ``state`` with each digit turned aside to where the points support it."""
+    """R_GB (A, 3, 3) of ``state`` with each digit rotated laterally to where the points support
+    it."""
     digit, glove = digit_of(layout), layout.glove
     origin, marker = segment_positions(state, layout), marker_positions(state, layout)
     turns = so3.exp(TURNS[:, None] * state.R_GB[0][:, 2])
