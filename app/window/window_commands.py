@@ -183,10 +183,10 @@ def _replay(on: Targets) -> list[Command]:
     return [
         Command("live", menu, w.tr("Return to li&ve tracking"), on.sources.go_live, "Ctrl+L"),
         Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space", separator=True),
-        Command("step_back", menu, w.tr("&Previous image"), lambda: bar.step(-1), ","),
+        Command("step_back", menu, w.tr("Previous &image"), lambda: bar.step(-1), ","),
         Command("step", menu, w.tr("&Next image"), lambda: bar.step(1), "."),
-        Command("note_before", menu, w.tr("Pr&evious note"), lambda: bar.jump(-1), "Ctrl+,"),
-        Command("note_after", menu, w.tr("Nex&t note"), lambda: bar.jump(1), "Ctrl+."),
+        Command("note_before", menu, w.tr("Previous no&te"), lambda: bar.jump(-1), "Ctrl+,"),
+        Command("note_after", menu, w.tr("Next n&ote"), lambda: bar.jump(1), "Ctrl+."),
         Command(
             "in_point", menu, w.tr("Set the &start of the range"), bar.set_in, "I", separator=True
         ),
