@@ -14,6 +14,11 @@
     </message>
     <message>
       <location filename="app/engines/demo.py" />
+      <source>The hand is tracked by its IMUs alone, so its position is unknown.</source>
+      <translation>Die Hand wird nur mit ihren IMUs getrackt, daher ist ihre Position unbekannt.</translation>
+    </message>
+    <message>
+      <location filename="app/engines/demo.py" />
       <source>a simulated wearer and camera</source>
       <translation>simulierte Person und Kamera</translation>
     </message>
@@ -33,14 +38,9 @@
       <translation>Die simulierte Kamera ist nicht gestartet.</translation>
     </message>
     <message>
-      <location filename="app/engines/demo.py" />
-      <source>The hand is shown by its IMUs alone, without a place.</source>
-      <translation>Die Hand wird allein nach ihren IMUs gezeigt, ohne Ort.</translation>
-    </message>
-    <message>
       <location filename="app/engines/engine_host.py" />
-      <source>{}: not now, a recording has begun meanwhile.</source>
-      <translation>{}: jetzt nicht, inzwischen hat eine Aufnahme begonnen.</translation>
+      <source>{} was not opened, because a recording has begun.</source>
+      <translation>{} wurde nicht geöffnet, weil eine Aufnahme begonnen hat.</translation>
     </message>
     <message>
       <location filename="app/engines/engine_host.py" />
@@ -49,8 +49,8 @@
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
-      <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
-      <translation>Kein Handschuh gefunden: Es gibt keinen seriellen USB-Anschluss. Ist er eingesteckt?</translation>
+      <source>No glove was found on any USB serial port. Plug it in, then try again.</source>
+      <translation>An keinem seriellen USB-Anschluss wurde ein Handschuh gefunden. Einstecken und erneut versuchen.</translation>
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
@@ -69,13 +69,13 @@
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
-      <source>Glove {} at {} is new: choose its hand under Set-up, Glove.</source>
-      <translation>Handschuh {} an {} ist neu: seine Hand unter Einrichtung, Handschuh wählen.</translation>
+      <source>Glove {} at {} is new. Choose its hand under Set-up, Glove.</source>
+      <translation>Handschuh {} an {} ist neu. Seine Hand unter Einrichtung, Handschuh wählen.</translation>
     </message>
     <message>
       <location filename="app/engines/found_gloves.py" />
-      <source>Glove {} at {} is of the {} hand too, of which there is one already.</source>
-      <translation>Handschuh {} an {} ist auch für die Hand {}, von der es schon einen gibt.</translation>
+      <source>Glove {} at {} is not used: there is already a glove for the {} hand.</source>
+      <translation>Handschuh {} an {} wird nicht verwendet: Für diese Hand ({}) gibt es bereits einen Handschuh.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
@@ -94,8 +94,8 @@
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
-      <source>The camera has no calibration yet: make or import one under Set-up, Camera calibration.</source>
-      <translation>Die Kamera ist noch nicht kalibriert: unter Einrichten, Kamera kalibrieren eine Kalibrierung machen oder einlesen.</translation>
+      <source>The camera has no calibration yet. Make or import one under Set-up, Camera calibration.</source>
+      <translation>Die Kamera ist noch nicht kalibriert. Unter Einrichtung, Kamerakalibrierung eine Kalibrierung erstellen oder importieren.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
@@ -109,8 +109,8 @@
     </message>
     <message>
       <location filename="app/engines/recording.py" />
-      <source>{} is still being written to its end; then another recording can begin.</source>
-      <translation>{} wird noch zu Ende geschrieben; dann kann eine neue Aufnahme beginnen.</translation>
+      <source>{} is still being written. Wait until it is finished, then record again.</source>
+      <translation>{} wird noch geschrieben. Warten, bis das abgeschlossen ist, dann erneut aufnehmen.</translation>
     </message>
     <message>
       <location filename="app/engines/recording.py" />
@@ -119,13 +119,13 @@
     </message>
     <message>
       <location filename="app/jobs/calibration_commands.py" />
-      <source>Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.</source>
-      <translation>Nur das Verfahren chain behält die Kalibrierung einer Person: im Menü Tracking wählen.</translation>
+      <source>Only the engine chain has a wearer's calibration. Choose it in the Tracking menu.</source>
+      <translation>Nur das Verfahren chain hat eine Kalibrierung des Trägers. Im Menü Tracking wählen.</translation>
     </message>
     <message>
       <location filename="app/jobs/device_changes.py" />
-      <source>The glove cannot be set: {}.</source>
-      <translation>Der Handschuh kann nicht eingestellt werden: {}.</translation>
+      <source>The glove's settings cannot be changed: {}.</source>
+      <translation>Die Einstellungen des Handschuhs lassen sich nicht ändern: {}.</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
@@ -134,7 +134,7 @@
     </message>
     <message>
       <location filename="app/jobs/export.py" />
-      <source>under way</source>
+      <source>running</source>
       <translation>läuft</translation>
     </message>
     <message>
@@ -164,8 +164,8 @@
     </message>
     <message>
       <location filename="app/jobs/library_scan.py" />
-      <source>Looking into sessions</source>
-      <translation>Sitzungen werden durchgesehen</translation>
+      <source>Reading session details</source>
+      <translation>Angaben zur Sitzung werden gelesen</translation>
     </message>
     <message>
       <location filename="app/jobs/offline_tracking.py" />
@@ -174,8 +174,8 @@
     </message>
     <message>
       <location filename="app/jobs/offline_tracking.py" />
-      <source>The folder {} is not there any more.</source>
-      <translation>Den Ordner {} gibt es nicht mehr.</translation>
+      <source>The folder {} no longer exists.</source>
+      <translation>Der Ordner {} existiert nicht mehr.</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
@@ -189,13 +189,18 @@
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
-      <source>The index fingertip is not seen: there is no place.</source>
-      <translation>Die Spitze des Zeigefingers ist nicht zu sehen: Es gibt keinen Ort.</translation>
+      <source>The sphere was not placed: the index fingertip is not visible.</source>
+      <translation>Die Kugel wurde nicht gesetzt: Die Spitze des Zeigefingers ist nicht sichtbar.</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
-      <source>The stream {} runs.</source>
-      <translation>Der Stream {} läuft.</translation>
+      <source>Testing {}</source>
+      <translation>{} wird getestet</translation>
+    </message>
+    <message>
+      <location filename="app/jobs/outputs.py" />
+      <source>The stream {} is running.</source>
+      <translation>Der Datenstrom {} läuft.</translation>
     </message>
     <message>
       <location filename="app/jobs/plugged.py" />
@@ -203,29 +208,29 @@
       <translation>Geräte werden gesucht</translation>
     </message>
     <message>
-      <location filename="app/jobs/remote.py" />
-      <source>Remote control by {}</source>
-      <translation>Fernsteuerung über {}</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/remote.py" />
-      <source>Remote control by {} is open.</source>
-      <translation>Die Fernsteuerung über {} ist offen.</translation>
-    </message>
-    <message>
-      <location filename="app/jobs/take_motion.py" />
+      <location filename="app/jobs/recording_curves.py" />
       <source>{} cannot be written: {}.</source>
       <translation>{} kann nicht geschrieben werden: {}.</translation>
     </message>
     <message>
-      <location filename="app/jobs/two_takes.py" />
-      <source>{} is not tracked: track it again first.</source>
-      <translation>{} ist ohne Tracking: erst das Tracking wiederholen.</translation>
+      <location filename="app/jobs/recording_curves.py" />
+      <source>{} has not been tracked. Choose Track again first.</source>
+      <translation>Für {} gibt es kein Tracking. Zuerst „Tracking wiederholen“ wählen.</translation>
+    </message>
+    <message>
+      <location filename="app/jobs/remote.py" />
+      <source>Remote control over {}</source>
+      <translation>Fernsteuerung über {}</translation>
+    </message>
+    <message>
+      <location filename="app/jobs/remote.py" />
+      <source>Remote control over {} is open.</source>
+      <translation>Die Fernsteuerung über {} ist offen.</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
-      <source>The file stays on this computer until you send it. It will hold:</source>
-      <translation>Die Datei bleibt auf diesem Computer, bis Sie sie versenden. Sie wird enthalten:</translation>
+      <source>The file stays on this computer until you send it. It will contain:</source>
+      <translation>Die Datei bleibt auf diesem Rechner, bis Sie sie versenden. Sie wird enthalten:</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
@@ -269,8 +274,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
-      <source>How late images are stamped, from the motion of the hand and its gyroscope</source>
-      <translation>Wie verspätet Bilder gestempelt sind, aus der Bewegung der Hand und ihrem Gyroskop</translation>
+      <source>Delay of the image time stamps, estimated from the motion of the hand and its gyroscope</source>
+      <translation>Verzögerung der Bildzeitstempel, geschätzt aus der Bewegung der Hand und ihrem Gyroskop</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
@@ -284,8 +289,33 @@
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
-      <source>Start tracking to see what is estimated.</source>
-      <translation>Nach dem Start des Trackings steht hier, was geschätzt wird.</translation>
+      <source>Start tracking to see the estimated parameters.</source>
+      <translation>Tracking starten, um die geschätzten Parameter zu sehen.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/panel.py" />
+      <source>Segment</source>
+      <translation>Segment</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/panel.py" />
+      <source>Scale ± 2σ</source>
+      <translation>Skala ± 2σ</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/panel.py" />
+      <source>Mounting</source>
+      <translation>Einbaulage</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/panel.py" />
+      <source>Gyro bias</source>
+      <translation>Gyro-Bias</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/panel.py" />
+      <source>Accel. bias</source>
+      <translation>Beschl.-Bias</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
@@ -298,39 +328,14 @@
       <translation>Das Profil {} wurde entfernt.</translation>
     </message>
     <message>
-      <location filename="app/panels/calibration/table.py" />
-      <source>Segment</source>
-      <translation>Segment</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/table.py" />
-      <source>Scale ± 2σ</source>
-      <translation>Skala ± 2σ</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/table.py" />
-      <source>Mounting</source>
-      <translation>Einbaulage</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/table.py" />
-      <source>Gyro bias</source>
-      <translation>Gyro-Bias</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/table.py" />
-      <source>Accel. bias</source>
-      <translation>Beschl.-Bias</translation>
-    </message>
-    <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>From the crease of the wrist to the tip of the middle finger, mm</source>
       <translation>Von der Falte des Handgelenks bis zur Spitze des Mittelfingers, mm</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Who wears the glove</source>
-      <translation>Wer den Handschuh trägt</translation>
+      <source>Wearer of the glove</source>
+      <translation>Träger des Handschuhs</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -339,8 +344,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Hold the calibration as it is; tracking goes on</source>
-      <translation>Die Kalibrierung festhalten, wie sie ist; das Tracking läuft weiter</translation>
+      <source>Stop updating the calibration; tracking continues</source>
+      <translation>Kalibrierung nicht weiter anpassen; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -349,13 +354,13 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Show what has changed since the last fit</source>
-      <translation>Zeigen, was sich seit der letzten Anpassung geändert hat</translation>
+      <source>Show the changes since the last fit</source>
+      <translation>Änderungen seit der letzten Anpassung zeigen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Keep what has been learned</source>
-      <translation>Gelerntes behalten</translation>
+      <source>Save the calibration</source>
+      <translation>Kalibrierung speichern</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -364,8 +369,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Forget what has been learned</source>
-      <translation>Gelerntes vergessen</translation>
+      <source>Discard the calibration</source>
+      <translation>Kalibrierung verwerfen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -374,8 +379,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Put on a profile from a file of another computer</source>
-      <translation>Profil aus der Datei eines anderen Computers anlegen</translation>
+      <source>Import a calibration profile from a file</source>
+      <translation>Kalibrierungsprofil aus einer Datei importieren</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -384,8 +389,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Write what has been learned of the wearer as text</source>
-      <translation>Was über die Person gelernt wurde, als Text schreiben</translation>
+      <source>Export the calibration as a text file</source>
+      <translation>Kalibrierung als Textdatei exportieren</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -394,8 +399,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Half a minute of poses that show your fingertips</source>
-      <translation>Eine halbe Minute Posen, die Ihre Fingerspitzen zeigen</translation>
+      <source>Calibrate your fingers and thumb with half a minute of guided poses</source>
+      <translation>Finger und Daumen mit einer halben Minute geführter Posen kalibrieren</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -404,8 +409,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Measured with a ruler: one camera cannot tell a small hand from a far one</source>
-      <translation>Mit dem Lineal gemessen: eine Kamera allein unterscheidet eine kleine Hand nicht von einer fernen</translation>
+      <source>Enter the measured length: a single camera cannot determine the size of the hand</source>
+      <translation>Gemessene Länge eingeben: Eine einzelne Kamera kann die Größe der Hand nicht bestimmen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -424,11 +429,6 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Save the calibration</source>
-      <translation>Kalibrierung speichern</translation>
-    </message>
-    <message>
-      <location filename="app/panels/calibration/wearer_row.py" />
       <source>Who wears the glove?</source>
       <translation>Wer trägt den Handschuh?</translation>
     </message>
@@ -444,8 +444,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
-      <source>Somebody new</source>
-      <translation>Neue Person</translation>
+      <source>New wearer</source>
+      <translation>Neuer Träger</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -474,8 +474,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>What is drawn over the images</source>
-      <translation>Was über die Bilder gezeichnet wird</translation>
+      <source>Choose what is drawn over the images</source>
+      <translation>Wählen, was über die Bilder gezeichnet wird</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -484,8 +484,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Show what has the colours of the markers, each switched alone</source>
-      <translation>Zeigen, was die Farben der Marker hat; jede einzeln zu schalten</translation>
+      <source>Show the pixels of each marker colour; each colour has its own switch</source>
+      <translation>Pixel jeder Markerfarbe zeigen; jede Farbe hat einen eigenen Schalter</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -494,18 +494,18 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Keep the hand large in both images</source>
-      <translation>Die Hand in beiden Bildern groß halten</translation>
+      <source>Zoom both images to the hand</source>
+      <translation>Beide Bilder auf die Hand vergrößern</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Hold the images; tracking goes on</source>
-      <translation>Die Bilder festhalten; das Tracking läuft weiter</translation>
+      <source>Freeze the images; tracking continues</source>
+      <translation>Bilder einfrieren; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Which cameras</source>
-      <translation>Welche Kameras</translation>
+      <source>Cameras shown</source>
+      <translation>Gezeigte Kameras</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -514,8 +514,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>There is no camera</source>
-      <translation>Es gibt keine Kamera</translation>
+      <source>No camera</source>
+      <translation>Keine Kamera</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -524,8 +524,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>A ring round each blob; dashed: of no marker</source>
-      <translation>Ein Ring um jeden Blob; gestrichelt: gehört zu keinem Marker</translation>
+      <source>A ring around each blob; dashed if no marker is assigned to it</source>
+      <translation>Ein Ring um jeden Fleck; gestrichelt, wenn ihm kein Marker zugeordnet ist</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -534,8 +534,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Filled rings: the marker is seen by both cameras</source>
-      <translation>Gefüllte Ringe: Beide Kameras sehen den Marker</translation>
+      <source>Filled rings: markers matched in both images</source>
+      <translation>Gefüllte Ringe: in beiden Bildern zugeordnete Marker</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -544,18 +544,18 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Right colour, wrong shape, and why</source>
-      <translation>Richtige Farbe, falsche Form, und warum</translation>
+      <source>Regions of the right colour but the wrong shape, with the reason</source>
+      <translation>Bereiche mit richtiger Farbe, aber falscher Form, mit Begründung</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Expected</source>
-      <translation>Erwartet</translation>
+      <source>Predicted</source>
+      <translation>Vorhersage</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Markers where they should be, ids and 2σ</source>
-      <translation>Marker, wo sie sein sollten, mit Kennung und 2σ</translation>
+      <source>Predicted marker positions, with ids and 2σ ellipses</source>
+      <translation>Vorhergesagte Markerpositionen mit Nummern und 2σ-Ellipsen</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -564,8 +564,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>From the expected place to the blob</source>
-      <translation>Vom erwarteten Ort zum Blob</translation>
+      <source>Lines from the predicted positions to the blobs</source>
+      <translation>Linien von den vorhergesagten Positionen zu den Flecken</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -574,8 +574,8 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>The hand as it is tracked</source>
-      <translation>Die Hand, wie sie verfolgt wird</translation>
+      <source>The tracked hand</source>
+      <translation>Die getrackte Hand</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -609,18 +609,8 @@
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
-      <source>Reading the light</source>
+      <source>Measuring the light</source>
       <translation>Licht wird gemessen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/files.py" />
-      <source>Colour profile</source>
-      <translation>Farbprofil</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/files.py" />
-      <source>Export the colours</source>
-      <translation>Farben exportieren</translation>
     </message>
     <message>
       <location filename="app/panels/colours/fitting.py" />
@@ -629,8 +619,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/fitting.py" />
-      <source>Images are gathered: hold the hand in view, or let the replay run.</source>
-      <translation>Bilder werden gesammelt: die Hand im Bild halten oder die Wiedergabe laufen lassen.</translation>
+      <source>Collecting images. Hold the hand in view, or play the replay.</source>
+      <translation>Bilder werden gesammelt. Hand ins Bild halten oder die Wiedergabe abspielen.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/fitting.py" />
+      <source>Show missed markers in the image</source>
+      <translation>Übersehene Marker im Bild zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/fitting.py" />
+      <source>Light</source>
+      <translation>Licht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/fitting.py" />
+      <source>Lighting problems that hide markers, and how to fix them</source>
+      <translation>Beleuchtungsprobleme, die Marker verbergen, und ihre Abhilfe</translation>
     </message>
     <message>
       <location filename="app/panels/colours/image.py" />
@@ -648,34 +653,19 @@
       <translation>Maske, Bild angehalten</translation>
     </message>
     <message>
-      <location filename="app/panels/colours/light.py" />
-      <source>Show missed markers in the image</source>
-      <translation>Übersehene Marker im Bild zeigen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/light.py" />
-      <source>Light</source>
-      <translation>Licht</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/light.py" />
-      <source>What of the light costs markers, and what to change</source>
-      <translation>Was am Licht Marker kostet und was zu ändern ist</translation>
+      <location filename="app/panels/colours/panel.py" />
+      <source>Restored the initial colours of this session.</source>
+      <translation>Die anfänglichen Farben dieser Sitzung sind wiederhergestellt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
-      <source>These are the colours from the start.</source>
-      <translation>Das sind die Farben vom Anfang.</translation>
+      <source>Restored the factory colours.</source>
+      <translation>Die mitgelieferten Farben sind wiederhergestellt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
-      <source>These are the factory colours.</source>
-      <translation>Das sind die Werksfarben.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/panel.py" />
-      <source>The factory colours are not those of this glove.</source>
-      <translation>Die Werksfarben sind nicht die dieses Handschuhs.</translation>
+      <source>The factory colours do not match this glove.</source>
+      <translation>Die mitgelieferten Farben passen nicht zu diesem Handschuh.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/ranges.py" />
@@ -694,8 +684,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Image to tune on</source>
-      <translation>Bild zum Abstimmen</translation>
+      <source>Storing an image</source>
+      <translation>Bild wird gespeichert</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/source.py" />
+      <source>Opening an image</source>
+      <translation>Bild wird geöffnet</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/source.py" />
+      <source>Saving an image</source>
+      <translation>Bild wird gespeichert</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/source.py" />
+      <source>Image used for tuning</source>
+      <translation>Bild zum Einstellen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -704,23 +709,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Hold this image; tracking goes on</source>
-      <translation>Dieses Bild festhalten; das Tracking läuft weiter</translation>
+      <source>Freeze the image; tracking continues</source>
+      <translation>Bild einfrieren; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Keep</source>
-      <translation>Behalten</translation>
+      <source>Store</source>
+      <translation>Speichern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Keep this image for later</source>
-      <translation>Dieses Bild für später behalten</translation>
+      <source>Store this image for later</source>
+      <translation>Dieses Bild für später speichern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>More about images</source>
-      <translation>Mehr zu Bildern</translation>
+      <source>More image commands</source>
+      <translation>Weitere Befehle für Bilder</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -739,18 +744,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Keeping an image</source>
-      <translation>Bild wird behalten</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/source.py" />
       <source>Open an image</source>
       <translation>Bild öffnen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/source.py" />
-      <source>Opening an image</source>
-      <translation>Bild wird geöffnet</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -759,13 +754,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Saving an image</source>
-      <translation>Bild wird gespeichert</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/source.py" />
-      <source>There is no image yet that could be kept.</source>
-      <translation>Es gibt noch kein Bild, das behalten werden könnte.</translation>
+      <source>There is no image yet that could be stored.</source>
+      <translation>Es gibt noch kein Bild, das gespeichert werden könnte.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -774,8 +764,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
-      <source>Choose a kept image first: the live one stays.</source>
-      <translation>Erst ein behaltenes Bild wählen: Das Livebild bleibt.</translation>
+      <source>Select a stored image first. The live image stays.</source>
+      <translation>Zuerst ein gespeichertes Bild auswählen. Das Livebild bleibt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -784,13 +774,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
+      <source>Colour profile</source>
+      <translation>Farbprofil</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/tools.py" />
+      <source>Export the colours</source>
+      <translation>Farben exportieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/tools.py" />
       <source>Pick =</source>
       <translation>Wählen =</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Set from pixel: an eyedropper; a click on a marker sets the ranges of the chosen hue to its colour</source>
-      <translation>Aus Bildpunkt setzen: eine Pipette; ein Klick auf einen Marker setzt die Bereiche des gewählten Farbtons auf dessen Farbe</translation>
+      <source>Eyedropper: click a marker to set the ranges of the selected hue to its colour</source>
+      <translation>Pipette: Marker anklicken, um die Bereiche des gewählten Farbtons auf seine Farbe zu setzen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -799,8 +799,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Eyedropper: a click widens the ranges to take a pixel in, Ctrl+click leaves it out. With one marker of each colour clicked, the colours are learned.</source>
-      <translation>Pipette: Ein Klick erweitert die Bereiche um einen Bildpunkt, Strg+Klick nimmt ihn heraus. Sobald ein Marker jeder Farbe angeklickt ist, werden die Farben gelernt.</translation>
+      <source>Eyedropper: click a pixel to include it in the ranges, Ctrl+click to exclude it. Once a marker of each colour has been clicked, the colours are learned.</source>
+      <translation>Pipette: Pixel anklicken, um es in die Bereiche aufzunehmen, Strg+Klick schließt es aus. Sobald ein Marker jeder Farbe angeklickt ist, werden die Farben gelernt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -809,8 +809,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Eyedropper: a click leaves a pixel out</source>
-      <translation>Pipette: Ein Klick lässt ein Pixel aus</translation>
+      <source>Eyedropper: click a pixel to exclude it from the ranges</source>
+      <translation>Pipette: Pixel anklicken, um es aus den Bereichen auszuschließen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -819,23 +819,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>From what is seen now</source>
-      <translation>Aus dem, was jetzt zu sehen ist</translation>
+      <source>From live images</source>
+      <translation>Aus Livebildern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Hold the hand in view: glove and cameras find it in any light</source>
-      <translation>Die Hand ins Bild halten: Handschuh und Kameras finden sie bei jedem Licht</translation>
+      <source>Hold the hand in view: the IMUs help to find it in any light</source>
+      <translation>Hand ins Bild halten: Die IMUs helfen, sie bei jedem Licht zu finden</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>From the image alone</source>
-      <translation>Allein aus dem Bild</translation>
+      <source>From this image only</source>
+      <translation>Nur aus diesem Bild</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>A crowd of patches of the glove's colours is looked for</source>
-      <translation>Gesucht wird eine Ansammlung von Flecken in den Farben des Handschuhs</translation>
+      <source>Searches the image for a group of patches in the glove's colours</source>
+      <translation>Sucht im Bild eine Gruppe von Flicken in den Farben des Handschuhs</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -844,18 +844,18 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Each tracked marker shows what its colour looks like here</source>
-      <translation>Jeder verfolgte Marker zeigt, wie seine Farbe hier aussieht</translation>
+      <source>Measures the colours of the markers that are tracked</source>
+      <translation>Misst die Farben der getrackten Marker</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Check the room without the hand</source>
-      <translation>Raum ohne Hand prüfen</translation>
+      <source>Check the background</source>
+      <translation>Hintergrund prüfen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Take the hand out of the image first</source>
-      <translation>Vorher die Hand aus dem Bild nehmen</translation>
+      <source>Move the hand out of the image first</source>
+      <translation>Zuerst die Hand aus dem Bild nehmen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -864,18 +864,18 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Take over from</source>
-      <translation>Übernehmen von</translation>
+      <source>Copy from another camera</source>
+      <translation>Von anderer Kamera kopieren</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Back to the colours from the start</source>
-      <translation>Zurück zu den Farben vom Anfang</translation>
+      <source>Restore the initial colours</source>
+      <translation>Anfängliche Farben wiederherstellen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Those that this session began with</source>
-      <translation>Die, mit denen diese Sitzung begann</translation>
+      <source>The colours at the start of this session</source>
+      <translation>Die Farben zu Beginn dieser Sitzung</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -884,8 +884,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Those that the program comes with</source>
-      <translation>Die, mit denen das Programm kommt</translation>
+      <source>The colours shipped with Glovetrack</source>
+      <translation>Die mit Glovetrack gelieferten Farben</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -994,8 +994,8 @@
     </message>
     <message>
       <location filename="app/panels/devices/panel.py" />
-      <source>{}: {} is not possible ({}).</source>
-      <translation>{}: {} ist nicht möglich ({}).</translation>
+      <source>{}: the value {} is not possible ({}).</source>
+      <translation>{}: Der Wert {} ist nicht möglich ({}).</translation>
     </message>
     <message>
       <location filename="app/panels/devices/panel.py" />
@@ -1053,34 +1053,14 @@
       <translation>automatisch</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/controls.py" />
-      <source>Fit both axes to the curves (double-click the graph)</source>
-      <translation>Beide Achsen an die Kurven anpassen (Doppelklick auf das Diagramm)</translation>
+      <location filename="app/panels/graphs/data.py" />
+      <source>Reading the recording's signals</source>
+      <translation>Signale der Aufnahme werden gelesen</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/controls.py" />
-      <source>Time window</source>
-      <translation>Zeitfenster</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/controls.py" />
-      <source>Pause this graph; tracking goes on</source>
-      <translation>Dieses Diagramm anhalten; das Tracking läuft weiter</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/controls.py" />
-      <source>Copy what is shown as CSV</source>
-      <translation>Dargestelltes als CSV kopieren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/controls.py" />
-      <source>Remove this graph</source>
-      <translation>Dieses Diagramm entfernen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/controls.py" />
-      <source>Whole recording</source>
-      <translation>Ganze Aufnahme</translation>
+      <location filename="app/panels/graphs/data.py" />
+      <source>Reading the whole recording…</source>
+      <translation>Ganze Aufnahme wird gelesen…</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/layouts.py" />
@@ -1114,11 +1094,6 @@
     </message>
     <message>
       <location filename="app/panels/graphs/panel.py" />
-      <source>Reading the recording's signals</source>
-      <translation>Signale der Aufnahme werden gelesen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/graphs/panel.py" />
       <source>Add graph</source>
       <translation>Diagramm hinzufügen</translation>
     </message>
@@ -1143,14 +1118,29 @@
       <translation>Anordnungen</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/panel.py" />
-      <source>Reading the whole recording…</source>
-      <translation>Ganze Aufnahme wird gelesen…</translation>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>Fit both axes to the curves (double-click the graph)</source>
+      <translation>Beide Achsen an die Kurven anpassen (Doppelklick auf das Diagramm)</translation>
     </message>
     <message>
-      <location filename="app/panels/graphs/panel.py" />
-      <source>Copied {} lines of {} curves as CSV.</source>
-      <translation>{} Zeilen von {} Kurven als CSV kopiert.</translation>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>Time window</source>
+      <translation>Zeitfenster</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>Pause this graph; tracking continues</source>
+      <translation>Dieses Diagramm anhalten; das Tracking läuft weiter</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>Copy the visible data as CSV</source>
+      <translation>Sichtbare Daten als CSV kopieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/plot.py" />
+      <source>Remove this graph</source>
+      <translation>Dieses Diagramm entfernen</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/plot.py" />
@@ -1159,8 +1149,18 @@
     </message>
     <message>
       <location filename="app/panels/graphs/plot.py" />
+      <source>Whole recording</source>
+      <translation>Ganze Aufnahme</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/plot.py" />
       <source>Tick signals in the tree, or drag them here.</source>
       <translation>Signale im Baum ankreuzen oder hierher ziehen.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/graphs/stack.py" />
+      <source>Copied {} rows of {} curves as CSV.</source>
+      <translation>{} Zeilen von {} Kurven als CSV kopiert.</translation>
     </message>
     <message>
       <location filename="app/panels/graphs/tree.py" />
@@ -1184,13 +1184,13 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>Hand to compare with</source>
-      <translation>Vergleichshand</translation>
+      <source>Reference hand</source>
+      <translation>Referenzhand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>The outline of another hand: the truth of a simulated one, the second tracking of a replay, or another engine on the same data</source>
-      <translation>Der Umriss einer anderen Hand: die Wahrheit einer simulierten, das zweite Tracking einer Wiedergabe oder ein anderes Verfahren auf denselben Daten</translation>
+      <source>Outline of a reference hand: the true pose of the simulated hand, the second tracking of a replay, or another engine on the same data</source>
+      <translation>Umriss einer Referenzhand: wahre Pose der simulierten Hand, zweites Tracking einer Wiedergabe oder ein anderes Verfahren mit denselben Daten</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -1199,13 +1199,13 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>Fingertip whose way is drawn</source>
-      <translation>Fingerspitze, deren Weg gezeichnet wird</translation>
+      <source>Fingertip trail</source>
+      <translation>Spur der Fingerspitze</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>The way of a fingertip over the last three seconds</source>
-      <translation>Der Weg einer Fingerspitze in den letzten drei Sekunden</translation>
+      <source>Path of a fingertip over the last three seconds</source>
+      <translation>Weg einer Fingerspitze in den letzten drei Sekunden</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -1219,8 +1219,13 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>Look from there</source>
-      <translation>Von dort schauen</translation>
+      <source>Preparing the 3D view</source>
+      <translation>3D-Ansicht wird vorbereitet</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/controls.py" />
+      <source>View from this side</source>
+      <translation>Ansicht von dieser Seite</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -1229,8 +1234,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>Large: seen now. Small: lately. Ring: never</source>
-      <translation>Groß: jetzt gesehen. Klein: kürzlich. Ring: nie</translation>
+      <source>Large: visible now. Small: visible recently. Ring: never seen</source>
+      <translation>Groß: jetzt sichtbar. Klein: kürzlich sichtbar. Ring: nie gesehen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -1239,8 +1244,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>A ring round each fingertip, of two standard deviations; broken: more than its 15 mm</source>
-      <translation>Ein Ring um jede Fingerspitze, zwei Standardabweichungen groß; unterbrochen: mehr als seine 15 mm</translation>
+      <source>A ring of two standard deviations around each fingertip; dashed at the maximum of 15 mm</source>
+      <translation>Ein Ring von zwei Standardabweichungen um jede Fingerspitze; gestrichelt beim Höchstwert von 15 mm</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -1256,6 +1261,21 @@
       <location filename="app/panels/hand/controls.py" />
       <source>The frame of each segment at its joint: x, y, z</source>
       <translation>Das Koordinatensystem jedes Segments an seinem Gelenk: x, y, z</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/controls.py" />
+      <source>The graphics driver crashed the program last time, so the 3D view uses software rendering. To try the graphics card again, choose it in the View menu.</source>
+      <translation>Der Grafiktreiber hat das Programm beim letzten Mal zum Absturz gebracht, daher wird die 3D-Ansicht per Software gezeichnet. Um die Grafikkarte erneut zu versuchen, sie im Menü Ansicht wählen.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/controls.py" />
+      <source>Rendering on the graphics card is not part of this installation. The 3D view uses software rendering.</source>
+      <translation>Das Zeichnen auf der Grafikkarte gehört nicht zu dieser Installation. Die 3D-Ansicht wird per Software gezeichnet.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/controls.py" />
+      <source>The 3D view cannot use the graphics card and uses software rendering.</source>
+      <translation>Die 3D-Ansicht kann die Grafikkarte nicht nutzen und wird per Software gezeichnet.</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -1284,8 +1304,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
-      <source>Making the hand's skin</source>
-      <translation>Haut der Hand wird gemacht</translation>
+      <source>Generating the hand mesh</source>
+      <translation>Handmodell wird erzeugt</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
@@ -1299,8 +1319,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
-      <source>Not tracked yet: Replay, Track again</source>
-      <translation>Noch ohne Tracking: Wiedergabe, Tracking wiederholen</translation>
+      <source>Not tracked yet. Choose Replay, Track again.</source>
+      <translation>Noch kein Tracking. Wiedergabe, Tracking wiederholen wählen.</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
@@ -1309,28 +1329,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
-      <source>The hand's skin is being made…</source>
-      <translation>Die Haut der Hand wird gemacht…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/view_chooser.py" />
-      <source>Preparing the 3D view</source>
-      <translation>3D-Ansicht wird vorbereitet</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/view_chooser.py" />
-      <source>The 3D driver of the graphics card ended the program last time, so the hand is painted without it. The View menu brings the card back.</source>
-      <translation>Der 3D-Treiber der Grafikkarte hat das Programm letztes Mal beendet, deshalb wird die Hand ohne sie gezeichnet. Das Menü Ansicht holt die Karte zurück.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/view_chooser.py" />
-      <source>The 3D view of the graphics card is not part of this installation; the hand is painted without it.</source>
-      <translation>Die 3D-Ansicht der Grafikkarte gehört nicht zu dieser Installation; die Hand wird ohne sie gezeichnet.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/view_chooser.py" />
-      <source>The 3D view cannot use the graphics card; it is painted.</source>
-      <translation>Die 3D-Ansicht kann die Grafikkarte nicht nutzen; sie wird gezeichnet.</translation>
+      <source>Generating the hand mesh…</source>
+      <translation>Handmodell wird erzeugt …</translation>
     </message>
     <message>
       <location filename="app/panels/hand_choice.py" />
@@ -1343,34 +1343,19 @@
       <translation>Rechte Hand</translation>
     </message>
     <message>
-      <location filename="app/panels/hand_choice.py" />
-      <source>Which hand</source>
-      <translation>Welche Hand</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/compare_dialog.py" />
-      <source>Two trackings compared</source>
-      <translation>Zwei Trackings im Vergleich</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/compare_dialog.py" />
-      <source>Copy</source>
-      <translation>Kopieren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/compare_dialog.py" />
-      <source>Difference</source>
-      <translation>Unterschied</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/compare_dialog.py" />
-      <source>Error of {}</source>
-      <translation>Fehler von {}</translation>
+      <location filename="app/panels/library/comparing.py" />
+      <source>Reading two recordings</source>
+      <translation>Zwei Aufnahmen werden gelesen</translation>
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
-      <source>Reading two takes</source>
-      <translation>Zwei Aufnahmen werden gelesen</translation>
+      <source>Comparison of two trackings</source>
+      <translation>Vergleich zweier Trackings</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/comparing.py" />
+      <source>Copy</source>
+      <translation>Kopieren</translation>
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
@@ -1379,8 +1364,38 @@
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
+      <source>Difference</source>
+      <translation>Unterschied</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/comparing.py" />
       <source>Tracking {} again</source>
       <translation>Tracking von {} wird wiederholt</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/comparing.py" />
+      <source>Error of {}</source>
+      <translation>Fehler von {}</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>Preset</source>
+      <translation>Vorgabe</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>Remove</source>
+      <translation>Entfernen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>Save these formats and options</source>
+      <translation>Diese Formate und Optionen speichern</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>Name of the preset</source>
+      <translation>Name der Vorgabe</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
@@ -1409,8 +1424,8 @@
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
-      <source>What is done, in a sentence; else the notes say it</source>
-      <translation>Was getan wird, in einem Satz; sonst sagen es die Notizen</translation>
+      <source>One sentence that describes the task; default: the notes</source>
+      <translation>Ein Satz, der die Aufgabe beschreibt; Vorgabe: die Notizen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
@@ -1419,13 +1434,13 @@
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
-      <source>an episode from each note to the next</source>
-      <translation>eine Episode von jeder Notiz zur nächsten</translation>
+      <source>one episode per note</source>
+      <translation>eine Episode je Notiz</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
-      <source>as usual for the format</source>
-      <translation>wie für das Format üblich</translation>
+      <source>default of the format</source>
+      <translation>Vorgabe des Formats</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
@@ -1484,6 +1499,16 @@
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
+      <source>none (options below)</source>
+      <translation>keine (Optionen unten)</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>Restore the preset {}</source>
+      <translation>Voreinstellung {} wiederherstellen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
       <source>{} sessions</source>
       <translation>{} Sitzungen</translation>
     </message>
@@ -1516,41 +1541,6 @@
       <location filename="app/panels/library/export_list.py" />
       <source>Progress</source>
       <translation>Fortschritt</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>Preset</source>
-      <translation>Vorgabe</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>Keep as…</source>
-      <translation>Behalten als…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>Remove</source>
-      <translation>Entfernen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>Keep these formats and options</source>
-      <translation>Diese Formate und Optionen behalten</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>Name of the preset</source>
-      <translation>Name der Vorgabe</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>none: as below</source>
-      <translation>keine: wie unten</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/export_presets.py" />
-      <source>Put back the preset {}</source>
-      <translation>Vorlage {} wiederherstellen</translation>
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
@@ -1609,8 +1599,8 @@
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
-      <source>Interpolate the selected gaps in a new file, which marks them; the recording itself is not changed</source>
-      <translation>Ausgewählte Lücken in einer neuen Datei interpolieren, die sie kennzeichnet; die Aufnahme selbst bleibt unverändert</translation>
+      <source>Interpolate the selected gaps in a new file, in which they are marked; the original recording is not changed</source>
+      <translation>Ausgewählte Lücken in einer neuen Datei interpolieren, in der sie gekennzeichnet sind; die Originalaufnahme bleibt unverändert</translation>
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
@@ -1621,6 +1611,11 @@
       <location filename="app/panels/library/gap_page.py" />
       <source>Fill</source>
       <translation>Füllen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Finding gaps</source>
+      <translation>Lücken werden gesucht</translation>
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
@@ -1659,8 +1654,13 @@
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
-      <source>The gaps of a recording are listed while it is replayed.</source>
-      <translation>Die Lücken einer Aufnahme werden aufgelistet, während sie wiedergegeben wird.</translation>
+      <source>Replay a recording to list its gaps.</source>
+      <translation>Eine Aufnahme wiedergeben, um ihre Lücken aufzulisten.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/gap_page.py" />
+      <source>Filling gaps in {}</source>
+      <translation>Lücken in {} werden gefüllt</translation>
     </message>
     <message>
       <location filename="app/panels/library/gap_page.py" />
@@ -1676,16 +1676,6 @@
       <location filename="app/panels/library/gap_page.py" />
       <source>Fill {} gaps</source>
       <translation>{} Lücken füllen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/gaps.py" />
-      <source>Listing the gaps</source>
-      <translation>Lücken werden aufgelistet</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/gaps.py" />
-      <source>Filling gaps of {}</source>
-      <translation>Lücken von {} werden gefüllt</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
@@ -1704,23 +1694,23 @@
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
-      <source>Mark the part first: I where it begins, O where it ends.</source>
-      <translation>Erst den Teil markieren: I, wo er beginnt, O, wo er endet.</translation>
+      <source>Mark a range first: press I at its start and O at its end.</source>
+      <translation>Zuerst einen Bereich markieren: I am Anfang und O am Ende drücken.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
-      <source>Choose a session in the library to export it.</source>
-      <translation>Zum Exportieren eine Sitzung in der Bibliothek wählen.</translation>
+      <source>Select a session in the library to export it.</source>
+      <translation>Eine Sitzung in der Bibliothek auswählen, um sie zu exportieren.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
-      <source>Choose a session in the library to track it again.</source>
-      <translation>Zum Wiederholen des Trackings eine Sitzung in der Bibliothek wählen.</translation>
+      <source>Select a session in the library to track it again.</source>
+      <translation>Eine Sitzung in der Bibliothek auswählen, um ihr Tracking zu wiederholen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
-      <source>Choose two sessions in the library.</source>
-      <translation>Zwei Sitzungen in der Bibliothek wählen.</translation>
+      <source>Select two sessions in the library.</source>
+      <translation>Zwei Sitzungen in der Bibliothek auswählen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
@@ -1734,7 +1724,7 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>Tags, with commas between</source>
+      <source>Tags, separated by commas</source>
       <translation>Schlagwörter, durch Kommas getrennt</translation>
     </message>
     <message>
@@ -1774,8 +1764,8 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>{} holds the chosen {} of {}.</source>
-      <translation>{} enthält die gewählten {} aus {}.</translation>
+      <source>{} contains the selected {} of {}.</source>
+      <translation>{} enthält die ausgewählten {} von {}.</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
@@ -1784,8 +1774,8 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
-      <source>{} is open: close it first (Ctrl+W).</source>
-      <translation>{} ist geöffnet: erst schließen (Strg+W).</translation>
+      <source>{} is open. Close it first (Ctrl+W).</source>
+      <translation>{} ist geöffnet. Zuerst schließen (Strg+W).</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
@@ -1799,8 +1789,8 @@
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
-      <source>Choose two sessions of one movement</source>
-      <translation>Zwei Sitzungen einer Bewegung wählen</translation>
+      <source>Select two sessions of the same movement</source>
+      <translation>Zwei Sitzungen derselben Bewegung auswählen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
@@ -1824,7 +1814,7 @@
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
-      <source>Two takes side by side</source>
+      <source>Two recordings side by side</source>
       <translation>Zwei Aufnahmen nebeneinander</translation>
     </message>
     <message>
@@ -1873,29 +1863,19 @@
       <translation>Schlagwörter</translation>
     </message>
     <message>
-      <location filename="app/panels/library/take_pair.py" />
-      <source>No image here</source>
-      <translation>Hier ist kein Bild</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/take_pair.py" />
-      <source>Reading images</source>
-      <translation>Bilder werden gelesen</translation>
+      <location filename="app/panels/library/track_dialog.py" />
+      <source>default</source>
+      <translation>Vorgabe</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
-      <source>the usual ones</source>
-      <translation>die üblichen</translation>
+      <source>use the whole session for every estimate (chain)</source>
+      <translation>für jede Schätzung die ganze Sitzung verwenden (chain)</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
-      <source>every estimate knows the whole session (chain)</source>
-      <translation>jede Schätzung kennt die ganze Sitzung (chain)</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/track_dialog.py" />
-      <source>The recorded sensor data go through tracking again. The result becomes a session of its own beside this one; both are then shown together and compared.</source>
-      <translation>Die aufgenommenen Sensordaten durchlaufen das Tracking noch einmal. Das Ergebnis wird eine eigene Sitzung neben dieser; beide werden dann zusammen gezeigt und verglichen.</translation>
+      <source>Tracks the recorded sensor data again and saves the result as a new session in the same folder. Both sessions are then shown together and compared.</source>
+      <translation>Wiederholt das Tracking mit den aufgezeichneten Sensordaten und speichert das Ergebnis als neue Sitzung im selben Ordner. Beide Sitzungen werden dann zusammen gezeigt und verglichen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
@@ -1964,13 +1944,13 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>Back to the live hand (Ctrl+L)</source>
-      <translation>Zurück zur laufenden Hand (Strg+L)</translation>
+      <source>Return to live tracking (Ctrl+L)</source>
+      <translation>Zurück zum Live-Tracking (Strg+L)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>A gap that was filled: not measured</source>
-      <translation>Eine gefüllte Lücke: nicht gemessen</translation>
+      <source>A filled gap: interpolated, not measured</source>
+      <translation>Gefüllte Lücke: interpoliert, nicht gemessen</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -1989,23 +1969,23 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>The image before (,)</source>
-      <translation>Das Bild davor (,)</translation>
+      <source>Previous image (,)</source>
+      <translation>Voriges Bild (,)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>The next image (.)</source>
-      <translation>Das nächste Bild (.)</translation>
+      <source>Next image (.)</source>
+      <translation>Nächstes Bild (.)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>The note before (Ctrl+,)</source>
-      <translation>Die Notiz davor (Strg+,)</translation>
+      <source>Previous note (Ctrl+,)</source>
+      <translation>Vorige Notiz (Strg+,)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>The next note (Ctrl+.)</source>
-      <translation>Die nächste Notiz (Strg+.)</translation>
+      <source>Next note (Ctrl+.)</source>
+      <translation>Nächste Notiz (Strg+.)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -2014,8 +1994,8 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>Begin the range here (I)</source>
-      <translation>Den Bereich hier beginnen (I)</translation>
+      <source>Set the start of the range (I)</source>
+      <translation>Anfang des Bereichs setzen (I)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -2024,8 +2004,8 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>End the range here (O)</source>
-      <translation>Den Bereich hier beenden (O)</translation>
+      <source>Set the end of the range (O)</source>
+      <translation>Ende des Bereichs setzen (O)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -2034,8 +2014,8 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>No range</source>
-      <translation>Kein Bereich</translation>
+      <source>Clear the range</source>
+      <translation>Bereich aufheben</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -2044,8 +2024,8 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>Play the range over (L)</source>
-      <translation>Den Bereich immer wieder abspielen (L)</translation>
+      <source>Repeat the range (L)</source>
+      <translation>Bereich wiederholen (L)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -2054,8 +2034,18 @@
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>{} Correlation {:.2f}, elsewhere {:.2f} at most.</source>
-      <translation>{} Korrelation {:.2f}, anderswo höchstens {:.2f}.</translation>
+      <source>No image here</source>
+      <translation>Hier ist kein Bild</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_recordings_dialog.py" />
+      <source>{} Correlation {:.2f}; at most {:.2f} elsewhere.</source>
+      <translation>{} Korrelation {:.2f}; sonst höchstens {:.2f}.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_recordings_dialog.py" />
+      <source>Reading images</source>
+      <translation>Bilder werden gelesen</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
@@ -2069,8 +2059,8 @@
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>The second begins at</source>
-      <translation>Die zweite beginnt bei</translation>
+      <source>Second recording starts at</source>
+      <translation>Zweite Aufnahme beginnt bei</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
@@ -2079,8 +2069,8 @@
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>As the computers' clocks had it</source>
-      <translation>Nach den Uhren der Computer</translation>
+      <source>Align the recordings by the computers' clocks</source>
+      <translation>Aufnahmen nach den Uhren der Rechner ausrichten</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
@@ -2094,23 +2084,28 @@
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>Where the angles of both fit best</source>
-      <translation>Wo die Winkel beider am besten passen</translation>
+      <source>Align the recordings by the best match of their joint angles</source>
+      <translation>Aufnahmen nach der besten Übereinstimmung ihrer Gelenkwinkel ausrichten</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>Begin there the next time; for compare --align too</source>
-      <translation>Beim nächsten Mal dort beginnen; auch für compare --align</translation>
+      <source>Keep</source>
+      <translation>Behalten</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>The takes have no joint angle in common.</source>
-      <translation>Die Aufnahmen haben keinen gemeinsamen Gelenkwinkel.</translation>
+      <source>Save this alignment; compare --align uses it, too</source>
+      <translation>Diese Ausrichtung speichern; compare --align verwendet sie ebenfalls</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>{} beside {}</source>
-      <translation>{} neben {}</translation>
+      <source>The recordings have no joint angle in common.</source>
+      <translation>Die Aufnahmen haben keinen Gelenkwinkel gemeinsam.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_recordings_dialog.py" />
+      <source>{} and {}</source>
+      <translation>{} und {}</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
@@ -2119,8 +2114,8 @@
     </message>
     <message>
       <location filename="app/panels/library/two_recordings_dialog.py" />
-      <source>Kept in {}.</source>
-      <translation>Aufgehoben in {}.</translation>
+      <source>Saved to {}.</source>
+      <translation>In {} gespeichert.</translation>
     </message>
     <message>
       <location filename="app/panels/log.py" />
@@ -2133,53 +2128,8 @@
       <translation>Fehlerbericht…</translation>
     </message>
     <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Distance from</source>
-      <translation>Abstand von</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Distance to</source>
-      <translation>Abstand zu</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Measure this distance</source>
-      <translation>Diesen Abstand messen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Measure the chosen distances no more</source>
-      <translation>Die gewählten Abstände nicht mehr messen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Unit of angles</source>
-      <translation>Einheit der Winkel</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Degrees</source>
-      <translation>Grad</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Radians</source>
-      <translation>Radiant</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Copy the table</source>
-      <translation>Tabelle kopieren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/controls.py" />
-      <source>Save as CSV…</source>
-      <translation>Als CSV speichern…</translation>
-    </message>
-    <message>
       <location filename="app/panels/motion/panel.py" />
-      <source>Measuring the take</source>
+      <source>Measuring the recording</source>
       <translation>Aufnahme wird vermessen</translation>
     </message>
     <message>
@@ -2194,11 +2144,6 @@
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
-      <source>Reading the whole take…</source>
-      <translation>Die ganze Aufnahme wird gelesen…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
       <source>Distances removed: {}.</source>
       <translation>Abstände entfernt: {}.</translation>
     </message>
@@ -2206,6 +2151,51 @@
       <location filename="app/panels/motion/table.py" />
       <source>Angles and distances</source>
       <translation>Winkel und Abstände</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Distance from</source>
+      <translation>Abstand von</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Distance to</source>
+      <translation>Abstand zu</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Add this distance</source>
+      <translation>Diesen Abstand hinzufügen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Remove the selected distances</source>
+      <translation>Ausgewählte Abstände entfernen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Unit of angles</source>
+      <translation>Einheit der Winkel</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Degrees</source>
+      <translation>Grad</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Radians</source>
+      <translation>Radiant</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Copy the table</source>
+      <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Save as CSV…</source>
+      <translation>Als CSV speichern…</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
@@ -2219,18 +2209,18 @@
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
-      <source>In its range</source>
-      <translation>Im Bereich</translation>
+      <source>Position in range</source>
+      <translation>Lage im Bereich</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
-      <source>Least</source>
-      <translation>Kleinster</translation>
+      <source>Minimum</source>
+      <translation>Minimum</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
-      <source>Greatest</source>
-      <translation>Größter</translation>
+      <source>Maximum</source>
+      <translation>Maximum</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
@@ -2239,48 +2229,18 @@
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
-      <source>Fastest / s</source>
-      <translation>Schnellste / s</translation>
+      <source>Peak speed / s</source>
+      <translation>Höchstgeschwindigkeit / s</translation>
     </message>
     <message>
-      <location filename="app/panels/note_list.py" />
+      <location filename="app/panels/recording.py" />
       <source>Notes of this recording</source>
       <translation>Notizen dieser Aufnahme</translation>
     </message>
     <message>
-      <location filename="app/panels/note_list.py" />
-      <source>Double-click to change a note, Delete to take it back</source>
-      <translation>Doppelklick ändert eine Notiz, Entf nimmt sie zurück</translation>
-    </message>
-    <message>
-      <location filename="app/panels/note_list.py" />
-      <source>At</source>
-      <translation>Zeit</translation>
-    </message>
-    <message>
-      <location filename="app/panels/note_list.py" />
-      <source>Note</source>
-      <translation>Notiz</translation>
-    </message>
-    <message>
-      <location filename="app/panels/note_list.py" />
-      <source>The note “{}” was deleted.</source>
-      <translation>Die Notiz „{}“ wurde gelöscht.</translation>
-    </message>
-    <message>
-      <location filename="app/panels/record_file.py" />
-      <source>File of {}</source>
-      <translation>Datei für {}</translation>
-    </message>
-    <message>
-      <location filename="app/panels/record_file.py" />
-      <source>Hand records (*{})</source>
-      <translation>Handaufzeichnungen (*{})</translation>
-    </message>
-    <message>
-      <location filename="app/panels/record_file.py" />
-      <source>{}; where that is there already a number is added</source>
-      <translation>{}; gibt es sie schon, kommt eine Zahl dazu</translation>
+      <location filename="app/panels/recording.py" />
+      <source>Double-click a note to edit it; press Delete to remove it</source>
+      <translation>Notiz doppelklicken, um sie zu ändern; Entf löscht sie</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -2294,8 +2254,8 @@
     </message>
     <message>
       <location filename="app/panels/recording.py" />
-      <source>May hold {participant}, {task}, {date}, {time} and a counter: {n} or {n:03}</source>
-      <translation>Darf {participant}, {task}, {date}, {time} und einen Zähler enthalten: {n} oder {n:03}</translation>
+      <source>May contain {participant}, {task}, {date}, {time} and a counter: {n} or {n:03}</source>
+      <translation>Kann {participant}, {task}, {date}, {time} und einen Zähler enthalten: {n} oder {n:03}</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -2369,13 +2329,23 @@
     </message>
     <message>
       <location filename="app/panels/recording.py" />
+      <source>At</source>
+      <translation>Zeit</translation>
+    </message>
+    <message>
+      <location filename="app/panels/recording.py" />
+      <source>Note</source>
+      <translation>Notiz</translation>
+    </message>
+    <message>
+      <location filename="app/panels/recording.py" />
       <source>none</source>
       <translation>keiner</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
-      <source>The recording was ended: the disk is nearly full.</source>
-      <translation>Die Aufnahme wurde beendet: Die Festplatte ist fast voll.</translation>
+      <source>Recording stopped: the disk is nearly full.</source>
+      <translation>Aufnahme beendet: Die Festplatte ist fast voll.</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
@@ -2384,33 +2354,38 @@
     </message>
     <message>
       <location filename="app/panels/recording.py" />
+      <source>The note “{}” was deleted.</source>
+      <translation>Die Notiz „{}“ wurde gelöscht.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/recording.py" />
       <source>{} s</source>
       <translation>{} s</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
-      <source>Remote control: start, stop and note from other programs</source>
-      <translation>Fernsteuerung: Start, Stopp und Notiz aus anderen Programmen</translation>
+      <source>Remote control: other programs start and stop recordings and add notes</source>
+      <translation>Fernsteuerung: Andere Programme starten und beenden Aufnahmen und fügen Notizen hinzu</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
-      <source>Others in the network can start and stop recordings at this address: there is no password.</source>
-      <translation>An dieser Adresse können andere im Netz Aufnahmen starten und stoppen: Es gibt kein Passwort.</translation>
+      <source>Anyone on the network can start and stop recordings at this address. There is no password.</source>
+      <translation>Jeder im Netzwerk kann an dieser Adresse Aufnahmen starten und beenden. Es gibt kein Passwort.</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
-      <source>127.0.0.1: this computer alone. 0.0.0.0: all networks it is in</source>
-      <translation>127.0.0.1: nur dieser Computer. 0.0.0.0: alle Netze, in denen er ist</translation>
+      <source>127.0.0.1: this computer only. 0.0.0.0: all networks of this computer</source>
+      <translation>127.0.0.1: nur dieser Rechner. 0.0.0.0: alle Netzwerke dieses Rechners</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
-      <source>Listens at</source>
-      <translation>Lauscht an</translation>
+      <source>Listen on</source>
+      <translation>Lauschen an</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
-      <source>By</source>
-      <translation>Über</translation>
+      <source>Protocol</source>
+      <translation>Protokoll</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
@@ -2426,11 +2401,6 @@
       <location filename="app/panels/remote.py" />
       <source>Requests</source>
       <translation>Anfragen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/remote.py" />
-      <source>Refused</source>
-      <translation>Abgelehnt</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
@@ -2454,8 +2424,8 @@
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
-      <source>Hold the curves; tracking goes on</source>
-      <translation>Die Kurven festhalten; das Tracking läuft weiter</translation>
+      <source>Pause the curves; tracking continues</source>
+      <translation>Kurven anhalten; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
@@ -2474,8 +2444,8 @@
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
-      <source>The recording {} was cut off. What it holds can be recovered.</source>
-      <translation>Die Aufnahme {} ist abgebrochen. Was sie enthält, lässt sich retten.</translation>
+      <source>The recording {} was interrupted. Its contents can be recovered.</source>
+      <translation>Die Aufnahme {} wurde unterbrochen. Ihr Inhalt lässt sich wiederherstellen.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
@@ -2499,8 +2469,8 @@
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
-      <source>A simulated glove and camera: see everything move, no hardware needed.</source>
-      <translation>Handschuh und Kamera simuliert: Alles bewegt sich, ganz ohne Geräte.</translation>
+      <source>Try Glovetrack with a simulated glove and camera. No hardware needed.</source>
+      <translation>Glovetrack mit simuliertem Handschuh und simulierter Kamera ausprobieren. Ohne Hardware.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
@@ -2509,8 +2479,8 @@
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
-      <source>Find your devices and go through the set-up, step by step.</source>
-      <translation>Geräte finden und Schritt für Schritt einrichten.</translation>
+      <source>Connect your devices and set them up step by step.</source>
+      <translation>Geräte anschließen und Schritt für Schritt einrichten.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
@@ -2519,18 +2489,18 @@
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
-      <source>Replay a session file, look at it frame by frame, export it.</source>
-      <translation>Eine Sitzungsdatei abspielen, Bild für Bild ansehen, exportieren.</translation>
+      <source>Replay a session file, review it frame by frame, and export it.</source>
+      <translation>Eine Sitzungsdatei wiedergeben, Bild für Bild sichten und exportieren.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
-      <source>{} more stand in the library.</source>
-      <translation>Weitere in der Bibliothek: {}.</translation>
+      <source>{} more are in the library.</source>
+      <translation>{} weitere sind in der Bibliothek.</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>127.0.0.1 is this computer alone; UDP and VMC send there, servers listen there</source>
-      <translation>127.0.0.1 ist nur dieser Computer; UDP und VMC senden dorthin, Server lauschen dort</translation>
+      <source>UDP and VMC send to this address, servers listen on it; 127.0.0.1 is this computer only</source>
+      <translation>UDP und VMC senden an diese Adresse, Server lauschen an ihr; 127.0.0.1 ist nur dieser Rechner</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -2544,13 +2514,18 @@
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>What streams carry: our 21 joints, or the 26 joints of OpenXR in its axes</source>
-      <translation>Was Streams tragen: die eigenen 21 Gelenke oder die 26 von OpenXR in dessen Achsen</translation>
+      <source>The joints in the streams: Glovetrack's 21, or the 26 of OpenXR in its axes</source>
+      <translation>Gelenke in den Datenströmen: die 21 von Glovetrack oder die 26 von OpenXR in dessen Achsen</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>Vibration motors: press one to feel it</source>
-      <translation>Vibrationsmotoren: drücken, um einen zu spüren</translation>
+      <source>Test</source>
+      <translation>Testen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Vibration motors: press one to test it</source>
+      <translation>Vibrationsmotoren: zum Testen drücken</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -2574,18 +2549,23 @@
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>Put it at the index fingertip</source>
-      <translation>An die Zeigefingerspitze setzen</translation>
+      <source>Place it at the index fingertip</source>
+      <translation>An die Spitze des Zeigefingers setzen</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>The sphere has no place yet.</source>
-      <translation>Die Kugel hat noch keinen Ort.</translation>
+      <source>The sphere has not been placed yet.</source>
+      <translation>Die Kugel ist noch nicht gesetzt.</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>Our joints</source>
-      <translation>Eigene Gelenke</translation>
+      <source>File of {}</source>
+      <translation>Datei für {}</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Glovetrack joints</source>
+      <translation>Gelenke von Glovetrack</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -2609,23 +2589,48 @@
     </message>
     <message>
       <location filename="app/panels/streams.py" />
+      <source>Options…</source>
+      <translation>Optionen…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
       <source>Strength</source>
       <translation>Stärke</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>The sphere stands at {:.0f}, {:.0f}, {:.0f} mm.</source>
-      <translation>Die Kugel liegt bei {:.0f}, {:.0f}, {:.0f} mm.</translation>
+      <source>The sphere is at {:.0f}, {:.0f}, {:.0f} mm.</source>
+      <translation>Die Kugel ist bei {:.0f}, {:.0f}, {:.0f} mm.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Hand records (*{})</source>
+      <translation>Handaufzeichnungen (*{})</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>{}; a number is added if the file exists</source>
+      <translation>{}; eine Nummer wird angehängt, wenn die Datei existiert</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Whether a program receives {}</source>
+      <translation>Ob ein Programm {} empfängt</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Test {}</source>
+      <translation>{} testen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Options of {}</source>
+      <translation>Optionen von {}</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Motor {}</source>
       <translation>Motor {}</translation>
-    </message>
-    <message>
-      <location filename="app/platform/subprocess_job.py" />
-      <source>It ended in the middle: was there too little memory?</source>
-      <translation>Es endete mittendrin: War zu wenig Arbeitsspeicher da?</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
@@ -2639,18 +2644,23 @@
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
-      <source>rates, latencies and losses of now</source>
-      <translation>Raten, Latenzen und Verluste von jetzt</translation>
+      <source>current rates, latencies and losses</source>
+      <translation>aktuelle Raten, Latenzen und Verluste</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
-      <source>an image of the window as it is now</source>
-      <translation>ein Bild des Fensters, wie es jetzt ist</translation>
+      <source>the last check of computer and devices, if one was run (Help menu)</source>
+      <translation>die letzte Prüfung von Rechner und Geräten, falls eine lief (Menü Hilfe)</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
-      <source>an image of the window as it is now, with the library, the recording panel and the log blacked out</source>
-      <translation>ein Bild des Fensters, wie es jetzt ist, mit Bibliothek, Aufnahme und Protokoll geschwärzt</translation>
+      <source>an image of the window</source>
+      <translation>ein Bild des Fensters</translation>
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>an image of the window, with the library, the recording panel and the log blacked out</source>
+      <translation>ein Bild des Fensters, in dem Bibliothek, Aufnahmefeld und Protokoll geschwärzt sind</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
@@ -2659,8 +2669,8 @@
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
-      <source>A bug report of Glovetrack. It holds:</source>
-      <translation>Ein Fehlerbericht von Glovetrack. Er enthält:</translation>
+      <source>Glovetrack bug report. Contents:</source>
+      <translation>Fehlerbericht von Glovetrack. Inhalt:</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
@@ -2694,8 +2704,8 @@
     </message>
     <message>
       <location filename="app/platform/compiling.py" />
-      <source>What is not compiled yet is compiled when it is first needed: the window pauses.</source>
-      <translation>Was noch nicht übersetzt ist, wird es, sobald es gebraucht wird: Das Fenster stockt dann.</translation>
+      <source>Kernels that are not compiled yet are compiled on first use, and the window pauses.</source>
+      <translation>Noch nicht übersetzte Rechenkerne werden bei der ersten Verwendung übersetzt; das Fenster hält dann an.</translation>
     </message>
     <message>
       <location filename="app/platform/crash.py" />
@@ -2703,9 +2713,9 @@
       <translation>In Glovetrack ist etwas schiefgegangen ({}: {}).</translation>
     </message>
     <message>
-      <location filename="app/platform/engine_sentences.py" />
-      <source>{} and {}</source>
-      <translation>{} und {}</translation>
+      <location filename="app/platform/subprocess_job.py" />
+      <source>The process ended unexpectedly. The computer may be out of memory.</source>
+      <translation>Der Prozess endete unerwartet. Möglicherweise fehlt dem Rechner Speicher.</translation>
     </message>
     <message>
       <location filename="app/platform/tasks.py" />
@@ -2714,18 +2724,18 @@
     </message>
     <message>
       <location filename="app/storage/bound_gloves.py" />
-      <source>This is glove {} of the {} hand: its own files {} and {} are used.</source>
-      <translation>Das ist Handschuh {} der {} Hand: Seine eigenen Dateien {} und {} werden verwendet.</translation>
+      <source>Glove {} ({} hand) was recognized. Its own files {} and {} are used.</source>
+      <translation>Handschuh {} ({}) wurde erkannt. Seine eigenen Dateien {} und {} werden verwendet.</translation>
     </message>
     <message>
       <location filename="app/storage/image_folder.py" />
-      <source>{} is no image that can be read.</source>
+      <source>{} is not a readable image.</source>
       <translation>{} ist kein lesbares Bild.</translation>
     </message>
     <message>
       <location filename="app/storage/image_folder.py" />
-      <source>{}: the image could not be packed.</source>
-      <translation>{}: Das Bild ließ sich nicht packen.</translation>
+      <source>{}: the image could not be encoded.</source>
+      <translation>{}: Das Bild konnte nicht kodiert werden.</translation>
     </message>
     <message>
       <location filename="app/storage/removed_file.py" />
@@ -2744,23 +2754,23 @@
     </message>
     <message>
       <location filename="app/storage/session_tags.py" />
-      <source>The tags of {} were left behind: {}.</source>
-      <translation>Die Schlagwörter von {} blieben zurück: {}.</translation>
+      <source>The tags of {} were not moved with it: {}.</source>
+      <translation>Die Schlagwörter von {} wurden nicht mit verschoben: {}.</translation>
     </message>
     <message>
       <location filename="app/storage/settings.py" />
-      <source>they do not say which version they are of</source>
-      <translation>sie sagen nicht, von welcher Version sie sind</translation>
+      <source>they have no version number</source>
+      <translation>sie haben keine Versionsnummer</translation>
     </message>
     <message>
       <location filename="app/storage/settings.py" />
-      <source>a later version of Glovetrack wrote them</source>
-      <translation>eine spätere Version von Glovetrack hat sie geschrieben</translation>
+      <source>they were written by a later version of Glovetrack</source>
+      <translation>sie wurden von einer neueren Version von Glovetrack geschrieben</translation>
     </message>
     <message>
       <location filename="app/storage/settings.py" />
-      <source>The window's settings could not be used ({}), so it starts with its own. They are kept in {}.</source>
-      <translation>Die Einstellungen des Fensters sind nicht zu verwenden ({}), deshalb startet es mit eigenen. Sie bleiben erhalten in {}.</translation>
+      <source>The settings could not be read: {}. The window uses its defaults; the old settings are saved in {}.</source>
+      <translation>Die Einstellungen konnten nicht gelesen werden: {}. Das Fenster verwendet die Vorgaben; die alten Einstellungen sind in {} gesichert.</translation>
     </message>
     <message>
       <location filename="app/storage/system_bin.py" />
@@ -2769,13 +2779,13 @@
     </message>
     <message>
       <location filename="app/storage/system_bin.py" />
-      <source>{} exists again, so the one in the bin stays there.</source>
-      <translation>{} gibt es wieder, daher bleibt die Datei im Papierkorb.</translation>
+      <source>{} exists again, so the file was not restored from the bin.</source>
+      <translation>{} existiert wieder, daher wurde die Datei nicht aus dem Papierkorb wiederhergestellt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>One camera cannot tell how large the hand is: measure it with a ruler and enter it under Hand length…</source>
-      <translation>Eine Kamera sieht nicht, wie groß die Hand ist: mit einem Lineal messen und unter Handlänge… eingeben</translation>
+      <source>A single camera cannot determine the size of the hand. Measure it with a ruler and enter it under Hand length…</source>
+      <translation>Eine einzelne Kamera kann die Größe der Hand nicht bestimmen. Mit einem Lineal messen und unter Handlänge… eingeben.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2794,8 +2804,8 @@
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>Hold the hand at several slants so that accelerometer biases settle (least certain: {}).</source>
-      <translation>Halten Sie die Hand in mehreren Neigungen, damit sich die Nullpunkte der Beschleunigungssensoren festigen (am unsichersten: {}).</translation>
+      <source>Hold the hand at several tilts so that accelerometer biases settle (least certain: {}).</source>
+      <translation>Hand in mehreren Neigungen halten, damit sich die Nullpunkte der Beschleunigungssensoren einstellen (am unsichersten: {}).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2814,8 +2824,8 @@
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>not known yet: turn the hand</source>
-      <translation>noch nicht bekannt: die Hand drehen</translation>
+      <source>not known yet; turn the hand</source>
+      <translation>noch unbekannt; Hand drehen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2866,8 +2876,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
-      <source>both images arrive, the right one {:.1f} ms {}, which is taken off</source>
-      <translation>beide Bilder kommen, das rechte {:.1f} ms {}, was abgezogen wird</translation>
+      <source>both images arrive, the right one {:.1f} ms {} (corrected)</source>
+      <translation>beide Bilder kommen an, das rechte {:.1f} ms {} (korrigiert)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2916,12 +2926,12 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>No glove answers. Plug it in, or try the demo.</source>
-      <translation>Kein Handschuh antwortet. Anschließen oder die Demo versuchen.</translation>
+      <source>No glove found. Plug it in, or try the demo.</source>
+      <translation>Kein Handschuh gefunden. Einstecken oder die Demo ausprobieren.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>All IMUs answer</source>
+      <source>All IMUs respond</source>
       <translation>Alle IMUs antworten</translation>
     </message>
     <message>
@@ -3006,6 +3016,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
+      <source>Cannot be verified: this camera has no exposure control and may change its exposure automatically. Keep the light constant.</source>
+      <translation>Nicht prüfbar: Diese Kamera hat keine Belichtungssteuerung und kann ihre Belichtung automatisch ändern. Halten Sie das Licht konstant.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
       <source>Show</source>
       <translation>Zeigen</translation>
     </message>
@@ -3016,8 +3031,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Hold the hand flat, about 35 cm before the camera, for two seconds.</source>
-      <translation>Die Hand zwei Sekunden flach halten, etwa 35 cm vor der Kamera.</translation>
+      <source>Hold the hand flat, about 35 cm in front of the camera, for two seconds.</source>
+      <translation>Hand zwei Sekunden lang flach etwa 35 cm vor die Kamera halten.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3026,13 +3041,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Look for it</source>
-      <translation>Danach suchen</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/checklist.py" />
-      <source>Waits for the glove.</source>
-      <translation>Wartet auf den Handschuh.</translation>
+      <source>Waiting for the glove.</source>
+      <translation>Warten auf den Handschuh.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3046,8 +3056,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>this engine estimates no biases</source>
-      <translation>dieses Verfahren schätzt keinen Bias</translation>
+      <source>this engine does not estimate biases</source>
+      <translation>dieses Verfahren schätzt keine Nullpunkte</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3066,18 +3076,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>one camera: distances are as sure as the hand's size</source>
-      <translation>eine Kamera: Abstände sind so sicher wie die Größe der Hand</translation>
+      <source>one camera: distances are only as accurate as the hand size</source>
+      <translation>eine Kamera: Entfernungen sind nur so genau wie die Handgröße</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Waits for images.</source>
-      <translation>Wartet auf Bilder.</translation>
+      <source>Waiting for images.</source>
+      <translation>Warten auf Bilder.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>it does not change here</source>
-      <translation>sie ändert sich hier nicht</translation>
+      <source>fixed</source>
+      <translation>fest</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3086,13 +3096,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Reading the light…</source>
-      <translation>Licht wird gemessen…</translation>
+      <source>Measuring the light…</source>
+      <translation>Licht wird gemessen …</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>the markers are clear</source>
-      <translation>die Marker sind deutlich</translation>
+      <source>the markers are clearly visible</source>
+      <translation>die Marker sind gut sichtbar</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3101,13 +3111,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>No marker is found.</source>
-      <translation>Kein Marker gefunden.</translation>
+      <source>No markers found.</source>
+      <translation>Keine Marker gefunden.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Waits for glove and camera.</source>
-      <translation>Wartet auf Handschuh und Kamera.</translation>
+      <source>Waiting for glove and camera.</source>
+      <translation>Warten auf Handschuh und Kamera.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3121,13 +3131,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>It was tracked and is not in view now.</source>
-      <translation>Sie wurde verfolgt und ist jetzt nicht im Bild.</translation>
+      <source>The hand was tracked but is not in view now.</source>
+      <translation>Die Hand wurde getrackt, ist aber gerade nicht im Bild.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Waits for tracking.</source>
-      <translation>Wartet auf das Tracking.</translation>
+      <source>Waiting for tracking.</source>
+      <translation>Warten auf das Tracking.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3151,8 +3161,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>The camera changes {} by itself.</source>
-      <translation>Die Kamera ändert {} von selbst.</translation>
+      <source>The camera changes {} automatically.</source>
+      <translation>Die Kamera ändert {} automatisch.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3161,7 +3171,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>The intervals of {} overlap.</source>
+      <source>The ranges of {} overlap.</source>
       <translation>Die Bereiche von {} überlappen sich.</translation>
     </message>
     <message>
@@ -3191,8 +3201,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>gyros known to {:.1f} °/s</source>
-      <translation>Gyroskope auf {:.1f} °/s genau</translation>
+      <source>gyroscope biases known to {:.1f} °/s</source>
+      <translation>Nullpunkte der Gyroskope auf {:.1f} °/s bekannt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3226,8 +3236,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
-      <source>Fitted {}. Kept {}: too few are seen.</source>
-      <translation>Angepasst: {}. Belassen: {}, es sind zu wenige zu sehen.</translation>
+      <source>Fitted {}. Not changed: {} (too few patches visible).</source>
+      <translation>Angepasst: {}. Nicht geändert: {} (zu wenige Flicken sichtbar).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
@@ -3241,33 +3251,33 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_live.py" />
-      <source>Fitting to what is seen needs the glove and its camera, calibrated. Fit to one image instead.</source>
-      <translation>Das Anpassen an das Gesehene braucht den Handschuh und seine Kamera, kalibriert. Stattdessen an ein Bild anpassen.</translation>
+      <source>Fitting to live images needs the glove and a calibrated camera. Fit to one image instead.</source>
+      <translation>Das Anpassen an Livebilder braucht den Handschuh und eine kalibrierte Kamera. Stattdessen an ein Bild anpassen.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/colour_tuning.py" />
+      <location filename="app/viewmodels/colour_picks.py" />
+      <source>Clicked: {}. To learn the colours, also click: {}.</source>
+      <translation>Angeklickt: {}. Um die Farben zu lernen, auch anklicken: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_picks.py" />
+      <source>This looks like {0}, not {1}. Select {0} first, or click again to accept it.</source>
+      <translation>Das sieht nach {0} aus, nicht nach {1}. Zuerst {0} auswählen oder zum Bestätigen erneut klicken.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_picks.py" />
       <source>This pixel is too grey or too dark to have a hue (saturation {}, value {}). Click the middle of a {} marker.</source>
       <translation>Dieser Bildpunkt ist zu grau oder zu dunkel für einen Farbton (Sättigung {}, Helligkeit {}). Klicken Sie auf die Mitte eines Markers in {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
-      <source>This looks like {0}, not {1}. Choose {0} first, or click again to take it.</source>
-      <translation>Das sieht nach {0} aus, nicht nach {1}. Wählen Sie zuerst {0}, oder klicken Sie noch einmal, um es zu übernehmen.</translation>
+      <source>The light has changed; the colours were adapted.</source>
+      <translation>Das Licht hat sich geändert; die Farben wurden angepasst.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
-      <source>Clicked: {}. Still to be clicked before the colours are learned: {}.</source>
-      <translation>Angeklickt: {}. Noch anzuklicken, ehe die Farben gelernt werden: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/colour_tuning.py" />
-      <source>The colours follow the light.</source>
-      <translation>Die Farben folgen dem Licht.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/colour_tuning.py" />
-      <source>The room has none of the colours.</source>
-      <translation>Der Raum hat keine der Farben.</translation>
+      <source>The background has none of these colours.</source>
+      <translation>Der Hintergrund hat keine dieser Farben.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
@@ -3311,8 +3321,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
-      <source>the room has this colour too ({:.2g} % of it)</source>
-      <translation>der Raum hat diese Farbe auch ({:.2g} % davon)</translation>
+      <source>the background has this colour, too ({:.2g} % of the image)</source>
+      <translation>der Hintergrund hat auch diese Farbe ({:.2g} % des Bildes)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
@@ -3321,8 +3331,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
-      <source>{} is nearer to the truth: {} on average.</source>
-      <translation>{} ist näher an der Wahrheit: {} im Mittel.</translation>
+      <source>{} is closer to the truth: {} on average.</source>
+      <translation>{} ist näher an der Wahrheit: im Mittel {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
@@ -3346,8 +3356,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
-      <source>Both are the same to the last bit ({} instants).</source>
-      <translation>Beide sind bis aufs letzte Bit gleich (Zeitpunkte: {}).</translation>
+      <source>Both are bit-identical ({} instants).</source>
+      <translation>Beide sind bitgenau gleich ({} Zeitpunkte).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -3416,6 +3426,31 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
+      <source>passed</source>
+      <translation>bestanden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>not run</source>
+      <translation>nicht gelaufen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>accelerometer failed</source>
+      <translation>Beschleunigungssensor nicht bestanden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>gyroscope failed</source>
+      <translation>Drehratensensor nicht bestanden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>accelerometer and gyroscope failed</source>
+      <translation>Beschleunigungs- und Drehratensensor nicht bestanden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
       <source>Glove</source>
       <translation>Handschuh</translation>
     </message>
@@ -3463,6 +3498,31 @@ change {}: {}</source>
       <location filename="app/viewmodels/device_settings.py" />
       <source>IMUs</source>
       <translation>IMUs</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Power-line frequency</source>
+      <translation>Netzfrequenz</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Autofocus</source>
+      <translation>Autofokus</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Digital zoom</source>
+      <translation>Digitalzoom</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Mirrored</source>
+      <translation>Gespiegelt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Upside down</source>
+      <translation>Kopfüber</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -3546,7 +3606,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
-      <source>Answers</source>
+      <source>Responding</source>
       <translation>Antwortet</translation>
     </message>
     <message>
@@ -3561,6 +3621,26 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
+      <source>Chip</source>
+      <translation>Chip</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Self-test</source>
+      <translation>Selbsttest</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Saturated samples</source>
+      <translation>Gesättigte Messwerte</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>Stuck axes</source>
+      <translation>Hängende Achsen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
       <source>in the recording</source>
       <translation>in der Aufnahme</translation>
     </message>
@@ -3571,8 +3651,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
-      <source>Rate granted</source>
-      <translation>Gewährte Rate</translation>
+      <source>Negotiated rate</source>
+      <translation>Vereinbarte Rate</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -3611,8 +3691,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
-      <source>Size granted</source>
-      <translation>Gewährte Größe</translation>
+      <source>Negotiated size</source>
+      <translation>Vereinbarte Größe</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -3626,8 +3706,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
-      <source>{} has the values that the devices have.</source>
-      <translation>{} enthält dieselben Werte wie die Geräte.</translation>
+      <source>{} matches the current device settings.</source>
+      <translation>{} entspricht den aktuellen Geräteeinstellungen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -3643,6 +3723,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/device_settings.py" />
       <source>Device {}</source>
       <translation>Gerät {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/device_settings.py" />
+      <source>off</source>
+      <translation>aus</translation>
     </message>
     <message>
       <location filename="app/viewmodels/device_settings.py" />
@@ -3676,13 +3761,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/gaps.py" />
-      <source>an IMU did not answer</source>
+      <source>an IMU did not respond</source>
       <translation>eine IMU hat nicht geantwortet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/gaps.py" />
-      <source>no sensor on it</source>
-      <translation>kein Sensor daran</translation>
+      <source>no sensor on this part</source>
+      <translation>kein Sensor an diesem Teil</translation>
     </message>
     <message>
       <location filename="app/viewmodels/gaps.py" />
@@ -3721,8 +3806,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/gaps.py" />
-      <source>It cannot be filled: nothing is known on one of its sides.</source>
-      <translation>Sie kann nicht gefüllt werden: Auf einer Seite ist nichts bekannt.</translation>
+      <source>It cannot be filled: there is no data on one side of the gap.</source>
+      <translation>Nicht füllbar: Auf einer Seite der Lücke fehlen Daten.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/gaps.py" />
@@ -3796,8 +3881,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
-      <source>go on…</source>
-      <translation>weiter…</translation>
+      <source>continue…</source>
+      <translation>weitermachen …</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
@@ -3813,6 +3898,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>{} of {}: {}</source>
       <translation>{} von {}: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/glove_setup.py" />
+      <source>good</source>
+      <translation>gut</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
@@ -3861,23 +3951,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
-      <source>The end joint of your {} bends {:.0f}° more than was thought.</source>
-      <translation>Endgelenk {}: beugt sich {:.0f}° mehr als angenommen.</translation>
+      <source>The end joint of your {} bends {:.0f}° more than estimated before.</source>
+      <translation>Das Endgelenk ({}) beugt sich {:.0f}° mehr als bisher geschätzt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
-      <source>The end joint of your {} bends {:.0f}° less than was thought.</source>
-      <translation>Endgelenk {}: beugt sich {:.0f}° weniger als angenommen.</translation>
+      <source>The end joint of your {} bends {:.0f}° less than estimated before.</source>
+      <translation>Das Endgelenk ({}) beugt sich {:.0f}° weniger als bisher geschätzt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
-      <source>Your hand is {:.1f} mm longer than was thought.</source>
-      <translation>Die Hand ist {:.1f} mm länger als angenommen.</translation>
+      <source>Your hand is {:.1f} mm longer than estimated before.</source>
+      <translation>Ihre Hand ist {:.1f} mm länger als bisher geschätzt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
-      <source>Your hand is {:.1f} mm shorter than was thought.</source>
-      <translation>Die Hand ist {:.1f} mm kürzer als angenommen.</translation>
+      <source>Your hand is {:.1f} mm shorter than estimated before.</source>
+      <translation>Ihre Hand ist {:.1f} mm kürzer als bisher geschätzt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
@@ -3891,8 +3981,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
-      <source>End joint of the {}, stretched</source>
-      <translation>Endgelenk {}, gestreckt</translation>
+      <source>End joint of the {}, straight</source>
+      <translation>Endgelenk ({}), gestreckt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_result.py" />
@@ -3901,8 +3991,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
-      <source>Hold it: no sensor tells of this finger</source>
-      <translation>Halten: kein Sensor sieht diesen Finger</translation>
+      <source>Hold it: this finger has no sensor</source>
+      <translation>Halten: Dieser Finger hat keinen Sensor</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
@@ -4031,8 +4121,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
-      <source>Nothing arrives from the glove</source>
-      <translation>Vom Handschuh kommt nichts an</translation>
+      <source>No data from the glove</source>
+      <translation>Keine Daten vom Handschuh</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
@@ -4056,23 +4146,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
-      <source>Place unknown: orientation and finger angles by the IMUs alone</source>
-      <translation>Ort unbekannt: Lage und Fingerwinkel allein nach den IMUs</translation>
+      <source>Position unknown. Orientation and finger angles from the IMUs only.</source>
+      <translation>Position unbekannt. Ausrichtung und Fingerwinkel nur aus den IMUs.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
-      <source>Nothing arrives: the hand stands as it was last</source>
-      <translation>Es kommt nichts an: Die Hand steht, wie sie zuletzt war</translation>
+      <source>No data. Showing the last pose.</source>
+      <translation>Keine Daten. Letzte Pose wird gezeigt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
-      <source>No estimates here: showing the last pose</source>
-      <translation>Hier gibt es keine Schätzungen: letzte Haltung wird gezeigt</translation>
+      <source>No estimates here. Showing the last pose.</source>
+      <translation>Hier keine Schätzungen. Letzte Pose wird gezeigt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
-      <source>Position lost: the hand stands where it was last seen</source>
-      <translation>Ort verloren: Die Hand steht, wo sie zuletzt zu sehen war</translation>
+      <source>Position lost. Showing the last known position.</source>
+      <translation>Position verloren. Letzte bekannte Position wird gezeigt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
@@ -4101,18 +4191,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
-      <source>by its IMUs alone</source>
-      <translation>allein durch ihre IMUs</translation>
+      <source>IMUs only</source>
+      <translation>nur IMUs</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
-      <source>whole</source>
+      <source>complete</source>
       <translation>vollständig</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
-      <source>cut off</source>
-      <translation>abgebrochen</translation>
+      <source>interrupted</source>
+      <translation>unterbrochen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
@@ -4141,13 +4231,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
-      <source>hues alike</source>
-      <translation>Farbtöne ähnlich</translation>
+      <source>hues too similar</source>
+      <translation>Farbtöne zu ähnlich</translation>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
-      <source>colours in the room</source>
-      <translation>Farben im Raum</translation>
+      <source>colours in background</source>
+      <translation>Farben im Hintergrund</translation>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
@@ -4156,18 +4246,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
-      <source>good</source>
-      <translation>gut</translation>
+      <source>No image has been measured yet.</source>
+      <translation>Noch kein Bild gemessen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
-      <source>No image has been looked at yet.</source>
-      <translation>Noch wurde kein Bild angesehen.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/light.py" />
-      <source>Nothing to change: the markers are clear.</source>
-      <translation>Nichts zu ändern: Die Marker sind deutlich.</translation>
+      <source>Nothing to change: the markers are clearly visible.</source>
+      <translation>Nichts zu ändern: Die Marker sind gut sichtbar.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
@@ -4186,8 +4271,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/light.py" />
-      <source>red to blue on the cloth {:.1f}</source>
-      <translation>Rot zu Blau auf dem Stoff {:.1f}</translation>
+      <source>red-to-blue ratio on the cloth {:.1f}</source>
+      <translation>Verhältnis von Rot zu Blau auf dem Stoff {:.1f}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
@@ -4441,67 +4526,147 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
-      <source>{} messages that the computer had no time for</source>
-      <translation>Nachrichten, für die der Computer keine Zeit hatte: {}</translation>
+      <source>{} messages discarded (system overloaded)</source>
+      <translation>{} Nachrichten verworfen (System überlastet)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
-      <source>Nothing can be recorded to {}: {}.</source>
-      <translation>Nach {} lässt sich nichts aufnehmen: {}.</translation>
+      <source>The file name {!r} is incomplete; it can contain text and {}.</source>
+      <translation>Der Dateiname {!r} ist unvollständig; er kann Text und {} enthalten.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>somebody is there</source>
-      <translation>jemand ist da</translation>
+      <location filename="app/viewmodels/recording.py" />
+      <source>A file name can contain {}, not {}.</source>
+      <translation>Ein Dateiname kann {} enthalten, nicht {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>nobody asks</source>
-      <translation>niemand fragt</translation>
+      <location filename="app/viewmodels/recording.py" />
+      <source>Cannot record to {}: {}.</source>
+      <translation>Aufnahme nach {} nicht möglich: {}.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>not open</source>
-      <translation>nicht offen</translation>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} was interrupted after {}. Its contents can be recovered.</source>
+      <translation>{} wurde nach {} unterbrochen. Der Inhalt lässt sich wiederherstellen.</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>off</source>
-      <translation>aus</translation>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>left hand: {}</source>
+      <translation>linke Hand: {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>opening</source>
-      <translation>öffnet</translation>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>right hand: {}</source>
+      <translation>rechte Hand: {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/remote.py" />
-      <source>{}, {} s ago</source>
-      <translation>{}, vor {} s</translation>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>no packets lost</source>
+      <translation>keine Pakete verloren</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>1 packet lost</source>
+      <translation>1 Paket verloren</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{:.0f} of {:.0f} images per second from the camera</source>
+      <translation>{:.0f} von {:.0f} Bildern pro Sekunde von der Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} is complete: {}.</source>
+      <translation>{} ist vollständig: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>This recording is incomplete: {}.</source>
+      <translation>Diese Aufnahme ist unvollständig: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>no images from the camera</source>
+      <translation>keine Bilder von der Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>no data from the glove</source>
+      <translation>keine Daten vom Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} is damaged: {}</source>
+      <translation>{} ist beschädigt: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} packets lost</source>
+      <translation>{} Pakete verloren</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>no data from the IMUs {}</source>
+      <translation>keine Daten von den IMUs {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>no image for {:.1f} s</source>
+      <translation>{:.1f} s lang kein Bild</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>nothing from the glove for {:.1f} s</source>
+      <translation>{:.1f} s lang nichts vom Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>no data from the IMU {}</source>
+      <translation>keine Daten von der IMU {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} needs a name with a letter or a digit in it.</source>
+      <translation>{} braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} already exists, so {} was not renamed.</source>
+      <translation>{} existiert bereits, daher wurde {} nicht umbenannt.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>tracked {:.0f} % of the time</source>
+      <translation>{:.0f} % der Zeit verfolgt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording_report.py" />
+      <source>{} cannot be named {}: {}.</source>
+      <translation>{} kann nicht in {} umbenannt werden: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Frames whose stuffing was broken (COBS)</source>
-      <translation>Datenrahmen mit fehlerhafter Kodierung (COBS)</translation>
+      <source>Frames with invalid byte stuffing (COBS)</source>
+      <translation>Rahmen mit ungültigem Byte-Stuffing (COBS)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Frames whose check sum was wrong (CRC)</source>
-      <translation>Datenrahmen mit falscher Prüfsumme (CRC)</translation>
+      <source>Frames with a wrong checksum (CRC)</source>
+      <translation>Rahmen mit falscher Prüfsumme (CRC)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Frames of a wrong length</source>
-      <translation>Datenrahmen falscher Länge</translation>
+      <source>Frames of the wrong length</source>
+      <translation>Rahmen falscher Länge</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Frames of an unknown type, or far too long</source>
-      <translation>Datenrahmen unbekannter Art oder viel zu lang</translation>
+      <source>Frames of an unknown type or of excessive length</source>
+      <translation>Rahmen unbekannter Art oder übermäßiger Länge</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Times that the port was opened again</source>
+      <source>Times the port was reopened</source>
       <translation>Wie oft der Anschluss neu geöffnet wurde</translation>
     </message>
     <message>
@@ -4516,18 +4681,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Packets that the glove had no time to send</source>
-      <translation>Pakete, für die der Handschuh keine Sendezeit hatte</translation>
+      <source>Packets the glove had no time to send</source>
+      <translation>Pakete, für die dem Handschuh die Zeit fehlte</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>The host's time gained on the glove's clock, ppm</source>
-      <translation>Vorgang der Computeruhr gegen die Uhr des Handschuhs, ppm</translation>
+      <source>Skew of the host's clock against the glove's, ppm</source>
+      <translation>Gangabweichung der Rechneruhr gegenüber der des Handschuhs, ppm</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>Time that the USB adapter holds bytes back, ms</source>
-      <translation>Zeit, die der USB-Adapter Bytes zurückhält, ms</translation>
+      <source>Latency timer of the USB adapter, ms</source>
+      <translation>Latenz-Timer des USB-Adapters, ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -4536,13 +4701,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>adapter waits {:.0f} ms</source>
-      <translation>Adapter wartet {:.0f} ms</translation>
+      <source>adapter latency {:.0f} ms</source>
+      <translation>Adapterlatenz {:.0f} ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>silent</source>
-      <translation>schweigt</translation>
+      <source>not responding</source>
+      <translation>antwortet nicht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -4551,12 +4716,12 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>⚠ adapter waits {:.0f} ms</source>
-      <translation>⚠ Adapter wartet {:.0f} ms</translation>
+      <source>⚠ adapter latency {:.0f} ms</source>
+      <translation>⚠ Adapterlatenz {:.0f} ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>answers</source>
+      <source>responding</source>
       <translation>antwortet</translation>
     </message>
     <message>
@@ -4606,13 +4771,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>1 jump of its clock</source>
-      <translation>1 Sprung seiner Uhr</translation>
+      <source>1 clock jump</source>
+      <translation>1 Uhrsprung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
-      <source>{} jumps of its clock</source>
-      <translation>{} Sprünge seiner Uhr</translation>
+      <source>{} clock jumps</source>
+      <translation>{} Uhrsprünge</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -4656,17 +4821,17 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
-      <source>packets each second</source>
+      <source>packets per second</source>
       <translation>Pakete pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
-      <source>images each second</source>
+      <source>images per second</source>
       <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
-      <source>estimates each second</source>
+      <source>estimates per second</source>
       <translation>Schätzungen pro Sekunde</translation>
     </message>
     <message>
@@ -4686,7 +4851,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
-      <source>engine's step</source>
+      <source>engine step</source>
       <translation>Rechenschritt</translation>
     </message>
     <message>
@@ -4706,8 +4871,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
-      <source>degree of overload</source>
-      <translation>Grad der Überlastung</translation>
+      <source>overload level</source>
+      <translation>Überlastungsstufe</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
@@ -4746,8 +4911,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
-      <source>state of tracking (0 to 3)</source>
-      <translation>Zustand des Trackings (0 bis 3)</translation>
+      <source>tracking state (0 to 3)</source>
+      <translation>Tracking-Zustand (0 bis 3)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/signals.py" />
@@ -4871,8 +5036,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
-      <source>Coasting on the glove alone</source>
-      <translation>Nur noch nach dem Handschuh</translation>
+      <source>Coasting on the IMUs only</source>
+      <translation>Nur mit IMUs fortgeschrieben</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
@@ -4886,18 +5051,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>The engine's step for a message</source>
-      <translation>Der Schritt des Verfahrens für eine Nachricht</translation>
+      <source>Engine step for a message</source>
+      <translation>Rechenschritt für eine Nachricht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>A packet's arrival to its estimate</source>
-      <translation>Von der Ankunft eines Pakets bis zu seiner Schätzung</translation>
+      <source>Arrival of a packet to its estimate</source>
+      <translation>Ankunft eines Pakets bis zu seiner Schätzung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>An image's arrival to the estimate made of it</source>
-      <translation>Von der Ankunft eines Bildes bis zur Schätzung daraus</translation>
+      <source>Arrival of an image to its estimate</source>
+      <translation>Ankunft eines Bildes bis zu seiner Schätzung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4921,23 +5086,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>As it was recorded</source>
-      <translation>Wie aufgenommen</translation>
+      <source>As recorded</source>
+      <translation>Wie aufgezeichnet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Estimates of the hand each second</source>
+      <source>Estimates of the hand per second</source>
       <translation>Schätzungen der Hand pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Packets of the glove that never arrived; images that came faster than they were read</source>
-      <translation>Pakete des Handschuhs, die nie ankamen; Bilder, die schneller kamen, als sie gelesen wurden</translation>
+      <source>Lost packets of the glove; images dropped because they arrived faster than they were read</source>
+      <translation>Verlorene Pakete des Handschuhs; Bilder, die verworfen wurden, weil sie schneller ankamen als gelesen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Place unknown</source>
-      <translation>Ort unbekannt</translation>
+      <source>Position unknown</source>
+      <translation>Position unbekannt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4951,7 +5116,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Packets of the glove each second</source>
+      <source>Packets of the glove per second</source>
       <translation>Pakete des Handschuhs pro Sekunde</translation>
     </message>
     <message>
@@ -4971,13 +5136,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Nothing arrives</source>
-      <translation>Es kommt nichts an</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/status.py" />
-      <source>No glove sends</source>
-      <translation>Kein Handschuh sendet</translation>
+      <source>No data</source>
+      <translation>Keine Daten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4986,13 +5146,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Stereo images each second</source>
+      <source>Stereo images per second</source>
       <translation>Stereobilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Its battery is low ({} V): charge it soon</source>
-      <translation>Sein Akku ist schwach ({} V): bald laden</translation>
+      <source>The glove's battery is low ({} V). Charge it soon.</source>
+      <translation>Der Akku des Handschuhs ist schwach ({} V). Bald laden.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -5016,8 +5176,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Taken.</source>
-      <translation>Aufgenommen.</translation>
+      <source>View taken.</source>
+      <translation>Ansicht aufgenommen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -5026,8 +5186,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>There is a view like this already: move on.</source>
-      <translation>So eine Ansicht gibt es schon: weiterbewegen.</translation>
+      <source>There is already a similar view. Move the board.</source>
+      <translation>Es gibt bereits eine ähnliche Ansicht. Tafel bewegen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -5036,13 +5196,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>That is enough: press Calibrate.</source>
-      <translation>Das genügt: auf Kalibrieren drücken.</translation>
+      <source>There are enough views. Press Calibrate.</source>
+      <translation>Es gibt genug Ansichten. Kalibrieren drücken.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Error of all corners</source>
-      <translation>Fehler aller Ecken</translation>
+      <source>Error over all corners</source>
+      <translation>Fehler über alle Ecken</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -5071,23 +5231,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>{}, off by {:.2f} px</source>
-      <translation>{}, daneben um {:.2f} px</translation>
+      <source>{}, error {:.2f} px</source>
+      <translation>{}, Fehler {:.2f} px</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>{} used, {} dropped</source>
-      <translation>{} verwendet, {} verworfen</translation>
+      <source>{} used, {} rejected</source>
+      <translation>{} verwendet, {} abgelehnt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Distance of the lenses</source>
-      <translation>Objektivabstand</translation>
+      <source>Baseline</source>
+      <translation>Basislänge</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Turned against each other</source>
-      <translation>Gegeneinander verdreht</translation>
+      <source>Relative rotation</source>
+      <translation>Relative Drehung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -5106,13 +5266,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Worst corner</source>
-      <translation>Schlechteste Ecke</translation>
+      <source>Largest corner error</source>
+      <translation>Größter Eckenfehler</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>All rows shifted by</source>
-      <translation>Alle Zeilen verschoben um</translation>
+      <source>Vertical offset</source>
+      <translation>Senkrechter Versatz</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -5121,8 +5281,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>dropped: it does not fit the others</source>
-      <translation>verworfen: passt nicht zu den anderen</translation>
+      <source>rejected: inconsistent with the others</source>
+      <translation>abgelehnt: passt nicht zu den anderen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -5146,13 +5306,33 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
-      <source>nobody listens</source>
-      <translation>niemand hört zu</translation>
+      <source>no listeners</source>
+      <translation>keine Empfänger</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
-      <source>waits for tracking</source>
-      <translation>wartet auf Tracking</translation>
+      <source>connected</source>
+      <translation>verbunden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>no clients</source>
+      <translation>keine Clients</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>not open</source>
+      <translation>nicht offen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>opening</source>
+      <translation>öffnet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>waiting for tracking</source>
+      <translation>wartet auf das Tracking</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
@@ -5166,8 +5346,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
-      <source>clients that have left</source>
-      <translation>getrennte Empfänger</translation>
+      <source>disconnected clients</source>
+      <translation>getrennte Clients</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>{}, {} s ago</source>
+      <translation>{}, vor {} s</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
@@ -5185,119 +5370,9 @@ change {}: {}</source>
       <translation>{} verpasst von {}</translation>
     </message>
     <message>
-      <location filename="app/viewmodels/take_names.py" />
-      <source>The name {!r} is not complete; it can hold text and {}.</source>
-      <translation>Der Name {!r} ist nicht vollständig; er kann Text enthalten und {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/take_names.py" />
-      <source>A name can hold {}, not {}.</source>
-      <translation>Ein Name kann {} enthalten, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} was cut off after {}. What it contains can be recovered.</source>
-      <translation>Die Aufnahme {} ist nach {} abgebrochen. Was sie enthält, lässt sich retten.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>left hand: {}</source>
-      <translation>linke Hand: {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>right hand: {}</source>
-      <translation>rechte Hand: {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>no packets lost</source>
-      <translation>keine Pakete verloren</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>1 packet lost</source>
-      <translation>1 Paket verloren</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{:.0f} of {:.0f} images per second from the camera</source>
-      <translation>{:.0f} von {:.0f} Bildern pro Sekunde von der Kamera</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} is whole: {}.</source>
-      <translation>{} ist vollständig: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>This recording is incomplete: {}.</source>
-      <translation>Diese Aufnahme ist unvollständig: {}.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>no images from the camera</source>
-      <translation>keine Bilder von der Kamera</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>no data from the glove</source>
-      <translation>keine Daten vom Handschuh</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} is not whole: {}</source>
-      <translation>{} ist nicht vollständig: {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} packets lost</source>
-      <translation>{} Pakete verloren</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>no data from the IMUs {}</source>
-      <translation>keine Daten von den IMUs {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>no image for {:.1f} s</source>
-      <translation>{:.1f} s lang kein Bild</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>nothing from the glove for {:.1f} s</source>
-      <translation>{:.1f} s lang nichts vom Handschuh</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>no data from the IMU {}</source>
-      <translation>keine Daten von der IMU {}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} needs a name with a letter or a digit in it.</source>
-      <translation>{} braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} is there already, so {} keeps its name.</source>
-      <translation>{} gibt es schon, deshalb behält {} seinen Namen.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>tracked {:.0f} % of the time</source>
-      <translation>{:.0f} % der Zeit verfolgt</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/recording_report.py" />
-      <source>{} cannot be named {}: {}.</source>
-      <translation>{} kann nicht in {} umbenannt werden: {}.</translation>
-    </message>
-    <message>
       <location filename="app/viewmodels/two_recordings.py" />
-      <source>The takes have no tracked instant in common here.</source>
-      <translation>Die Aufnahmen haben hier keinen verfolgten Zeitpunkt gemeinsam.</translation>
+      <source>The recordings have no tracked instant in common here.</source>
+      <translation>Die Aufnahmen haben hier keinen getrackten Zeitpunkt gemeinsam.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/two_recordings.py" />
@@ -5311,8 +5386,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/wearer_profiles.py" />
-      <source>Frozen: nothing is learned until you unfreeze it.</source>
-      <translation>Eingefroren: Bis zum Auftauen wird nichts gelernt.</translation>
+      <source>Frozen: the calibration does not change until you unfreeze it.</source>
+      <translation>Eingefroren: Die Kalibrierung ändert sich erst wieder, wenn Sie sie freigeben.</translation>
     </message>
     <message>
       <location filename="app/widgets/banner.py" />
@@ -5330,24 +5405,24 @@ change {}: {}</source>
       <translation>Leere Felder: {}</translation>
     </message>
     <message>
-      <location filename="app/widgets/hold_ring.py" />
-      <source>held to {} %</source>
-      <translation>zu {} % gehalten</translation>
-    </message>
-    <message>
-      <location filename="app/widgets/hue_range.py" />
-      <source>Drag a handle, or the bar. Keys: ↓ ↑ choose a handle, ← → move it.</source>
-      <translation>Einen Griff oder den Balken ziehen. Tasten: ↓ ↑ wählen einen Griff, ← → bewegen ihn.</translation>
-    </message>
-    <message>
       <location filename="app/widgets/hue_strip.py" />
       <source>Histogram of hues</source>
       <translation>Histogramm der Farbtöne</translation>
     </message>
     <message>
       <location filename="app/widgets/image_view.py" />
-      <source>Wheel or + −: zoom. Drag or arrows: move. Double click or 0: all.</source>
-      <translation>Rad oder + −: Zoom. Ziehen oder Pfeile: verschieben. Doppelklick oder 0: alles.</translation>
+      <source>Wheel or + −: zoom. Drag or arrows: move. Double-click or 0: whole image.</source>
+      <translation>Mausrad oder + −: Zoom. Ziehen oder Pfeile: verschieben. Doppelklick oder 0: ganzes Bild.</translation>
+    </message>
+    <message>
+      <location filename="app/widgets/options_dialog.py" />
+      <source>Options: {}</source>
+      <translation>Optionen: {}</translation>
+    </message>
+    <message>
+      <location filename="app/widgets/range_row.py" />
+      <source>Drag a handle, or the bar. Keys: ↓ ↑ choose a handle, ← → move it.</source>
+      <translation>Einen Griff oder den Balken ziehen. Tasten: ↓ ↑ wählen einen Griff, ← → bewegen ihn.</translation>
     </message>
     <message>
       <location filename="app/widgets/range_row.py" />
@@ -5363,31 +5438,6 @@ change {}: {}</source>
       <location filename="app/widgets/view3d/view_3d.py" />
       <source>The hand in 3D</source>
       <translation>Die Hand in 3D</translation>
-    </message>
-    <message>
-      <location filename="app/window/about.py" />
-      <source>About Glovetrack</source>
-      <translation>Über Glovetrack</translation>
-    </message>
-    <message>
-      <location filename="app/window/about.py" />
-      <source>Parts and their licences</source>
-      <translation>Bestandteile und ihre Lizenzen</translation>
-    </message>
-    <message>
-      <location filename="app/window/about.py" />
-      <source>Apache-2.0</source>
-      <translation>Apache-2.0</translation>
-    </message>
-    <message>
-      <location filename="app/window/about.py" />
-      <source>Hand tracking with a sensor glove and a stereo camera. Free software under the Apache Licence 2.0, without any warranty.</source>
-      <translation>Hand-Tracking mit einem Sensorhandschuh und einer Stereokamera. Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewähr.</translation>
-    </message>
-    <message>
-      <location filename="app/window/about.py" />
-      <source>Glovetrack {}</source>
-      <translation>Glovetrack {}</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
@@ -5406,28 +5456,33 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
-      <source>The bug report is saved: {}.</source>
-      <translation>Der Fehlerbericht ist gespeichert: {}.</translation>
+      <source>Bug report saved: {}.</source>
+      <translation>Fehlerbericht gespeichert: {}.</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
-      <source> Not in it: {}.</source>
-      <translation> Nicht darin: {}.</translation>
+      <source> Not included: {}.</source>
+      <translation> Nicht enthalten: {}.</translation>
     </message>
     <message>
-      <location filename="app/window/colours_told.py" />
-      <source>The colours find many patches, none fit the glove: fit the colours.</source>
-      <translation>Die Farben finden viele Flecken, keine passen zum Handschuh: Farben anpassen.</translation>
+      <location filename="app/window/commands.py" />
+      <source>Commands</source>
+      <translation>Befehle</translation>
     </message>
     <message>
-      <location filename="app/window/colours_told.py" />
-      <source>Fit them now</source>
-      <translation>Jetzt anpassen</translation>
+      <location filename="app/window/commands.py" />
+      <source>Open</source>
+      <translation>Öffnen</translation>
     </message>
     <message>
-      <location filename="app/window/colours_told.py" />
-      <source>Show the colours</source>
-      <translation>Farben zeigen</translation>
+      <location filename="app/window/commands.py" />
+      <source>Find</source>
+      <translation>Suchen</translation>
+    </message>
+    <message>
+      <location filename="app/window/commands.py" />
+      <source>Stop recording</source>
+      <translation>Aufnahme stoppen</translation>
     </message>
     <message>
       <location filename="app/window/contributions.py" />
@@ -5445,9 +5500,59 @@ change {}: {}</source>
       <translation>{} ist fehlgeschlagen: {}.</translation>
     </message>
     <message>
-      <location filename="app/window/countdown.py" />
-      <source>Esc: not now</source>
-      <translation>Esc: nicht jetzt</translation>
+      <location filename="app/window/dialogs.py" />
+      <source>Guide</source>
+      <translation>Anleitung</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Search the guide</source>
+      <translation>Anleitung durchsuchen</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Keyboard shortcuts</source>
+      <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>About Glovetrack</source>
+      <translation>Über Glovetrack</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Components and licences</source>
+      <translation>Bestandteile und Lizenzen</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Apache-2.0</source>
+      <translation>Apache-2.0</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Hand tracking with a sensor glove and a stereo camera. Free software under the Apache License 2.0, without any warranty.</source>
+      <translation>Handtracking mit Sensorhandschuh und Stereokamera. Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewähr.</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Key</source>
+      <translation>Taste</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Command</source>
+      <translation>Befehl</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Menu</source>
+      <translation>Menü</translation>
+    </message>
+    <message>
+      <location filename="app/window/dialogs.py" />
+      <source>Glovetrack {}</source>
+      <translation>Glovetrack {}</translation>
     </message>
     <message>
       <location filename="app/window/docks.py" />
@@ -5455,34 +5560,79 @@ change {}: {}</source>
       <translation>&amp;Ansicht</translation>
     </message>
     <message>
-      <location filename="app/window/help.py" />
-      <source>Guide</source>
-      <translation>Anleitung</translation>
+      <location filename="app/window/doctor.py" />
+      <source>Checking computer and devices</source>
+      <translation>Rechner und Geräte werden geprüft</translation>
     </message>
     <message>
-      <location filename="app/window/help.py" />
-      <source>Search the guide</source>
-      <translation>Anleitung durchsuchen</translation>
+      <location filename="app/window/doctor.py" />
+      <source>Check computer and devices</source>
+      <translation>Rechner und Geräte prüfen</translation>
     </message>
     <message>
-      <location filename="app/window/help.py" />
-      <source>Keys</source>
-      <translation>Tasten</translation>
+      <location filename="app/window/doctor.py" />
+      <source>Check again</source>
+      <translation>Erneut prüfen</translation>
     </message>
     <message>
-      <location filename="app/window/help.py" />
-      <source>Key</source>
-      <translation>Taste</translation>
+      <location filename="app/window/doctor.py" />
+      <source>Save report…</source>
+      <translation>Bericht speichern…</translation>
     </message>
     <message>
-      <location filename="app/window/help.py" />
-      <source>Does</source>
-      <translation>Bewirkt</translation>
+      <location filename="app/window/doctor.py" />
+      <source>Checking… Devices in use by this window are not tested.</source>
+      <translation>Prüfung läuft… Geräte, die dieses Fenster benutzt, werden nicht geprüft.</translation>
     </message>
     <message>
-      <location filename="app/window/help.py" />
-      <source>Menu</source>
-      <translation>Menü</translation>
+      <location filename="app/window/doctor.py" />
+      <source>No problems found.</source>
+      <translation>Keine Probleme gefunden.</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Save report</source>
+      <translation>Bericht speichern</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Result</source>
+      <translation>Ergebnis</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Found</source>
+      <translation>Befund</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Remedy</source>
+      <translation>Abhilfe</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>OK</source>
+      <translation>OK</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Warning</source>
+      <translation>Warnung</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Error</source>
+      <translation>Fehler</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>{} errors, {} warnings.</source>
+      <translation>{} Fehler, {} Warnungen.</translation>
+    </message>
+    <message>
+      <location filename="app/window/doctor.py" />
+      <source>Report saved: {}.</source>
+      <translation>Bericht gespeichert: {}.</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
@@ -5491,48 +5641,48 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>Keep this layout</source>
-      <translation>Dieses Layout behalten</translation>
+      <source>Save layout</source>
+      <translation>Layout speichern</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>Kept layouts</source>
-      <translation>Behaltene Layouts</translation>
+      <source>Saved layouts</source>
+      <translation>Gespeicherte Layouts</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>Rename a layout</source>
+      <source>Rename layout</source>
       <translation>Layout umbenennen</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>&amp;Keep this layout…</source>
-      <translation>Dieses Layout &amp;behalten…</translation>
+      <source>Delete layout</source>
+      <translation>Layout löschen</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>&amp;Rename a layout…</source>
-      <translation>Layout &amp;umbenennen…</translation>
+      <source>&amp;Save layout…</source>
+      <translation>Layout &amp;speichern …</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>&amp;Delete a layout…</source>
-      <translation>Layout &amp;löschen…</translation>
+      <source>&amp;Rename layout…</source>
+      <translation>Layout &amp;umbenennen …</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
-      <source>The layout {} was deleted.</source>
-      <translation>Die Anordnung {} wurde gelöscht.</translation>
+      <source>&amp;Delete layout…</source>
+      <translation>Layout &amp;löschen …</translation>
+    </message>
+    <message>
+      <location filename="app/window/layout_keeper.py" />
+      <source>Layout {} deleted.</source>
+      <translation>Layout {} gelöscht.</translation>
     </message>
     <message>
       <location filename="app/window/layouts.py" />
       <source>Set up</source>
       <translation>Einrichten</translation>
-    </message>
-    <message>
-      <location filename="app/window/layouts.py" />
-      <source>Watch</source>
-      <translation>Beobachten</translation>
     </message>
     <message>
       <location filename="app/window/layouts.py" />
@@ -5571,11 +5721,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
-      <source>It is kept while this session runs.</source>
-      <translation>Es bleibt, solange diese Sitzung läuft.</translation>
-    </message>
-    <message>
-      <location filename="app/window/main_window.py" />
       <source>{} – Glovetrack</source>
       <translation>{} – Glovetrack</translation>
     </message>
@@ -5585,44 +5730,84 @@ change {}: {}</source>
       <translation>Wiedergabe von {} – Glovetrack</translation>
     </message>
     <message>
-      <location filename="app/window/main_window.py" />
-      <source>Save it for the next time…</source>
-      <translation>Für nächstes Mal speichern…</translation>
+      <location filename="app/window/message_bar.py" />
+      <source>Many patches have the markers' colours, but none fit the glove. Fit the colours.</source>
+      <translation>Viele Flicken haben die Farben der Marker, aber keine passen zum Handschuh. Farben anpassen.</translation>
     </message>
     <message>
-      <location filename="app/window/recent.py" />
+      <location filename="app/window/message_bar.py" />
+      <source>Esc: cancel</source>
+      <translation>Esc: abbrechen</translation>
+    </message>
+    <message>
+      <location filename="app/window/message_bar.py" />
+      <source>Fit colours now</source>
+      <translation>Farben jetzt anpassen</translation>
+    </message>
+    <message>
+      <location filename="app/window/message_bar.py" />
+      <source>Show the colours</source>
+      <translation>Farben zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/window/message_bar.py" />
+      <source>The calibration is used until this session ends.</source>
+      <translation>Die Kalibrierung gilt bis zum Ende dieser Sitzung.</translation>
+    </message>
+    <message>
+      <location filename="app/window/message_bar.py" />
+      <source>Save it to a profile…</source>
+      <translation>In einem Profil speichern …</translation>
+    </message>
+    <message>
+      <location filename="app/window/recordings.py" />
+      <source>Name of the recording</source>
+      <translation>Name der Aufnahme</translation>
+    </message>
+    <message>
+      <location filename="app/window/recordings.py" />
+      <source>Text of the note</source>
+      <translation>Text der Notiz</translation>
+    </message>
+    <message>
+      <location filename="app/window/recordings.py" />
       <source>Looking for earlier sessions</source>
       <translation>Frühere Sitzungen werden gesucht</translation>
     </message>
     <message>
-      <location filename="app/window/recent.py" />
-      <source>The recording {} was cut off. What it holds is whole in {}.</source>
-      <translation>Die Aufnahme {} ist abgebrochen. Was sie enthält, ist heil in {}.</translation>
+      <location filename="app/window/recordings.py" />
+      <source>Recording {} was cut off. Its contents were recovered to {}.</source>
+      <translation>Die Aufnahme {} wurde abgebrochen. Ihr Inhalt wurde in {} wiederhergestellt.</translation>
     </message>
     <message>
-      <location filename="app/window/recent.py" />
-      <source>Show it</source>
-      <translation>Zeigen</translation>
+      <location filename="app/window/recordings.py" />
+      <source>Recording {} was cut off. Its contents can be recovered.</source>
+      <translation>Die Aufnahme {} wurde abgebrochen. Ihr Inhalt lässt sich wiederherstellen.</translation>
     </message>
     <message>
-      <location filename="app/window/recent.py" />
+      <location filename="app/window/recordings.py" />
       <source>Checking {}</source>
       <translation>{} wird geprüft</translation>
     </message>
     <message>
-      <location filename="app/window/recent.py" />
-      <source>What could be read of the recording is in {}.</source>
-      <translation>Was von der Aufnahme zu lesen war, steht in {}.</translation>
+      <location filename="app/window/recordings.py" />
+      <source>{} moved to the trash.</source>
+      <translation>{} in den Papierkorb verschoben.</translation>
     </message>
     <message>
-      <location filename="app/window/recent.py" />
+      <location filename="app/window/recordings.py" />
+      <source>Recovered the recording to {}.</source>
+      <translation>Aufnahme in {} wiederhergestellt.</translation>
+    </message>
+    <message>
+      <location filename="app/window/recordings.py" />
+      <source>{} recordings moved to the trash.</source>
+      <translation>{} Aufnahmen in den Papierkorb verschoben.</translation>
+    </message>
+    <message>
+      <location filename="app/window/recordings.py" />
       <source>{} Your recording {} is complete.</source>
       <translation>{} Ihre Aufnahme {} ist vollständig.</translation>
-    </message>
-    <message>
-      <location filename="app/window/refresher.py" />
-      <source>The panel {} failed and rests ({}: {}); the rest goes on.</source>
-      <translation>Das Feld {} ist ausgefallen und ruht ({}: {}); der Rest läuft weiter.</translation>
     </message>
     <message>
       <location filename="app/window/set_up_dialogs.py" />
@@ -5631,8 +5816,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/set_up_dialogs.py" />
-      <source>Only the engine chain learns from poses: choose it in the Tracking menu.</source>
-      <translation>Nur das Verfahren chain lernt aus Posen: im Menü Tracking wählen.</translation>
+      <source>Only the engine chain learns from poses. Choose it in the Tracking menu.</source>
+      <translation>Nur das Verfahren chain lernt aus Posen. Im Menü Tracking wählen.</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
@@ -5646,13 +5831,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Open a session</source>
-      <translation>Sitzung öffnen</translation>
+      <source>Open recording</source>
+      <translation>Aufnahme öffnen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Show the set-up</source>
-      <translation>Einrichtung zeigen</translation>
+      <source>Show checklist</source>
+      <translation>Checkliste zeigen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
@@ -5666,23 +5851,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Plugged in now: {}.</source>
-      <translation>Jetzt eingesteckt: {}.</translation>
+      <source>Plugged in: {}.</source>
+      <translation>Angeschlossen: {}.</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Use it</source>
-      <translation>Verwenden</translation>
+      <source>Connect</source>
+      <translation>Verbinden</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>End it and open</source>
-      <translation>Beenden und öffnen</translation>
+      <source>Stop recording and open</source>
+      <translation>Aufnahme beenden und öffnen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>{} waits: a recording is under way.</source>
-      <translation>{} wartet: Eine Aufnahme läuft.</translation>
+      <source>{} cannot be opened during a recording.</source>
+      <translation>{} lässt sich während einer Aufnahme nicht öffnen.</translation>
     </message>
     <message>
       <location filename="app/window/status_bar.py" />
@@ -5695,49 +5880,14 @@ change {}: {}</source>
       <translation>Das Fenster wird {}-mal pro Sekunde aufgefrischt</translation>
     </message>
     <message>
-      <location filename="app/window/recordings.py" />
-      <source>Name of the recording</source>
-      <translation>Name der Aufnahme</translation>
-    </message>
-    <message>
-      <location filename="app/window/recordings.py" />
-      <source>What happened?</source>
-      <translation>Was ist geschehen?</translation>
-    </message>
-    <message>
-      <location filename="app/window/recordings.py" />
-      <source>{} is in the bin.</source>
-      <translation>{} ist im Papierkorb.</translation>
-    </message>
-    <message>
-      <location filename="app/window/recordings.py" />
-      <source>{} recordings are in the bin.</source>
-      <translation>{} Aufnahmen sind im Papierkorb.</translation>
-    </message>
-    <message>
       <location filename="app/window/ticker.py" />
       <source>Paused</source>
       <translation>Pause</translation>
     </message>
     <message>
-      <location filename="app/window/tool_bar.py" />
-      <source>Commands</source>
-      <translation>Befehle</translation>
-    </message>
-    <message>
-      <location filename="app/window/tool_bar.py" />
-      <source>Open</source>
-      <translation>Öffnen</translation>
-    </message>
-    <message>
-      <location filename="app/window/tool_bar.py" />
-      <source>Find</source>
-      <translation>Suchen</translation>
-    </message>
-    <message>
-      <location filename="app/window/tool_bar.py" />
-      <source>Stop recording</source>
-      <translation>Aufnahme stoppen</translation>
+      <location filename="app/window/ticker.py" />
+      <source>Panel {} failed and is paused ({}: {}). Everything else continues.</source>
+      <translation>Das Feld {} ist fehlgeschlagen und angehalten ({}: {}). Alles andere läuft weiter.</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5771,33 +5921,38 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>3D view: chosen b&amp;y itself</source>
-      <translation>3D-Ansich&amp;t: von selbst gewählt</translation>
+      <source>&amp;Check computer and devices…</source>
+      <translation>Rechner und Geräte &amp;prüfen…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>3D view: by the &amp;graphics card</source>
-      <translation>3D-Ansicht: mit der &amp;Grafikkarte</translation>
+      <source>3D view: &amp;automatic</source>
+      <translation>3D-Ansicht: &amp;automatisch</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>3D view: &amp;painted</source>
-      <translation>3D-Ansicht: g&amp;ezeichnet</translation>
+      <source>3D view: &amp;graphics card</source>
+      <translation>3D-Ansicht: &amp;Grafikkarte</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Light</source>
-      <translation>&amp;Hell</translation>
+      <source>3D view: soft&amp;ware</source>
+      <translation>3D-Ansicht: Soft&amp;ware</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Dark</source>
-      <translation>&amp;Dunkel</translation>
+      <source>Theme: &amp;light</source>
+      <translation>Design: &amp;hell</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>As the &amp;system</source>
-      <translation>&amp;Wie das System</translation>
+      <source>Theme: &amp;dark</source>
+      <translation>Design: &amp;dunkel</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Theme: s&amp;ystem</source>
+      <translation>Design: S&amp;ystem</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5811,8 +5966,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Documentation in the browser</source>
-      <translation>&amp;Dokumentation im Browser</translation>
+      <source>Open &amp;documentation in the browser</source>
+      <translation>&amp;Dokumentation im Browser öffnen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5826,8 +5981,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Language: as the system</source>
-      <translation>Sprache: wie das System</translation>
+      <source>Language: system default</source>
+      <translation>Sprache: Systemvorgabe</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5841,8 +5996,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Open a session…</source>
-      <translation>Sitzung &amp;öffnen…</translation>
+      <source>&amp;Open recording…</source>
+      <translation>Aufnahme &amp;öffnen …</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5851,8 +6006,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Close the session</source>
-      <translation>Sitzung s&amp;chließen</translation>
+      <source>&amp;Close</source>
+      <translation>S&amp;chließen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5891,13 +6046,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Save the &amp;wearer…</source>
-      <translation>Person spe&amp;ichern…</translation>
+      <source>Save &amp;wearer profile…</source>
+      <translation>&amp;Trägerprofil speichern …</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Lock the exposure as it is</source>
-      <translation>&amp;Belichtung sperren, wie sie ist</translation>
+      <source>&amp;Lock the current exposure</source>
+      <translation>Aktuelle Belichtung sperr&amp;en</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5911,7 +6066,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Pause the recording</source>
+      <source>&amp;Pause recording</source>
       <translation>Aufnahme &amp;pausieren</translation>
     </message>
     <message>
@@ -5921,8 +6076,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>R&amp;eset the pose</source>
-      <translation>Haltung &amp;zurücksetzen</translation>
+      <source>R&amp;eset pose</source>
+      <translation>Pos&amp;e zurücksetzen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5931,58 +6086,58 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Back to the li&amp;ve hand</source>
-      <translation>Zu&amp;rück zur laufenden Hand</translation>
+      <source>Return to li&amp;ve tracking</source>
+      <translation>Zurück zum Li&amp;ve-Tracking</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Play or pause</source>
-      <translation>Ab&amp;spielen oder Pause</translation>
+      <translation>Wiedergabe oder &amp;Pause</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>The image &amp;before</source>
-      <translation>Das Bild &amp;davor</translation>
+      <source>Previous &amp;image</source>
+      <translation>Voriges B&amp;ild</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>The &amp;next image</source>
-      <translation>Das &amp;nächste Bild</translation>
+      <source>&amp;Next image</source>
+      <translation>&amp;Nächstes Bild</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>The note &amp;earlier</source>
-      <translation>Die Notiz da&amp;vor</translation>
+      <source>Previous no&amp;te</source>
+      <translation>Vorige N&amp;otiz</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>The note la&amp;ter</source>
-      <translation>Die Notiz dana&amp;ch</translation>
+      <source>Next n&amp;ote</source>
+      <translation>Nächste Noti&amp;z</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;In point here</source>
-      <translation>Hier &amp;Anfang setzen</translation>
+      <source>Set the &amp;start of the range</source>
+      <translation>Anfan&amp;g des Bereichs setzen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Out point here</source>
-      <translation>Hier &amp;Ende setzen</translation>
+      <source>Set the &amp;end of the range</source>
+      <translation>End&amp;e des Bereichs setzen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Whole session</source>
-      <translation>&amp;Ganze Sitzung</translation>
+      <source>&amp;Clear the range</source>
+      <translation>Bereich auf&amp;heben</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Crop to a new session</source>
-      <translation>In neue Sitzung &amp;zuschneiden</translation>
+      <source>C&amp;rop to a new session</source>
+      <translation>In neue Sitzung z&amp;uschneiden</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Loop on or off</source>
-      <translation>Sch&amp;leife ein oder aus</translation>
+      <source>&amp;Loop</source>
+      <translation>Sch&amp;leife</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5996,13 +6151,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Two takes side by si&amp;de</source>
+      <source>Two recordings side by si&amp;de</source>
       <translation>Zwei Aufnahmen ne&amp;beneinander</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Freeze the images</source>
-      <translation>Bilder &amp;einfrieren</translation>
+      <source>&amp;Freeze images</source>
+      <translation>Bilder ein&amp;frieren</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -6031,12 +6186,12 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Undo the colour change</source>
-      <translation>Farbänderung rückgängig &amp;machen</translation>
+      <source>&amp;Undo colour change</source>
+      <translation>Farbänderung &amp;zurücknehmen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Redo the colour change</source>
+      <source>&amp;Redo colour change</source>
       <translation>Farbänderung &amp;wiederholen</translation>
     </message>
     <message>
@@ -6046,13 +6201,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Latency of &amp;each stage</source>
-      <translation>Latenz &amp;jeder Stufe</translation>
+      <source>Latency p&amp;er stage</source>
+      <translation>Latenz je Stuf&amp;e</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Reset the layout</source>
-      <translation>Layout &amp;zurücksetzen</translation>
+      <source>&amp;Reset layout</source>
+      <translation>Layout zurückset&amp;zen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -6066,8 +6221,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Keys</source>
-      <translation>&amp;Tasten</translation>
+      <source>&amp;Keyboard shortcuts</source>
+      <translation>Tasten&amp;kürzel</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -6096,13 +6251,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>this camera has none</source>
-      <translation>hat diese Kamera nicht</translation>
+      <source>not available on this camera</source>
+      <translation>bei dieser Kamera nicht verfügbar</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>▲ the camera does not take it</source>
-      <translation>▲ die Kamera nimmt es nicht an</translation>
+      <source>▲ rejected by the camera</source>
+      <translation>▲ von der Kamera abgelehnt</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6111,13 +6266,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>&amp;Exchange left and right</source>
+      <source>Swap l&amp;eft and right</source>
       <translation>&amp;Links und rechts tauschen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>Where a stereo calibration finds the cameras exchanged</source>
-      <translation>Falls eine Stereokalibrierung die Kameras vertauscht findet</translation>
+      <source>If a stereo calibration reports that the cameras are swapped</source>
+      <translation>Wenn eine Stereokalibrierung meldet, dass die Kameras vertauscht sind</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6141,8 +6296,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>nothing, or another number or address for the right images</source>
-      <translation>nichts, oder eine andere Nummer oder Adresse für die rechten Bilder</translation>
+      <source>empty, or the number or address of the right camera</source>
+      <translation>leer, oder Nummer oder Adresse der rechten Kamera</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6151,8 +6306,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>The first one found</source>
-      <translation>Die erste gefundene</translation>
+      <source>First camera found</source>
+      <translation>Erste gefundene Kamera</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6161,8 +6316,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>none: this is one camera</source>
-      <translation>keine: dies ist eine einzelne Kamera</translation>
+      <source>none (single camera)</source>
+      <translation>keine (einzelne Kamera)</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6171,13 +6326,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>Arriving: {} by {} px of one camera, {} images a second</source>
-      <translation>Es kommen an: {} mal {} px einer Kamera, {} Bilder in der Sekunde</translation>
+      <source>Receiving {} × {} px from one camera, {} images per second</source>
+      <translation>Empfang von einer Kamera: {} × {} px, {} Bilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>Arriving: {} by {} px for each eye, {} images a second</source>
-      <translation>Es kommt an: {} × {} px je Auge, {} Bilder pro Sekunde</translation>
+      <source>Receiving {} × {} px from each camera, {} images per second</source>
+      <translation>Empfang von jeder Kamera: {} × {} px, {} Bilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6186,13 +6341,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>A camera that exposes by itself changes the colours with every move.</source>
-      <translation>Eine Kamera, die selbst belichtet, ändert die Farben mit jeder Bewegung.</translation>
+      <source>Automatic exposure changes the colours with every movement.</source>
+      <translation>Die automatische Belichtung verändert die Farben bei jeder Bewegung.</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>○ by itself, now {}</source>
-      <translation>○ von selbst, jetzt {}</translation>
+      <source>○ automatic, now {}</source>
+      <translation>○ automatisch, jetzt {}</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6211,8 +6366,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>Start glove and camera: what the camera can do is shown then.</source>
-      <translation>Handschuh und Kamera starten: Dann steht hier, was die Kamera kann.</translation>
+      <source>Start glove and camera to see the camera's controls.</source>
+      <translation>Handschuh und Kamera starten, um die Regler der Kamera zu sehen.</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -6241,13 +6396,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>Tells this glove from others: give each its own</source>
-      <translation>Unterscheidet diesen Handschuh von anderen: jedem eine eigene geben</translation>
+      <source>Identifies this glove; give each glove its own number</source>
+      <translation>Kennzeichnet diesen Handschuh; jedem Handschuh eine eigene Nummer geben</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>115200 for USB adapters that know no better</source>
-      <translation>115200 für USB-Adapter, die nicht mehr können</translation>
+      <source>115200 for USB adapters without higher speeds</source>
+      <translation>115200 für USB-Adapter ohne höhere Geschwindigkeiten</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
@@ -6291,8 +6446,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>Writing. Leave the cable plugged in, for about ten seconds.</source>
-      <translation>Es wird geschrieben. Das Kabel etwa zehn Sekunden eingesteckt lassen.</translation>
+      <source>Writing for about ten seconds. Leave the cable plugged in.</source>
+      <translation>Es wird etwa zehn Sekunden lang geschrieben. Kabel nicht abziehen.</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
@@ -6301,8 +6456,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>Written and read back. It does not answer yet: plug it in again.</source>
-      <translation>Geschrieben und zurückgelesen. Er antwortet noch nicht: neu einstecken.</translation>
+      <source>Firmware written and verified. The glove does not respond yet: unplug it and plug it in again.</source>
+      <translation>Firmware geschrieben und geprüft. Der Handschuh antwortet noch nicht: abziehen und wieder einstecken.</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
@@ -6311,23 +6466,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>No serial port is there. Plug it in.</source>
-      <translation>Kein serieller Anschluss ist da. Den Handschuh einstecken.</translation>
+      <source>No serial port found. Plug the glove in.</source>
+      <translation>Kein serieller Anschluss gefunden. Handschuh einstecken.</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>With this program comes firmware {}.</source>
-      <translation>Mit diesem Programm kommt Firmware {}.</translation>
+      <source>Firmware {} is included in this program.</source>
+      <translation>Firmware {} ist in diesem Programm enthalten.</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>It needs no newer one.</source>
-      <translation>Er braucht keine neuere.</translation>
+      <source>Its firmware is up to date.</source>
+      <translation>Seine Firmware ist aktuell.</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>Written and read back; glove {} answers with firmware {}.</source>
-      <translation>Geschrieben und zurückgelesen; Handschuh {} antwortet mit Firmware {}.</translation>
+      <source>Firmware written and verified. Glove {} responds with firmware {}.</source>
+      <translation>Firmware geschrieben und geprüft. Handschuh {} antwortet mit Firmware {}.</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
@@ -6336,8 +6491,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
-      <source>The glove at this port is number {}, its firmware {}.</source>
-      <translation>Der Handschuh an diesem Anschluss hat Nummer {}, seine Firmware ist {}.</translation>
+      <source>The glove at this port is number {} with firmware {}.</source>
+      <translation>Der Handschuh an diesem Anschluss ist Nummer {} mit Firmware {}.</translation>
     </message>
     <message>
       <location filename="app/wizards/form_dialog.py" />
@@ -6366,8 +6521,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
-      <source>Whichever it answers at</source>
-      <translation>Die, bei der er antwortet</translation>
+      <source>Automatic</source>
+      <translation>Automatisch</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
@@ -6411,8 +6566,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
-      <source>Simulated glove (plays along)</source>
-      <translation>Simulierter Handschuh (spielt mit)</translation>
+      <source>Simulated glove (for practice)</source>
+      <translation>Simulierter Handschuh (zum Üben)</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
@@ -6441,8 +6596,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
-      <source>{}: a glove that is sending</source>
-      <translation>{}: ein Handschuh, der sendet</translation>
+      <source>{}: a glove that sends data</source>
+      <translation>{}: ein Handschuh, der Daten sendet</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
@@ -6516,18 +6671,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
-      <source>What was found</source>
-      <translation>Befund</translation>
+      <source>No data received.</source>
+      <translation>Keine Daten empfangen.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
-      <source>No samples come.</source>
-      <translation>Es kommen keine Messwerte.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/pages.py" />
-      <source>Moves now: {}</source>
-      <translation>Bewegt sich jetzt: {}</translation>
+      <source>Moving: {}</source>
+      <translation>In Bewegung: {}</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
@@ -6556,7 +6706,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
-      <source>Freeing the glove's port</source>
+      <source>Releasing the glove's port</source>
       <translation>Anschluss des Handschuhs wird freigegeben</translation>
     </message>
     <message>
@@ -6581,8 +6731,83 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
+      <source>Your fingers bend as expected.</source>
+      <translation>Ihre Finger beugen sich wie erwartet.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
       <source>Guided calibration, right hand</source>
       <translation>Geführte Kalibrierung, rechte Hand</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Measured</source>
+      <translation>Gemessen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Before</source>
+      <translation>Vorher</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>After</source>
+      <translation>Nachher</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Change</source>
+      <translation>Änderung</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>&amp;Keep</source>
+      <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>&amp;Undo</source>
+      <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Discard the result of these poses</source>
+      <translation>Ergebnis dieser Posen verwerfen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Evaluating the poses…</source>
+      <translation>Haltungen werden ausgewertet…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>The calibration has not changed</source>
+      <translation>Die Kalibrierung hat sich nicht geändert</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Beep when a pose has been held</source>
+      <translation>Ton, wenn eine Pose gehalten wurde</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Accept &amp;hold (Enter)</source>
+      <translation>&amp;Halten bestätigen (Eingabe)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Accept the pose although the ring has not detected it</source>
+      <translation>Pose bestätigen, obwohl der Ring sie nicht erkannt hat</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Skip (S)</source>
+      <translation>Auslassen (S)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Repeat (R)</source>
+      <translation>Noch einmal (R)</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
@@ -6601,108 +6826,33 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
-      <source>No pose was held.</source>
-      <translation>Keine Pose wurde gehalten.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>A beep when a pose has been held</source>
-      <translation>Ein Ton, wenn eine Pose gehalten wurde</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>I &amp;hold it (Enter)</source>
-      <translation>&amp;Halte ich (Eingabe)</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>Where the pose is held and the ring does not believe it</source>
-      <translation>Falls die Pose gehalten wird und der Ring es nicht glaubt</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>Skip (S)</source>
-      <translation>Auslassen (S)</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>Repeat (R)</source>
-      <translation>Noch einmal (R)</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>Hold eight poses, each for two seconds</source>
-      <translation>Acht Posen halten, jede zwei Sekunden</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>They show the tracking how your fingers and your thumb bend. It takes half a minute. Do with the glove what the hand on the left does.</source>
-      <translation>Sie zeigen dem Tracking, wie sich Finger und Daumen beugen. Es dauert eine halbe Minute. Mit dem Handschuh tun, was die Hand links tut.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Your fingers bend as expected.</source>
-      <translation>Ihre Finger beugen sich wie erwartet.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Measured</source>
-      <translation>Gemessen</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Before</source>
-      <translation>Vorher</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>After</source>
-      <translation>Nachher</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Change</source>
-      <translation>Änderung</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>What was learned</source>
-      <translation>Was gelernt wurde</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>&amp;Keep</source>
-      <translation>&amp;Behalten</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>&amp;Undo</source>
-      <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Forget what these poses have taught</source>
-      <translation>Vergessen, was diese Posen gelehrt haben</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Evaluating the poses…</source>
-      <translation>Haltungen werden ausgewertet…</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
-      <source>Nothing was learned</source>
-      <translation>Nichts wurde gelernt</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
       <source>{} of {} poses held</source>
       <translation>{} von {} Posen gehalten</translation>
     </message>
     <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Hold eight poses, each for two seconds</source>
+      <translation>Acht Posen halten, jede zwei Sekunden</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>The poses measure how your fingers and thumb bend. Copy the hand on the left. It takes half a minute.</source>
+      <translation>Die Posen messen, wie sich Ihre Finger und Ihr Daumen beugen. Machen Sie die Hand links nach. Es dauert eine halbe Minute.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>No pose was held.</source>
+      <translation>Keine Pose wurde gehalten.</translation>
+    </message>
+    <message>
       <location filename="app/wizards/leading/outcome.py" />
-      <source>&amp;Once more</source>
-      <translation>&amp;Noch einmal</translation>
+      <source>Rep&amp;eat</source>
+      <translation>Wied&amp;erholen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/leading/page.py" />
+      <source>The pose to be held</source>
+      <translation>Die zu haltende Pose</translation>
     </message>
     <message>
       <location filename="app/wizards/leading/page.py" />
@@ -6720,9 +6870,9 @@ change {}: {}</source>
       <translation>Ende (Esc)</translation>
     </message>
     <message>
-      <location filename="app/wizards/leading/stage.py" />
-      <source>The pose to be held</source>
-      <translation>Die zu haltende Pose</translation>
+      <location filename="app/wizards/leading/page.py" />
+      <source>held for {} % of the time</source>
+      <translation>{} % der Zeit gehalten</translation>
     </message>
     <message>
       <location filename="app/wizards/pose_reset.py" />
@@ -6756,8 +6906,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/pose_reset.py" />
-      <source>{} is the key of “{}”. Choose another one.</source>
-      <translation>{} ist die Taste von „{}“. Wählen Sie eine andere.</translation>
+      <source>{} is already assigned to “{}”. Choose another key.</source>
+      <translation>{} ist bereits mit „{}“ belegt. Eine andere Taste wählen.</translation>
     </message>
     <message>
       <location filename="app/wizards/pose_reset.py" />
@@ -6801,8 +6951,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
-      <source>Lenses &amp;apart, if known</source>
-      <translation>&amp;Objektivabstand, falls bekannt</translation>
+      <source>B&amp;aseline, if known</source>
+      <translation>B&amp;asislänge, falls bekannt</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -6816,13 +6966,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
-      <source>A calibration is there already</source>
-      <translation>Es gibt schon eine Kalibrierung</translation>
+      <source>Import an existing calibration</source>
+      <translation>Vorhandene Kalibrierung importieren</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
-      <source>It is checked as strictly as one made here, and can be tried on the board.</source>
-      <translation>Sie wird so streng geprüft wie eine hier gemachte und lässt sich an der Tafel erproben.</translation>
+      <source>It is checked as strictly as a new calibration, and can be tested with the board.</source>
+      <translation>Sie wird so streng geprüft wie eine neue Kalibrierung und lässt sich mit der Tafel testen.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -6866,8 +7016,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
-      <source>The camera in use was closed: start glove and camera again.</source>
-      <translation>Die Kamera in Gebrauch wurde geschlossen: Handschuh und Kamera neu starten.</translation>
+      <source>The camera was closed. Start glove and camera again.</source>
+      <translation>Die Kamera wurde geschlossen. Handschuh und Kamera erneut starten.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
@@ -6881,7 +7031,7 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
-      <source>Chosen camera: {}</source>
+      <source>Selected camera: {}</source>
       <translation>Gewählte Kamera: {}</translation>
     </message>
     <message>
@@ -6931,8 +7081,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
-      <source>Calibrated: now check it on fresh views</source>
-      <translation>Kalibriert: jetzt an neuen Ansichten prüfen</translation>
+      <source>Calibrated. Now check it on new views.</source>
+      <translation>Kalibriert. Jetzt an neuen Ansichten prüfen.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
@@ -6943,6 +7093,11 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/result.py" />
       <source>Left, px</source>
       <translation>Links, px</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/result.py" />
+      <source>Camera calibration</source>
+      <translation>Kamerakalibrierung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
@@ -6970,11 +7125,6 @@ change {}: {}</source>
       <translation>Kalibrierung läuft: {}</translation>
     </message>
     <message>
-      <location filename="app/wizards/stereo/solving.py" />
-      <source>Camera calibration</source>
-      <translation>Kamerakalibrierung</translation>
-    </message>
-    <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Waiting for the camera</source>
       <translation>Warten auf die Kamera</translation>
@@ -6991,13 +7141,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
-      <source>Corners are off by</source>
-      <translation>Abweichung der Ecken</translation>
+      <source>Corner error</source>
+      <translation>Eckenfehler</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
-      <source>Rows differ by</source>
-      <translation>Zeilenversatz</translation>
+      <source>Row difference</source>
+      <translation>Zeilenabweichung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
@@ -7011,12 +7161,12 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
-      <source>Show the board once more.</source>
-      <translation>Die Tafel noch einmal zeigen.</translation>
+      <source>Show the board again.</source>
+      <translation>Tafel erneut zeigen.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
-      <source>The image has another size.</source>
+      <source>The image has a different size.</source>
       <translation>Das Bild hat eine andere Größe.</translation>
     </message>
     <message>
@@ -7033,11 +7183,6 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Images from a folder…</source>
       <translation>Bilder aus einem Ordner…</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/wizard.py" />
-      <source>Result</source>
-      <translation>Ergebnis</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
@@ -7065,44 +7210,134 @@ change {}: {}</source>
       <translation>geprüft: {:.3f} px</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
+      <location filename="extensions/applications/window/extension.py" />
+      <source>Applications</source>
+      <translation>Anwendungen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/panel.py" />
       <source>Application</source>
       <translation>Anwendung</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
+      <location filename="extensions/applications/window/panel.py" />
       <source>Restart</source>
       <translation>Neu beginnen</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
+      <location filename="extensions/applications/window/panel.py" />
       <source>Show all</source>
       <translation>Alles zeigen</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Move the eye until all that is drawn is in sight</source>
-      <translation>Den Blick bewegen, bis alles Gezeichnete zu sehen ist</translation>
+      <location filename="extensions/applications/window/panel.py" />
+      <source>Move the viewpoint until the whole drawing is visible</source>
+      <translation>Blickpunkt verschieben, bis die ganze Zeichnung sichtbar ist</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
+      <location filename="extensions/applications/window/panel.py" />
       <source>Page</source>
       <translation>Seite</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
-      <source>Show it in browsers of this machine, a headset's too</source>
-      <translation>In Browsern dieses Rechners zeigen, auch in dem einer Brille</translation>
+      <location filename="extensions/applications/window/panel.py" />
+      <source>Show it in browsers on this computer, including a headset's</source>
+      <translation>In Browsern auf diesem Rechner zeigen, auch in dem eines Headsets</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/controls.py" />
+      <location filename="extensions/applications/window/panel.py" />
       <source>No application</source>
       <translation>Keine Anwendung</translation>
     </message>
     <message>
-      <location filename="extensions/applications/window/extension.py" />
-      <source>Applications</source>
-      <translation>Anwendungen</translation>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Reach forward and touch the object with a fingertip.</source>
+      <translation>Nach vorn greifen und das Objekt mit einer Fingerspitze berühren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Close the hand by a grasp or a pinch to move the arm. Open the palm to stop it.</source>
+      <translation>Hand zum Greifen oder Kneifen schließen, um den Arm zu bewegen. Handfläche öffnen, um ihn anzuhalten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Grasp the building to move and turn it. Pinch with the middle finger and raise the hand to enlarge it, with the index finger and slide to fade the old plan. Hold the palm open to go back to the map.</source>
+      <translation>Das Gebäude greifen, um es zu bewegen und zu drehen. Mit dem Mittelfinger kneifen und die Hand heben, um es zu vergrößern; mit dem Zeigefinger kneifen und seitlich ziehen, um den alten Plan einzublenden. Handfläche offen halten, um zur Karte zurückzukehren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Show a thumb up to remove the walls.</source>
+      <translation>Daumen hoch zeigen, um die Wände zu entfernen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Hold the hand in view of the cameras.</source>
+      <translation>Hand ins Blickfeld der Kameras halten.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Press deeper to feel it more, or slide along the surface.</source>
+      <translation>Tiefer drücken, um es stärker zu spüren, oder an der Oberfläche entlangfahren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Touch the object from another side, or with another finger.</source>
+      <translation>Das Objekt von einer anderen Seite oder mit einem anderen Finger berühren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>The arm is stopped. Show a thumb up to go on.</source>
+      <translation>Der Arm ist angehalten. Daumen hoch zeigen, um fortzufahren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Move the closed hand to carry the block. Pinch again to open the gripper.</source>
+      <translation>Die geschlossene Hand bewegen, um den Klotz zu tragen. Erneut kneifen, um den Greifer zu öffnen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Move the hand: the arm follows. Pinch at the block to close the gripper.</source>
+      <translation>Hand bewegen: Der Arm folgt. Am Klotz kneifen, um den Greifer zu schließen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Point at a building with the index finger and hold still to open it.</source>
+      <translation>Mit dem Zeigefinger auf ein Gebäude zeigen und stillhalten, um es zu öffnen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Point with the index finger and push into the swarm.</source>
+      <translation>Mit dem Zeigefinger zeigen und in den Schwarm stoßen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Pinch inside the swarm and move the hand to drag it.</source>
+      <translation>Im Schwarm kneifen und die Hand bewegen, um ihn zu ziehen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Grasp inside the swarm and pull to stretch it.</source>
+      <translation>In den Schwarm greifen und ziehen, um ihn zu strecken.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Make a fist to join the groups.</source>
+      <translation>Eine Faust machen, um die Gruppen zu vereinen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Cut through the swarm with the open palm to split it.</source>
+      <translation>Mit offener Hand durch den Schwarm fahren, um ihn zu teilen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Sweep the open palm next to the swarm to leave a wall.</source>
+      <translation>Mit offener Hand neben dem Schwarm entlangfahren, um eine Wand zu ziehen.</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>put down {:.0f} mm ahead and {:.0f} mm to the left of the arm's foot</source>
+      <translation>abgesetzt {:.0f} mm vor und {:.0f} mm links vom Fuß des Arms</translation>
     </message>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
@@ -7116,13 +7351,103 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
-      <source>For browsers of this machine, a headset's too: {}</source>
-      <translation>Für Browser dieses Rechners, auch den einer Brille: {}</translation>
+      <source>nudges: {}</source>
+      <translation>Stöße: {}</translation>
     </message>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
-      <source>It failed and rests: {}</source>
-      <translation>Sie ist ausgefallen und ruht: {}</translation>
+      <source>splits: {}</source>
+      <translation>Teilungen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>For browsers on this computer, including a headset's: {}</source>
+      <translation>Für Browser auf diesem Rechner, auch den eines Headsets: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>gripper closed</source>
+      <translation>Greifer geschlossen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>gripper open</source>
+      <translation>Greifer offen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>The application failed and is paused: {}</source>
+      <translation>Die Anwendung ist fehlgeschlagen und angehalten: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Touches: {}</source>
+      <translation>Berührungen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>last: {}, {:.1f} mm deep</source>
+      <translation>letzte: {}, {:.1f} mm tief</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>fingertips that touch now: {}</source>
+      <translation>jetzt berührende Fingerspitzen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Moves: {}</source>
+      <translation>Bewegungen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>block lifted: {} ×</source>
+      <translation>Klotz angehoben: {} ×</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>marked positions: {}</source>
+      <translation>markierte Positionen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Open: {}</source>
+      <translation>Offen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>moved by {:.0f} cm, turned by {:.0f}°</source>
+      <translation>um {:.0f} cm bewegt, um {:.0f}° gedreht</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>size {:.1f} ×</source>
+      <translation>Größe {:.1f} ×</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>old plan {:.0f} % visible</source>
+      <translation>alter Plan zu {:.0f} % sichtbar</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>Drones: {}</source>
+      <translation>Drohnen: {}</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>dragged by {:.0f} cm</source>
+      <translation>um {:.0f} cm gezogen</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>stretched to {:.1f} ×</source>
+      <translation>auf {:.1f} × gestreckt</translation>
+    </message>
+    <message>
+      <location filename="extensions/applications/window/view_model.py" />
+      <source>walls: {}, the last of {:.0f} cm²</source>
+      <translation>Wände: {}, die letzte mit {:.0f} cm²</translation>
     </message>
     <message>
       <location filename="extensions/applications/window/view_model.py" />
@@ -7141,8 +7466,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/dialog.py" />
-      <source>End the recording that is under way first.</source>
-      <translation>Erst die laufende Aufnahme beenden.</translation>
+      <source>Stop the current recording first.</source>
+      <translation>Zuerst die laufende Aufnahme beenden.</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/dialog.py" />
@@ -7161,13 +7486,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>The simulated wearers of this demo do not follow these gestures, so rules on gestures will not be met. The demo of one hand follows them.</source>
-      <translation>Die simulierten Personen dieser Demo zeigen diese Gesten nicht, daher werden die Regeln zu Gesten nicht erfüllt. Die Demo mit einer Hand zeigt sie.</translation>
+      <source>The simulated wearers of this demo do not follow the gestures, so the rules on gestures will fail. Use the demo of one hand instead.</source>
+      <translation>Die simulierten Träger dieser Demo folgen den Gesten nicht, daher werden die Regeln zu Gesten nicht erfüllt. Stattdessen die Demo mit einer Hand verwenden.</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/lead.py" />
-      <source>Open the hand and close it a few times first, so that its size is known. Then do what the hand on the left does: three beats to come to each gesture, and hold it until the ring is full. It takes {} seconds and is recorded.</source>
-      <translation>Die Hand erst einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann tun, was die Hand links tut: drei Takte, um zu jeder Geste zu kommen, und sie halten, bis der Ring voll ist. Es dauert {} Sekunden und wird aufgenommen.</translation>
+      <source>First open and close the hand a few times so that its size is known. Then copy the hand on the left: move into each gesture during three beats and hold it until the ring is full. The recording takes {} seconds.</source>
+      <translation>Zuerst die Hand einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann die Hand links nachmachen: während dreier Takte in jede Geste gehen und sie halten, bis der Ring voll ist. Die Aufnahme dauert {} Sekunden.</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
@@ -7201,18 +7526,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
-      <source>With a plot for each rule, to be kept and sent</source>
-      <translation>Mit einem Schaubild zu jeder Regel, zum Aufheben und Verschicken</translation>
+      <source>Report with a plot for each rule</source>
+      <translation>Bericht mit einem Diagramm für jede Regel</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
-      <source>The take is judged…</source>
-      <translation>Die Aufnahme wird beurteilt…</translation>
+      <source>Checking the recording…</source>
+      <translation>Aufnahme wird geprüft …</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
-      <source>The take cannot be judged</source>
-      <translation>Die Aufnahme kann nicht beurteilt werden</translation>
+      <source>The recording cannot be checked</source>
+      <translation>Die Aufnahme lässt sich nicht prüfen</translation>
     </message>
     <message>
       <location filename="extensions/conformance/window/guide/result.py" />
@@ -7470,14 +7795,169 @@ change {}: {}</source>
       <translation>Bericht über {} Aufnahmen</translation>
     </message>
     <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Connect</source>
-      <translation>Verbinden</translation>
+      <location filename="extensions/openxr/window/extension.py" />
+      <source>OpenXR</source>
+      <translation>OpenXR</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Register</source>
+      <translation>Registrieren</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Adds hand tracking to every OpenXR application of this user</source>
+      <translation>Gibt jeder OpenXR-Anwendung dieses Benutzers Hand-Tracking</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Unregister</source>
+      <translation>Registrierung entfernen</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Send the hand to OpenXR applications</source>
+      <translation>Hand an OpenXR-Anwendungen senden</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Local: where the headset was at the start</source>
+      <translation>Lokal: wo das Headset beim Start war</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Stage: the middle of the floor</source>
+      <translation>Bühne (Stage): Mitte des Bodens</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Reference space</source>
+      <translation>Bezugsraum</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Place the hand in front of the headset</source>
+      <translation>Hand vor das Headset setzen</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Hold your hand in front of you, then press: it appears there in applications</source>
+      <translation>Halten Sie die Hand vor sich und drücken Sie dann: In Anwendungen erscheint sie dort</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Whether an application reads the hand</source>
+      <translation>Ob eine Anwendung die Hand liest</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Testing…</source>
+      <translation>Test läuft …</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>To the right</source>
+      <translation>Nach rechts</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source> m</source>
+      <translation> m</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Up</source>
+      <translation>Nach oben</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Backwards</source>
+      <translation>Nach hinten</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>Turned to the left</source>
+      <translation>Nach links gedreht</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/panel.py" />
+      <source>The hand is not tracked, so its position is unknown. Track it first.</source>
+      <translation>Die Hand wird nicht verfolgt, ihre Position ist daher unbekannt. Starten Sie zuerst das Tracking.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The layer is not registered. Applications do not find the hand.</source>
+      <translation>Die Schicht ist nicht registriert. Anwendungen finden die Hand nicht.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The layer is registered. Applications find the hand when they start.</source>
+      <translation>Die Schicht ist registriert. Anwendungen finden die Hand beim Start.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The layer of another version is registered. Register it again.</source>
+      <translation>Die Schicht einer anderen Version ist registriert. Registrieren Sie sie erneut.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The registered layer is damaged. Register it again.</source>
+      <translation>Die registrierte Schicht ist beschädigt. Registrieren Sie sie erneut.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>No application reads the hand now. The last one was {}, {:.0f} s ago.</source>
+      <translation>Keine Anwendung liest die Hand gerade. Die letzte war {} vor {:.0f} s.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>No application has read the hand. Start an application with hand tracking; one that was running before the layer was registered must be started again.</source>
+      <translation>Keine Anwendung hat die Hand gelesen. Starten Sie eine Anwendung mit Hand-Tracking; eine, die schon vor der Registrierung lief, muss neu gestartet werden.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>{} reads the hand {:.0f} times per second.</source>
+      <translation>{} liest die Hand {:.0f}-mal pro Sekunde.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>{} asks for the hand {:.0f} times per second, but the hand is lost.</source>
+      <translation>{} fragt {:.0f}-mal pro Sekunde nach der Hand, aber sie ist verloren.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The hand is not sent.</source>
+      <translation>Die Hand wird nicht gesendet.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The hand is sent as soon as tracking runs.</source>
+      <translation>Die Hand wird gesendet, sobald das Tracking läuft.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>unnamed</source>
+      <translation>ohne Namen</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The hand is sent. No application reads it now.</source>
+      <translation>Die Hand wird gesendet. Keine Anwendung liest sie gerade.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>Nothing is sent: tick the stream and start tracking, then test.</source>
+      <translation>Es wird nichts gesendet: Schalten Sie den Datenstrom ein und starten Sie das Tracking, dann testen Sie.</translation>
+    </message>
+    <message>
+      <location filename="extensions/openxr/window/view_model.py" />
+      <source>The hand is sent and read by {}.</source>
+      <translation>Die Hand wird gesendet und gelesen von {}.</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Let a simulated robot hand follow the wearer's</source>
-      <translation>Eine simulierte Roboterhand der Hand der Person folgen lassen</translation>
+      <source>Drive a simulated robot hand with the tracked hand</source>
+      <translation>Eine simulierte Roboterhand mit der getrackten Hand steuern</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
@@ -7486,8 +7966,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Robot and things go to where they began</source>
-      <translation>Roboter und Dinge gehen an ihren Anfang zurück</translation>
+      <source>Return the robot and the objects to their initial poses</source>
+      <translation>Roboter und Gegenstände in die Anfangslage bringen</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
@@ -7501,48 +7981,38 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Scale of the motion</source>
-      <translation>Maßstab der Bewegung</translation>
+      <source>Motion scale</source>
+      <translation>Bewegungsmaßstab</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>How far the robot's palm goes for each way of the wearer's</source>
-      <translation>Wie weit die Handfläche des Roboters für jeden Weg der Hand geht</translation>
+      <source>Distance the robot's palm moves per distance of the hand</source>
+      <translation>Weg der Roboterhand je Weg der Hand</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Motion ×</source>
-      <translation>Bewegung ×</translation>
+      <source>Clutch gesture</source>
+      <translation>Kupplungsgeste</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Gesture of the clutch</source>
-      <translation>Geste der Kupplung</translation>
+      <source>UDP port for robot states</source>
+      <translation>UDP-Port für Roboterzustände</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Clutch by</source>
-      <translation>Kupplung durch</translation>
+      <source>Send the robot's joint states as JSON to this local port</source>
+      <translation>Gelenkzustände des Roboters als JSON an diesen lokalen Port senden</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>UDP port of the robot's states</source>
-      <translation>UDP-Anschluss für die Zustände des Roboters</translation>
+      <source>UDP port</source>
+      <translation>UDP-Port</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>The robot's joints go there as JSON, on this computer</source>
-      <translation>Die Gelenke des Roboters gehen als JSON dorthin, auf diesem Rechner</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>Send by UDP</source>
-      <translation>Per UDP senden</translation>
-    </message>
-    <message>
-      <location filename="extensions/robot/window/controls.py" />
-      <source>A hand as MJCF</source>
-      <translation>Eine Hand als MJCF</translation>
+      <source>Open robot hand</source>
+      <translation>Roboterhand öffnen</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
@@ -7551,8 +8021,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/controls.py" />
-      <source>Pressed, the robot follows; else it holds as it is ({})</source>
-      <translation>Gedrückt folgt der Roboter; sonst hält er, wie er ist ({})</translation>
+      <source>On: the robot follows the hand. Off: it holds its pose ({})</source>
+      <translation>Ein: Der Roboter folgt der Hand. Aus: Er hält seine Pose ({})</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
@@ -7561,8 +8031,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>its button alone</source>
-      <translation>nur seinen Knopf</translation>
+      <source>none (button only)</source>
+      <translation>keine (nur die Taste)</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
@@ -7571,53 +8041,53 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>Follows</source>
+      <source>Following</source>
       <translation>Folgt</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>Hands that were overtaken by a newer one: {}</source>
-      <translation>Hände, die von einer neueren überholt wurden: {}</translation>
+      <source>Estimates skipped in favour of newer ones: {}</source>
+      <translation>Zugunsten neuerer übersprungene Schätzungen: {}</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>No robot follows</source>
-      <translation>Kein Roboter folgt</translation>
+      <source>Not connected</source>
+      <translation>Nicht verbunden</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>The robot is being made ready</source>
-      <translation>Der Roboter wird vorbereitet</translation>
+      <source>Starting the robot…</source>
+      <translation>Roboter startet …</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>The robot waits for a hand</source>
-      <translation>Der Roboter wartet auf eine Hand</translation>
+      <source>Waiting for the tracked hand</source>
+      <translation>Warten auf die getrackte Hand</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>The robot as it was recorded</source>
-      <translation>Der Roboter, wie er aufgenommen wurde</translation>
+      <source>Recorded robot</source>
+      <translation>Aufgezeichneter Roboter</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>Released: the robot holds</source>
-      <translation>Losgelassen: der Roboter hält</translation>
+      <source>Clutch released: the robot holds its pose</source>
+      <translation>Kupplung gelöst: Der Roboter hält seine Pose</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>The hand is lost: the robot holds</source>
-      <translation>Die Hand ist verloren: der Roboter hält</translation>
+      <source>Hand lost: the robot holds its pose</source>
+      <translation>Hand verloren: Der Roboter hält seine Pose</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>fingertips {} mm off</source>
-      <translation>Fingerspitzen {} mm daneben</translation>
+      <source>fingertip error {} mm</source>
+      <translation>Fehler der Fingerspitzen {} mm</translation>
     </message>
     <message>
       <location filename="extensions/robot/window/view_model.py" />
-      <source>{} ms behind (99 %)</source>
-      <translation>{} ms zurück (99 %)</translation>
+      <source>latency {} ms (99 %)</source>
+      <translation>Latenz {} ms (99 %)</translation>
     </message>
     <message>
       <location filename="glovetrack.engines" />
@@ -7661,18 +8131,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.engines" />
-      <source>inertial (IMUs alone, no place)</source>
-      <translation>inertial (nur IMUs, ohne Ort)</translation>
-    </message>
-    <message>
-      <location filename="glovetrack.engines" />
-      <source>IMUs only</source>
-      <translation>nur IMUs</translation>
+      <source>inertial (IMUs only, no position)</source>
+      <translation>inertial (nur IMUs, ohne Position)</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
       <source>UDP (JSON)</source>
       <translation>UDP (JSON)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>version of the JSON messages: 2, or 1 for programs that read only that</source>
+      <translation>Version der JSON-Nachrichten: 2, oder 1 für Programme, die nur diese lesen</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -7686,6 +8156,131 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
+      <source>whether velocities follow each pose in a bundle of their own</source>
+      <translation>ob auf jede Pose Geschwindigkeiten in einem eigenen Bündel folgen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>OpenXR applications</source>
+      <translation>OpenXR-Anwendungen</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>reference space of the placement: local or stage</source>
+      <translation>Bezugsraum der Platzierung: local oder stage</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>position of Glovetrack's origin in that space, m to the right</source>
+      <translation>Position des Glovetrack-Ursprungs in diesem Raum, m nach rechts</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>m up</source>
+      <translation>m nach oben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>m backwards</source>
+      <translation>m nach hinten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>how far Glovetrack's forward direction is turned to the left, deg</source>
+      <translation>wie weit die Vorwärtsrichtung von Glovetrack nach links gedreht ist, Grad</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>how far poses are predicted beyond the newest sample at most, ms</source>
+      <translation>wie weit Posen über den neuesten Messwert hinaus höchstens vorhergesagt werden, ms</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>SteamVR, VRChat (VMT)</source>
+      <translation>SteamVR, VRChat (VMT)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>number of the right hand's device, 0 to 57</source>
+      <translation>Nummer des Geräts der rechten Hand, 0 bis 57</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>number of the left hand's device, 0 to 57</source>
+      <translation>Nummer des Geräts der linken Hand, 0 bis 57</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>whether the device stands where a controller would be in the hand, not at the wrist</source>
+      <translation>ob das Gerät dort ist, wo ein Controller in der Hand wäre, statt am Handgelenk</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>gesture for the trigger</source>
+      <translation>Geste für den Trigger</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>gesture for the grip</source>
+      <translation>Geste für den Griff</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>gesture for button A</source>
+      <translation>Geste für Taste A</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>gesture for button B</source>
+      <translation>Geste für Taste B</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>Monado (OpenGloves' serial line)</source>
+      <translation>Monado (serielle Leitung von OpenGloves)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>path of a link to the serial port, with {side} for left or right</source>
+      <translation>Pfad einer Verknüpfung zur seriellen Schnittstelle, mit {side} für left oder right</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>SteamVR (OpenGloves)</source>
+      <translation>SteamVR (OpenGloves)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>path of the driver's pipe; {side} stands for left or right</source>
+      <translation>Pfad der Pipe des Treibers; {side} steht für left oder right</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>Hand Tracking Streamer (21 landmarks)</source>
+      <translation>Hand Tracking Streamer (21 Landmarken)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>udp; tcp: connect to a program that listens; server: wait for programs to connect</source>
+      <translation>udp; tcp: mit einem wartenden Programm verbinden; server: auf Verbindungen von Programmen warten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>whether lines have a frame number and a time</source>
+      <translation>ob Zeilen eine Bildnummer und eine Zeit haben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>MediaPipe (JSON)</source>
+      <translation>MediaPipe (JSON)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>m that the imagined camera's image shows from left to right</source>
+      <translation>m, die das Bild der gedachten Kamera von links nach rechts zeigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
       <source>Lab Streaming Layer</source>
       <translation>Lab Streaming Layer</translation>
     </message>
@@ -7696,8 +8291,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.streams" />
+      <source>whether other computers can discover the outlet</source>
+      <translation>ob andere Computer den Ausgang finden können</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>2: with numbers and velocities in further channels; 1: without</source>
+      <translation>2: mit Nummern und Geschwindigkeiten in weiteren Kanälen; 1: ohne</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
       <source>Foxglove</source>
       <translation>Foxglove</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.streams" />
+      <source>further sites whose pages may connect, separated by commas</source>
+      <translation>weitere Websites, deren Seiten sich verbinden dürfen, durch Kommas getrennt</translation>
     </message>
     <message>
       <location filename="glovetrack.streams" />
@@ -7718,6 +8328,11 @@ change {}: {}</source>
       <location filename="glovetrack.remote" />
       <source>LSL (markers become notes)</source>
       <translation>LSL (Marker werden Notizen)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.remote" />
+      <source>SteamVR vibration (VMT)</source>
+      <translation>SteamVR-Vibration (VMT)</translation>
     </message>
     <message>
       <location filename="glovetrack.formats" />
@@ -7776,8 +8391,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.formats" />
-      <source>Film with the hand drawn in (MP4)</source>
-      <translation>Film mit eingezeichneter Hand (MP4)</translation>
+      <source>Video with the hand drawn in (MP4)</source>
+      <translation>Video mit eingezeichneter Hand (MP4)</translation>
     </message>
     <message>
       <location filename="glovetrack.formats" />
@@ -7815,1584 +8430,2719 @@ change {}: {}</source>
       <translation>Datensatz für das Lernen von Robotern (LeRobot, ein Ordner)</translation>
     </message>
     <message>
-      <location filename="tracker/base/damage.py" />
-      <source>Damaged messages in {} were left out: {}.</source>
-      <translation>Beschädigte Nachrichten in {} wurden ausgelassen: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>{text}</source>
+      <translation>{text}</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} is not a regular file.</source>
-      <translation>{} ist keine gewöhnliche Datei.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The left and right images are swapped and not used. Exchange the two cameras.</source>
+      <translation>Linkes und rechtes Bild sind vertauscht und werden nicht verwendet. Tauschen Sie die beiden Kameras.</translation>
     </message>
     <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} is larger than {} bytes: not {}.</source>
-      <translation>{} ist größer als {} Byte: keine {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} exists already and {}; choose another name.</source>
-      <translation>{} gibt es schon und {}; einen anderen Namen wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} exists already; choose another name, or --force to replace it.</source>
-      <translation>{} gibt es schon; einen anderen Namen wählen, oder --force ersetzt es.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/files.py" />
-      <source>The folder {} is not empty; choose another one, or --force to replace files in it.</source>
-      <translation>Der Ordner {} ist nicht leer; wählen Sie einen anderen, oder --force, um Dateien darin zu ersetzen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} exists already; choose another name.</source>
-      <translation>{} gibt es schon; einen anderen Namen wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/files.py" />
-      <source>{} is what is read; choose another name.</source>
-      <translation>{} wird gerade gelesen; einen anderen Namen wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/registry.py" />
-      <source>There is no {} {}; available: {}.</source>
-      <translation>{} {} gibt es nicht; vorhanden: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/registry.py" />
-      <source>The {} {} cannot be loaded: {} is not a {}.</source>
-      <translation>{} {} kann nicht geladen werden: {} ist kein {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/shared_memory.py" />
-      <source>The system has no {} MB of shared memory left, in which images are handed from one process to the other.</source>
-      <translation>Das System hat keine {} MB gemeinsamen Speicher mehr, in dem Bilder von einem Prozess zum anderen gehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is larger than {} bytes: not a configuration file.</source>
-      <translation>{} ist größer als {} Bytes: keine Konfigurationsdatei.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not valid TOML: {}.</source>
-      <translation>{} ist kein gültiges TOML: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not valid TOML: it is nested too deeply.</source>
-      <translation>{} ist kein gültiges TOML: zu tief verschachtelt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not valid TOML: line {} has a text without its end.</source>
-      <translation>{} ist kein gültiges TOML: In Zeile {} fehlt das Ende eines Textes.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} is not a UTF-8 text file.</source>
-      <translation>{} ist keine UTF-8-Textdatei.</translation>
-    </message>
-    <message>
-      <location filename="tracker/base/toml_reader.py" />
-      <source>{} cannot be read: {}.</source>
-      <translation>{} kann nicht gelesen werden: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_fit.py" />
-      <source>No pixels were marked for the hue {}.</source>
-      <translation>Für den Farbton {} wurden keine Bildpunkte markiert.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_fit.py" />
-      <source>The pixels marked for {} have every hue: mark one cloth only.</source>
-      <translation>Die für {} markierten Bildpunkte haben jeden Farbton: nur einen Stoff markieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_follow.py" />
-      <source>The light has changed; adapting the colours.</source>
-      <translation>Das Licht hat sich geändert; die Farben werden angepasst.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_image.py" />
-      <source>Nothing was fitted: no glove with its patches is seen for sure. Hold the hand flat before the camera, in more or whiter light.</source>
-      <translation>Nichts wurde angepasst: kein Handschuh mit seinen Flecken ist sicher zu sehen. Die Hand flach vor die Kamera halten, in mehr oder weißerem Licht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_image.py" />
-      <source>Point at a marker of each hue first: {} missing.</source>
-      <translation>Erst auf einen Marker jedes Farbtons zeigen: {} fehlt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_image.py" />
-      <source>Nothing was learned beyond what was pointed at: no glove with its patches is seen around it. Point at the middle of a patch of each hue, the hand flat.</source>
-      <translation>Gelernt wurde nur, worauf gezeigt wurde: ringsum ist kein Handschuh mit seinen Flecken zu sehen. Auf die Mitte eines Flecks jedes Farbtons zeigen, die Hand flach.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_image.py" />
-      <source>The colours stay as they are: learned ones show {} of {} markers and {} other things, these {} and {}. Point at markers of a flat hand, in more light.</source>
-      <translation>Die Farben bleiben, wie sie sind: gelernte zeigen {} von {} Markern und {} andere Dinge, diese {} und {}. Auf Marker einer flachen Hand zeigen, bei mehr Licht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/colours_image.py" />
-      <source>The colours stay as they are: fitted ones show {} patches of the glove and {} other things, these {} and {}.</source>
-      <translation>Die Farben bleiben, wie sie sind: angepasste zeigen {} Flecken des Handschuhs und {} andere Dinge, diese {} und {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>The {} markers are too bright: shorten the exposure, or move the lamp away.</source>
-      <translation>Die Marker in {} sind zu hell: die Belichtung verkürzen oder die Lampe wegrücken.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>The markers are dark: more light on the hand, or a longer exposure.</source>
-      <translation>Die Marker sind dunkel: mehr Licht auf die Hand oder länger belichten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>The image is noisy: more light, and less gain.</source>
-      <translation>Das Bild rauscht: mehr Licht und weniger Verstärkung.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>The light is too warm: take a daylight lamp or set the white balance, then fit the colours.</source>
-      <translation>Das Licht ist zu warm: eine Tageslichtlampe nehmen oder den Weißabgleich stellen, dann die Farben anpassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>The light is too cold: set the white balance, then fit the colours.</source>
-      <translation>Das Licht ist zu kalt: den Weißabgleich stellen, dann die Farben anpassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>The {} markers look alike in this light: another lamp, or other cloth.</source>
-      <translation>Die Marker in {} sehen in diesem Licht gleich aus: eine andere Lampe oder anderer Stoff.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>{} of {} markers are not found with these colours: fit them to the image.</source>
-      <translation>{} von {} Markern werden mit diesen Farben nicht gefunden: an das Bild anpassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>Hold the gloved hand before the camera, its back up.</source>
-      <translation>Die Hand im Handschuh vor die Kamera halten, den Handrücken nach oben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/light_meter.py" />
-      <source>{} % of the image is white: keep window and screen out of it, or shorten the exposure.</source>
-      <translation>{} % des Bildes sind weiß: Fenster und Bildschirm heraushalten oder kürzer belichten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/board.py" />
-      <source>A board is one of {}, not {}.</source>
-      <translation>Eine Tafel ist eine von {}, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/board.py" />
-      <source>A board has {} to {} squares each way, not {} by {}.</source>
-      <translation>Eine Tafel hat {} bis {} Felder je Richtung, nicht {} mal {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/board.py" />
-      <source>A square of {} mm cannot be right: measure one on the paper.</source>
-      <translation>Ein Feld von {} mm kann nicht stimmen: eines auf dem Papier messen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/board.py" />
-      <source>A chessboard of {} by {} squares looks the same upside down: one number must be even and the other odd.</source>
-      <translation>Ein Schachbrett von {} mal {} Feldern sieht auf dem Kopf gleich aus: eine Zahl muss gerade sein, die andere ungerade.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The lenses would stand {} mm apart, but {} mm are known: measure a square of the board again.</source>
-      <translation>Die Objektive stünden {} mm auseinander, bekannt sind aber {} mm: ein Feld der Tafel noch einmal messen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The cameras would look {} degrees apart: they must look the same way.</source>
-      <translation>Die Kameras sähen {} Grad auseinander: sie müssen in dieselbe Richtung sehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The views do not fit one camera: corners are off by {} px. Check the numbers of squares, hold the board flat and still, and turn off autofocus.</source>
-      <translation>Die Ansichten passen zu keiner Kamera: Ecken weichen um {} px ab. Die Zahlen der Felder prüfen, die Tafel flach und still halten und den Autofokus abschalten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The views cover only {} % of the images: show the board at the edges too.</source>
-      <translation>Die Ansichten decken nur {} % der Bilder ab: die Tafel auch am Rand zeigen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The views are too alike: only {} show the board tilted, and the focal length is uncertain by {} %.</source>
-      <translation>Die Ansichten sind zu ähnlich: nur {} zeigen die Tafel geneigt, und die Brennweite ist um {} % unsicher.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The calibration holds values that are no numbers.</source>
-      <translation>Die Kalibrierung enthält Werte, die keine Zahlen sind.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>One camera is mirrored against the other: turn off its mirror setting.</source>
-      <translation>Eine Kamera ist gegen die andere gespiegelt: ihre Spiegelung abschalten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The cameras stand above or behind each other, not side by side: turn the rig, or the images, by 90 degrees.</source>
-      <translation>Die Kameras stehen über- oder hintereinander statt nebeneinander: das Gestell oder die Bilder um 90 Grad drehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>Left and right are exchanged: what is called the left camera stands on the right. Exchange the two images in the camera's set-up, or turn off mirroring, which looks the same.</source>
-      <translation>Links und rechts sind vertauscht: was linke Kamera heißt, steht rechts. Die beiden Bilder in der Einrichtung der Kamera vertauschen oder die Spiegelung abschalten, die gleich aussieht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The cameras would stand {} mm apart; between {} and {} mm is possible. Is the size of a square, or the unit of the file, right?</source>
-      <translation>Die Kameras stünden {} mm auseinander; möglich sind {} bis {} mm. Stimmt die Größe eines Feldes oder die Einheit der Datei?</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>One camera would stand {} mm above and {} mm before the other: they must be side by side.</source>
-      <translation>Eine Kamera stünde {} mm über und {} mm vor der anderen: sie müssen nebeneinander stehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The right lens would magnify {} times as much as the left one: are the squares the same for both, and is one of them zoomed?</source>
-      <translation>Das rechte Objektiv würde {}-mal so stark vergrößern wie das linke: sind die Felder für beide gleich, und ist eines gezoomt?</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The {}lens would have a focal length of {} px for an image {} px wide, which no usual lens has.</source>
-      <translation>Objektiv {}: die Brennweite wäre {} px bei einem {} px breiten Bild; das hat kein übliches Objektiv.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The middle of the {}lens would lie {} px from the middle of the image: is the image cropped, or of another size?</source>
-      <translation>Objektiv {}: seine Mitte läge {} px neben der Bildmitte: ist das Bild beschnitten oder von anderer Größe?</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The {}lens would bend the image's corners beyond recognition: show the board in the corners too, or use a lens that is no fisheye.</source>
-      <translation>Objektiv {}: die Bildecken wären bis zur Unkenntlichkeit verzerrt: die Tafel auch in den Ecken zeigen oder ein Objektiv nehmen, das kein Fischauge ist.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The {}lens would have pixels that are not square ({} by {}).</source>
-      <translation>Objektiv {}: die Bildpunkte wären nicht quadratisch ({} mal {}).</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/coverage.py" />
-      <source>Hold the board where the images are empty: {}.</source>
-      <translation>Die Tafel dorthin halten, wo die Bilder leer sind: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/coverage.py" />
-      <source>Tilt the board: by 30 degrees to the left, right, towards you and away.</source>
-      <translation>Die Tafel neigen: um 30 Grad nach links, rechts, zu sich hin und von sich weg.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/coverage.py" />
-      <source>Hold the board nearer, then farther away.</source>
-      <translation>Die Tafel näher halten, dann weiter weg.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/coverage.py" />
-      <source>A few more views, each different from the others.</source>
-      <translation>Noch einige Ansichten, jede anders als die anderen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/files.py" />
-      <source>{} is no stereo calibration: a ZED's file ends in .conf, OpenCV's in .yml.</source>
-      <translation>{} ist keine Stereo-Kalibrierung: die Datei einer ZED endet auf .conf, die von OpenCV auf .yml.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/files.py" />
-      <source>{} is no calibration that OpenCV can read.</source>
-      <translation>{} ist keine Kalibrierung, die OpenCV lesen kann.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/solve.py" />
-      <source>{} usable views are too few: at least {} are needed.</source>
-      <translation>{} brauchbare Ansichten sind zu wenig: mindestens {} sind nötig.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/solve.py" />
-      <source>The views do not fit any camera: check the board's kind and its numbers of squares.</source>
-      <translation>Die Ansichten passen zu keiner Kamera: die Art der Tafel und die Zahlen ihrer Felder prüfen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>Rows agree to {} px and sizes to {} %.</source>
-      <translation>Zeilen stimmen auf {} px und Größen auf {} % überein.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>Corners are where they should be within {} px.</source>
-      <translation>Die Ecken liegen auf {} px genau da, wo sie sollen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>{} more fresh views are needed.</source>
-      <translation>{} weitere frische Ansichten sind nötig.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>Rows disagree by {} px and sizes by {} %: calibrate again with more, and more different, views.</source>
-      <translation>Zeilen weichen um {} px und Größen um {} % ab: mit mehr und verschiedeneren Ansichten neu kalibrieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>Rows disagree by {} px, sizes by {} %. It can be used; a new calibration would place the hand better.</source>
-      <translation>Zeilen weichen um {} px ab, Größen um {} %. Das ist brauchbar; eine neue Kalibrierung fände die Hand genauer.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>Corners are off by {} px: calibrate again with more, and more different, views.</source>
-      <translation>Die Ecken weichen um {} px ab: noch einmal mit mehr und verschiedeneren Ansichten kalibrieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/verify.py" />
-      <source>Corners are off by {} px. It can be used; a new calibration would place the hand better.</source>
-      <translation>Die Ecken weichen um {} px ab. Das ist brauchbar; eine neue Kalibrierung legte die Hand genauer fest.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/views.py" />
-      <source>The board is not seen{}{}.</source>
-      <translation>Die Tafel ist nicht zu sehen{}{}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/views.py" />
-      <source>Both images must show the same part of the board.</source>
-      <translation>Beide Bilder müssen denselben Teil der Tafel zeigen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/stereo/views.py" />
-      <source>{} is mirrored: turn off the camera's mirror setting.</source>
-      <translation>{} ist gespiegelt: das Spiegeln in der Kamera abschalten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/still.py" />
-      <source>The hand moved ({}): lay it flat on the table, palm down, and wait.</source>
-      <translation>Die Hand hat sich bewegt ({}): flach auf den Tisch legen, Handfläche nach unten, und warten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/still.py" />
-      <source>Only {} s of samples came; {} s are needed.</source>
-      <translation>Nur {} s an Messwerten kamen; {} s sind nötig.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>Rest the forearm and tip the whole hand up and down, fingers stretched.</source>
-      <translation>Den Unterarm auflegen und die ganze Hand auf und ab kippen, die Finger gestreckt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>Bend and stretch the thumb a few times; hold the rest still.</source>
-      <translation>Den Daumen einige Male beugen und strecken; alles andere still halten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>Look at {}.</source>
-      <translation>{} ansehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>Every IMU is where the glove file says.</source>
-      <translation>Jede IMU ist dort, wo die Handschuhdatei sagt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>Bend and stretch the {} finger a few times, in all its joints.</source>
-      <translation>Den Finger ({}) einige Male in allen Gelenken beugen und strecken.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>It sits on the {}; the glove file says {}.</source>
-      <translation>Sie sitzt auf {}; die Handschuhdatei sagt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>It is in its place, but turned by about {}°: remount it.</source>
-      <translation>Sie ist an ihrem Platz, aber um etwa {}° verdreht: neu anbringen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>It is where the glove file says.</source>
-      <translation>Sie ist dort, wo die Handschuhdatei sagt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>Nothing moved. </source>
-      <translation>Nichts hat sich bewegt. </translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>It did not answer in any step.</source>
-      <translation>Sie hat in keinem Schritt geantwortet.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>It moved in several steps: do them again.</source>
-      <translation>Sie hat sich in mehreren Schritten bewegt: diese wiederholen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>It never moved: is it loose, or broken?</source>
-      <translation>Sie hat sich nie bewegt: ist sie lose oder defekt?</translation>
-    </message>
-    <message>
-      <location filename="tracker/calibration/wiggle.py" />
-      <source>{} and {} are exchanged: exchange their plugs, or choose a glove file with that order.</source>
-      <translation>{} und {} sind vertauscht: die Stecker tauschen oder eine Handschuhdatei mit dieser Reihenfolge wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/hands.py" />
-      <source>The glove {} is made for the {} hand and cannot track the {} one.</source>
-      <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/kinds.py" />
-      <source>The engine {} needs a camera with a stereo calibration; without one the engine {} shows the hand by its IMUs.</source>
-      <translation>Das Verfahren {} braucht eine Kamera mit Stereokalibrierung; ohne sie zeigt das Verfahren {} die Hand anhand ihrer IMUs.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/kinds.py" />
-      <source>The engine {} needs both lenses; with one, use the engine chain.</source>
-      <translation>Das Verfahren {} braucht beide Objektive; mit einem ist das Verfahren chain zu verwenden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>No packets from the {} glove: the hand follows the images alone.</source>
-      <translation>Keine Pakete vom Handschuh ({}): Die Hand folgt nur den Bildern.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>Packets from the {} glove arrive again.</source>
-      <translation>Pakete vom Handschuh ({}) kommen wieder an.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>More than {} coloured patches in an image: {} were ignored so far.</source>
-      <translation>Mehr als {} farbige Flecken in einem Bild: {} wurden bisher ignoriert.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>The hand was given up: patches on it are not where the glove's markers of their hues would be. Fit the colours, or look whether two of their hues are exchanged.</source>
-      <translation>Die Hand wurde aufgegeben: Flecken auf ihr liegen nicht dort, wo die Marker des Handschuhs in ihren Farben wären. Die Farben anpassen, oder nachsehen, ob zwei von ihnen vertauscht sind.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>{}: engine {} has none. Choose engine chain or inertial.</source>
-      <translation>{}: Das Verfahren {} hat das nicht. Wählen Sie chain oder inertial.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/pipeline.py" />
-      <source>The engine {} learns nothing from guided poses.</source>
-      <translation>Das Verfahren {} lernt nichts aus angeleiteten Haltungen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/engine/side_watch.py" />
-      <source>This looks like a glove of the {} hand: its patches are mirrored. The file {} is of the {} hand; choose a {} one.</source>
-      <translation>Das sieht nach einem Handschuh für {} aus: seine Flecken sind gespiegelt. Die Datei {} ist für {}; eine für {} wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/firmware/command.py" />
-      <source>The glove does not respond yet. Unplug it, then plug it in again.</source>
-      <translation>Der Handschuh antwortet noch nicht. Ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
-    </message>
-    <message>
-      <location filename="tracker/firmware/image.py" />
-      <source>A glove's number is from 1 to {}; {} is not. Two gloves need different ones.</source>
-      <translation>Die Nummer eines Handschuhs liegt zwischen 1 und {}; {} nicht. Zwei Handschuhe brauchen verschiedene.</translation>
-    </message>
-    <message>
-      <location filename="tracker/firmware/versions.py" />
-      <source>Firmware {} is available (installed: {}).</source>
-      <translation>Firmware {} ist verfügbar (installiert: {}).</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/calibration/control.py" />
-      <source>There is no segment {} whose calibration is estimated.</source>
-      <translation>Es gibt kein Glied {}, dessen Kalibrierung geschätzt wird.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/calibration/measured.py" />
-      <source>A hand is {} to {} mm long, from the crease of the wrist to the tip of the middle finger; {} mm is no hand's.</source>
-      <translation>Eine Hand ist von der Falte des Handgelenks bis zur Spitze des Mittelfingers {} bis {} mm lang; {} mm hat keine Hand.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/calibration/profile_file.py" />
-      <source>{} is of hand {} with glove {}; this is hand {} with glove {}.</source>
-      <translation>{} gehört zur Hand {} mit dem Handschuh {}; dies ist die Hand {} mit dem Handschuh {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/calibration/profile_file.py" />
-      <source>{} is no profile of a wearer, or it is damaged.</source>
-      <translation>{} ist kein Profil einer Person oder ist beschädigt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/engine.py" />
-      <source>The camera measures the heading.</source>
-      <translation>Die Kamera misst die Richtung.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/engine.py" />
-      <source>{}not possible before the hand is tracked.</source>
-      <translation>{}nicht möglich, bevor die Hand verfolgt wird.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/guided/events.py" />
-      <source>There is no guided pose {}: it is passed over.</source>
-      <translation>Es gibt keine angeleitete Haltung {}: sie wird übergangen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/guided/events.py" />
-      <source>The guided pose {} neither begins nor ends: it is passed over.</source>
-      <translation>Die angeleitete Haltung {} beginnt weder noch endet sie: sie wird übergangen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/inertial.py" />
-      <source>Heading corrected by {}°.</source>
-      <translation>Richtung um {}° korrigiert.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/chain/pose_reset.py" />
-      <source>Pose reset: hand flat, fingers straight ahead.</source>
-      <translation>Haltung zurückgesetzt: Hand flach, Finger gerade nach vorn.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/hybrid.py" />
-      <source>The engine {} needs an IMU and markers on the {}.</source>
-      <translation>Das Verfahren {} braucht eine IMU und Marker auf {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/vist/layout.py" />
-      <source>The engine vist needs an IMU on every segment of a chain; the glove {} has none on {}.</source>
-      <translation>Das Verfahren vist braucht eine IMU auf jedem Glied einer Kette; der Handschuh {} hat keine auf {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/vist/layout.py" />
-      <source>The engine vist takes one IMU per segment; the glove {} has more.</source>
-      <translation>Das Verfahren vist nimmt eine IMU je Glied; der Handschuh {} hat mehr.</translation>
-    </message>
-    <message>
-      <location filename="tracker/fusion/worn.py" />
-      <source>This engine does not take or learn a wearer's profile; chain does.</source>
-      <translation>Dieses Verfahren verwendet und lernt kein Profil der Person; chain kann das.</translation>
-    </message>
-    <message>
-      <location filename="tracker/glove/library.py" />
-      <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
-      <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/inertial/finger3d.py" />
-      <source>There is no finger estimator {}; there are {}.</source>
-      <translation>Es gibt keinen Fingerschätzer {}; es gibt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/inertial/finger3d.py" />
-      <source>The glove {} has no IMU on {}.</source>
-      <translation>Der Handschuh {} hat keine IMU auf {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/exchange_watch.py" />
-      <source>The two gloves are exchanged: each has the files of the other hand. Choose the hand of each in the set-up of the gloves.</source>
-      <translation>Die beiden Handschuhe sind vertauscht: jeder hat die Dateien der anderen Hand. Beim Einrichten der Handschuhe die Hand eines jeden wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>Looking for the hand.</source>
-      <translation>Die Hand wird gesucht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>The hand is tracked.</source>
-      <translation>Die Hand wird verfolgt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>The hand is out of sight; its place is extrapolated.</source>
-      <translation>Die Hand ist außer Sicht; ihr Ort wird fortgeschrieben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>The hand's place is lost; finger angles go on.</source>
-      <translation>Der Ort der Hand ist verloren; die Fingerwinkel laufen weiter.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>Looking for the {} hand.</source>
-      <translation>Die Hand {} wird gesucht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>The {} hand is tracked.</source>
-      <translation>Die Hand {} wird verfolgt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>The {} hand is out of sight; its place is extrapolated.</source>
-      <translation>Die Hand {} ist außer Sicht; ihr Ort wird fortgeschrieben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/hand.py" />
-      <source>The {} hand's place is lost; finger angles go on.</source>
-      <translation>Der Ort der Hand {} ist verloren; die Fingerwinkel laufen weiter.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>The computer is too slow: the 3D view is drawn less often.</source>
-      <translation>Der Rechner ist zu langsam: die 3D-Ansicht wird seltener gezeichnet.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>The computer is too slow: camera images are shown without overlays.</source>
-      <translation>Der Rechner ist zu langsam: Kamerabilder werden ohne Einblendungen gezeigt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>The computer is too slow: images are searched only where markers are expected.</source>
-      <translation>Der Rechner ist zu langsam: Bilder werden nur dort durchsucht, wo Marker erwartet werden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>The computer is too slow: fewer images are searched. No packet of the glove is left out.</source>
-      <translation>Der Rechner ist zu langsam: weniger Bilder werden durchsucht. Kein Paket des Handschuhs wird ausgelassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>The computer keeps up again: nothing is left out any more.</source>
-      <translation>Der Rechner kommt wieder mit: nichts wird mehr ausgelassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>Camera images have their overlays again.</source>
-      <translation>Kamerabilder haben wieder ihre Einblendungen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>Images are searched as a whole again.</source>
-      <translation>Bilder werden wieder ganz durchsucht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/load.py" />
-      <source>All images are searched again.</source>
-      <translation>Alle Bilder werden wieder durchsucht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/loop.py" />
-      <source>The engine is now {}.</source>
-      <translation>Das Verfahren ist jetzt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/loop.py" />
-      <source>The recording has begun.</source>
-      <translation>Die Aufnahme hat begonnen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/recording.py" />
-      <source>The recording is finished.</source>
-      <translation>Die Aufnahme ist fertig.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/threads.py" />
-      <source>The {} thread failed: {}: {}.</source>
-      <translation>Der Strang {} ist ausgefallen: {}: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/colour_watch.py" />
-      <source>The colours find {} patches, none fit the glove: fit the colours.</source>
-      <translation>Die Farben finden {} Flecken, keine passen zum Handschuh: die Farben anpassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/colour_watch.py" />
-      <source>The colours find no more patches than they should, or the hand.</source>
-      <translation>Die Farben finden nicht mehr Flecken, als sie sollen, oder die Hand.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/rig_watch.py" />
-      <source>The images have moved against each other by {} pixels at once: a lens was knocked. Calibrate the camera again if this stays.</source>
-      <translation>Die Bilder haben sich auf einmal um {} Bildpunkte gegeneinander verschoben: ein Objektiv wurde angestoßen. Die Kamera neu kalibrieren, wenn das so bleibt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/rig_watch.py" />
-      <source>All markers have jumped by {} pixels at once: the camera was moved. Places are measured from where it stands now.</source>
-      <translation>Alle Marker sind auf einmal um {} Bildpunkte gesprungen: die Kamera wurde bewegt. Orte werden von dort gemessen, wo sie jetzt steht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/rig_watch.py" />
-      <source>The left and the right image are swapped; they are not used. Exchange the two cameras.</source>
-      <translation>Linkes und rechtes Bild sind vertauscht; sie werden nicht benutzt. Die beiden Kameras tauschen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/rig_watch.py" />
-      <source>The two images are {} pixels apart in height: a lens has moved since the stereo calibration. Calibrate the camera again.</source>
-      <translation>Die beiden Bilder liegen in der Höhe {} Bildpunkte auseinander: ein Objektiv hat sich seit der Stereo-Kalibrierung verschoben. Die Kamera neu kalibrieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/online/rig_watch.py" />
-      <source>The left and the right image are in order again.</source>
+      <location filename="glovetrack.notices" />
+      <source>The left and right images are in order again.</source>
       <translation>Linkes und rechtes Bild sind wieder in Ordnung.</translation>
     </message>
     <message>
-      <location filename="tracker/online/rig_watch.py" />
+      <location filename="glovetrack.notices" />
+      <source>The two images are offset vertically by {apart_px:.1f} pixels: a lens has moved since the stereo calibration. Calibrate the camera again.</source>
+      <translation>Die beiden Bilder sind in der Höhe um {apart_px:.1f} Bildpunkte versetzt: Seit der Stereo-Kalibrierung hat sich ein Objektiv verschoben. Kalibrieren Sie die Kamera neu.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The two images fit the stereo calibration again.</source>
       <translation>Die beiden Bilder passen wieder zur Stereo-Kalibrierung.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The camera gives one image, but the calibration is for two: calibrate it as one camera.</source>
-      <translation>Die Kamera liefert ein Bild, die Kalibrierung gilt aber für zwei: sie als eine Kamera kalibrieren.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The images have moved relative to each other by {jump_px:.0f} pixels at once: a lens was knocked. If this does not recover, calibrate the camera again.</source>
+      <translation>Die Bilder haben sich auf einmal um {jump_px:.0f} Bildpunkte gegeneinander verschoben: Ein Objektiv wurde angestoßen. Wenn das so bleibt, kalibrieren Sie die Kamera neu.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The camera gives two images, but the calibration is for one camera: calibrate both, or choose one camera in its set-up.</source>
-      <translation>Die Kamera liefert zwei Bilder, die Kalibrierung gilt aber für eine Kamera: beide kalibrieren oder beim Einrichten eine Kamera wählen.</translation>
+      <location filename="glovetrack.notices" />
+      <source>All markers have jumped by {jump_px:.0f} pixels at once: the camera was moved. Positions now refer to its new location.</source>
+      <translation>Alle Marker sind auf einmal um {jump_px:.0f} Bildpunkte gesprungen: Die Kamera wurde bewegt. Positionen beziehen sich jetzt auf ihren neuen Standort.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The camera {} is connected.</source>
-      <translation>Die Kamera {} ist verbunden.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera {camera} is connected.</source>
+      <translation>Die Kamera {camera} ist verbunden.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The camera {} gives no images; waiting for it.</source>
-      <translation>Die Kamera {} gibt keine Bilder; es wird auf sie gewartet.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera {camera} delivers no images. Waiting for it.</source>
+      <translation>Die Kamera {camera} liefert keine Bilder. Es wird auf sie gewartet.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The end of {} is reached.</source>
-      <translation>Das Ende von {} ist erreicht.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The end of {camera} is reached.</source>
+      <translation>Das Ende von {camera} ist erreicht.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The {} camera gives images of {} by {} pixels, but the calibration is for {} by {}.</source>
-      <translation>Die Kamera {} gibt Bilder von {} mal {} Bildpunkten, die Kalibrierung gilt aber für {} mal {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera delivers images of {width} by {height} pixels, but its calibration is for {calibrated_width} by {calibrated_height}. Choose that size, or calibrate the camera again.</source>
+      <translation>Die Kamera liefert Bilder von {width} × {height} Bildpunkten, ihre Kalibrierung gilt aber für {calibrated_width} × {calibrated_height}. Wählen Sie diese Größe, oder kalibrieren Sie die Kamera neu.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The {} camera's image is black: is the lens covered?</source>
-      <translation>Das Bild der Kamera {} ist schwarz: ist das Objektiv verdeckt?</translation>
+      <location filename="glovetrack.notices" />
+      <source>The {side:word} camera delivers images of {width} by {height} pixels, but the calibration is for {calibrated_width} by {calibrated_height}. Choose that size, or calibrate the cameras again.</source>
+      <translation>Die Kamera {side:word} liefert Bilder von {width} × {height} Bildpunkten, die Kalibrierung gilt aber für {calibrated_width} × {calibrated_height}. Wählen Sie diese Größe, oder kalibrieren Sie die Kameras neu.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The camera gives {} images a second instead of {}: a long exposure in poor light, or a slow USB port.</source>
-      <translation>Die Kamera gibt {} Bilder je Sekunde statt {}: lange Belichtung in schwachem Licht oder ein langsamer USB-Anschluss.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The image of the {side:word} camera is black. Check whether the lens is covered.</source>
+      <translation>Das Bild der Kamera {side:word} ist schwarz. Prüfen Sie, ob das Objektiv verdeckt ist.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The camera gives images of {} by {} pixels, but its calibration is for {} by {}.</source>
-      <translation>Die Kamera liefert Bilder von {} mal {} Pixeln, ihre Kalibrierung ist aber für {} mal {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The image of the {side:word} camera is frozen and not used.</source>
+      <translation>Das Bild der Kamera {side:word} ist eingefroren und wird nicht verwendet.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The {} camera's image is frozen; it is not used.</source>
-      <translation>Das Bild der Kamera {} steht still; es wird nicht benutzt.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The image of the {side:word} camera is incomplete: a part of it did not arrive.</source>
+      <translation>Das Bild der Kamera {side:word} ist unvollständig: Ein Teil ist nicht angekommen.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The {} camera's image is torn: a part of it did not arrive.</source>
-      <translation>Das Bild der Kamera {} ist zerrissen: ein Teil kam nicht an.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The image of the {side:word} camera is back.</source>
+      <translation>Das Bild der Kamera {side:word} ist wieder da.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera.py" />
-      <source>The {} camera's image is back.</source>
-      <translation>Das Bild der Kamera {} ist wieder da.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera delivers {rate_hz:.0f} images per second instead of {asked_hz:.0f}. The exposure is too long in poor light, or the USB port is too slow.</source>
+      <translation>Die Kamera liefert {rate_hz:.0f} statt {asked_hz:.0f} Bilder pro Sekunde. Entweder ist die Belichtung bei schwachem Licht zu lang, oder der USB-Anschluss ist zu langsam.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera_plugins.py" />
-      <source>There is no camera plug-in {}: install its package.</source>
-      <translation>Es gibt keine Kamera-Erweiterung {}: ihr Paket installieren.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera grants only {rate_hz:.0f} images per second at {width} × {height} pixels ({format}) instead of {asked_hz:.0f}. Plug it into another USB port (USB 3, without a hub), or choose a smaller image size.</source>
+      <translation>Die Kamera gewährt nur {rate_hz:.0f} Bilder pro Sekunde mit {width} × {height} Pixeln ({format}) statt {asked_hz:.0f}. Stecken Sie sie an einen anderen USB-Anschluss (USB 3, ohne Hub), oder wählen Sie eine kleinere Bildgröße.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/camera_systems.py" />
-      <source>This system's cameras cannot be listed by name ({}). Enter the camera's number under Set-up, Camera, Or number, file: 0 is the first one.</source>
-      <translation>Die Kameras dieses Systems lassen sich nicht mit Namen auflisten ({}). Geben Sie die Nummer der Kamera unter Einrichtung, Kamera, Oder Nummer, Datei ein: 0 ist die erste.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera grants {rate_hz:.0f} images per second at {width} × {height} pixels ({format}); {asked_hz:.0f} were requested.</source>
+      <translation>Die Kamera gewährt {rate_hz:.0f} Bilder pro Sekunde mit {width} × {height} Pixeln ({format}); {asked_hz:.0f} wurden angefordert.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/discovery.py" />
-      <source>Nothing answers at {}.</source>
-      <translation>An {} antwortet nichts.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera grants images of {width} × {height} instead of {asked_width} × {asked_height} pixels. Choose a size that the camera has and calibrate for it, or use another camera.</source>
+      <translation>Die Kamera gewährt Bilder mit {width} × {height} statt {asked_width} × {asked_height} Pixeln. Wählen Sie eine Größe, die die Kamera hat, und kalibrieren Sie dafür, oder verwenden Sie eine andere Kamera.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/discovery.py" />
-      <source>The USB adapter at {} may hold bytes back for up to 16 ms. For quicker tracking set 1 ms in the Device Manager: Ports, {}, Port Settings, Advanced, Latency Timer.</source>
-      <translation>Der USB-Adapter an {} hält Bytes bis zu 16 ms zurück. Für schnelleres Tracking im Geräte-Manager 1 ms einstellen: Anschlüsse, {}, Anschlusseinstellungen, Erweitert, Wartezeit.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera {camera} does not confirm these settings: {settings:words}. Set them with the camera's own program.</source>
+      <translation>Die Kamera {camera} bestätigt diese Einstellungen nicht: {settings:words}. Stellen Sie sie im Programm der Kamera ein.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/discovery.py" />
-      <source>{} sends {} bytes that are no glove's: another device, or one that does not speak at {} baud.</source>
-      <translation>{} sendet {} Bytes, die von keinem Handschuh sind: ein anderes Gerät oder eines, das nicht mit {} Baud spricht.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera delivers one image, but the calibration is for two. Calibrate it as one camera.</source>
+      <translation>Die Kamera liefert ein Bild, die Kalibrierung gilt aber für zwei. Kalibrieren Sie sie als eine Kamera.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/discovery.py" />
-      <source>{} cannot be opened: {}.</source>
-      <translation>{} lässt sich nicht öffnen: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera delivers two images, but the calibration is for one camera. Calibrate both, or choose one camera in the camera's set-up.</source>
+      <translation>Die Kamera liefert zwei Bilder, die Kalibrierung gilt aber für eine Kamera. Kalibrieren Sie beide, oder wählen Sie in der Einrichtung der Kamera eine Kamera.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/discovery.py" />
-      <source>{} went away: {}.</source>
-      <translation>{} ist verschwunden: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>There is no camera plug-in {name}. Install its package.</source>
+      <translation>Es gibt keine Kamera-Erweiterung {name}. Installieren Sie ihr Paket.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove has not said its ranges, so its values are not used yet: hold the hand still for a second, then gravity tells them.</source>
-      <translation>Der Handschuh hat seine Messbereiche nicht genannt, seine Werte werden daher noch nicht benutzt: die Hand eine Sekunde still halten, dann sagt sie die Schwerkraft.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera plug-in {name} does not work: {why}</source>
+      <translation>Die Kamera-Erweiterung {name} funktioniert nicht: {why}</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>At rest the glove's acceleration fits a range of {} g, which is used now; for turning {} deg/s is assumed and may be wrong.</source>
-      <translation>In Ruhe passt die Beschleunigung des Handschuhs zu einem Messbereich von {} g, der jetzt benutzt wird; für Drehungen werden {} Grad/s angenommen, was falsch sein kann.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The cameras of this system cannot be listed by name ({why}). Enter the camera's number under Set-up, Camera, Or number, file: 0 is the first one.</source>
+      <translation>Die Kameras dieses Systems lassen sich nicht mit Namen auflisten ({why}). Geben Sie die Nummer der Kamera unter Einrichtung, Kamera, Oder Nummer, Datei ein: 0 ist die erste.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove was unplugged ({}); it is taken up when it returns.</source>
-      <translation>Der Handschuh wurde abgezogen ({}); er wird wieder aufgenommen, wenn er zurück ist.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera {camera} cannot be opened: it is not connected.</source>
+      <translation>Die Kamera {camera} lässt sich nicht öffnen: Sie ist nicht angeschlossen.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>At {} is {}: glove {} is looked for. To use another one, choose it under Set-up, Glove.</source>
-      <translation>An {} ist {}: Handschuh {} wird gesucht. Um einen anderen zu benutzen, ihn unter Einrichten, Handschuh wählen.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera {camera} cannot be opened: it is not connected, or another program uses it.</source>
+      <translation>Die Kamera {camera} lässt sich nicht öffnen: Sie ist nicht angeschlossen, oder ein anderes Programm verwendet sie.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove has restarted; it is told to go on.</source>
-      <translation>Der Handschuh hat neu gestartet; er wird angewiesen weiterzumachen.</translation>
+      <location filename="glovetrack.notices" />
+      <source>lenses is "{lenses}"; it may be {known:or}.</source>
+      <translation>lenses ist „{lenses}“; möglich ist {known:or}.</translation>
     </message>
     <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove sends {} packets a second, not the {} it was asked for; their times are right all the same.</source>
-      <translation>Der Handschuh sendet {} Pakete je Sekunde, nicht die verlangten {}; ihre Zeiten stimmen trotzdem.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>This glove has {} IMUs but the glove file says {}: choose the right glove file.</source>
-      <translation>Dieser Handschuh hat {} IMUs, die Handschuhdatei sagt aber {}: die richtige Handschuhdatei wählen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove sends again.</source>
-      <translation>Der Handschuh sendet wieder.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>Packets hold {} IMUs but the glove file says {}.</source>
-      <translation>Pakete enthalten {} IMUs, die Handschuhdatei sagt aber {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove's clock jumped by {} s; its packets are timed anew.</source>
-      <translation>Die Uhr des Handschuhs ist um {} s gesprungen; seine Pakete werden neu datiert.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove is back, at {}.</source>
-      <translation>Der Handschuh ist wieder da, an {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>IMU {} of the glove {}.</source>
-      <translation>IMU {} des Handschuhs {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove has not said what it is; it is told to start anyway.</source>
-      <translation>Der Handschuh hat nicht gesagt, was er ist; er wird trotzdem gestartet.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove has been silent for {} s.</source>
-      <translation>Der Handschuh schweigt seit {} s.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/image_input.py" />
-      <source>The stereo image is {} pixels wide and has no two halves.</source>
-      <translation>Das Stereobild ist {} Bildpunkte breit und hat keine zwei Hälften.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/image_input.py" />
-      <source>The camera {} cannot be opened: it is not there.</source>
-      <translation>Die Kamera {} lässt sich nicht öffnen: Sie ist nicht da.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/image_input.py" />
-      <source>The camera {} cannot be opened: it is not there, or another program uses it.</source>
-      <translation>Die Kamera {} lässt sich nicht öffnen: sie ist nicht da, oder ein anderes Programm benutzt sie.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/image_input.py" />
-      <source>There are {} left and {} right images; a sequence needs as many of one as of the other.</source>
-      <translation>Es gibt {} linke und {} rechte Bilder; eine Folge braucht von beiden gleich viele.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/image_watch.py" />
-      <source>The {} gives images again.</source>
-      <translation>{} gibt wieder Bilder.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/image_watch.py" />
-      <source>The {} has given no usable image for {} s.</source>
-      <translation>{} hat seit {} s kein brauchbares Bild gegeben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/link_figures.py" />
-      <source>The glove's battery is low ({} V): charge it soon.</source>
-      <translation>Der Akku des Handschuhs ist schwach ({} V): bald laden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/rig_files.py" />
-      <source>{}: R is no rotation.</source>
-      <translation>{}: R ist keine Drehung.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/rig_files.py" />
-      <source>{}: {} must be {} finite numbers.</source>
-      <translation>{}: {} muss aus {} endlichen Zahlen bestehen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/rig_files.py" />
-      <source>{}: the {} camera has {} distortion coefficients; only k1 k2 p1 p2 k3 are understood.</source>
-      <translation>{}: die Kamera {} hat {} Verzeichnungskoeffizienten; verstanden werden nur k1 k2 p1 p2 k3.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/rig_files.py" />
-      <source>{} does not hold {} ({}).</source>
-      <translation>{} enthält {} nicht ({}).</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/rig_files.py" />
-      <source>{} holds something that is no matrix.</source>
-      <translation>{} enthält etwas, das keine Matrix ist.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/zed_files.py" />
-      <source>A ZED has no images {} pixels high; there are {}.</source>
-      <translation>Eine ZED hat keine {} Bildpunkte hohen Bilder; es gibt {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/zed_files.py" />
-      <source>{} does not say {} in [{}]: the file is cut short, or belongs to another camera.</source>
-      <translation>{} nennt {} in [{}] nicht: die Datei ist abgeschnitten oder gehört zu einer anderen Kamera.</translation>
-    </message>
-    <message>
-      <location filename="tracker/sensors/zed_files.py" />
-      <source>{}: {} in [{}] is {}, which is no number.</source>
-      <translation>{}: {} in [{}] ist {}, also keine Zahl.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>Recordings are aligned by {}, not by {}.</source>
-      <translation>Aufnahmen werden nach {} ausgerichtet, nicht nach {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>The recordings have no {} s of movement that could be the same.</source>
-      <translation>Die Aufnahmen haben keine {} s Bewegung, die dieselbe sein könnte.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>The movements do not fit each other (correlation {}).</source>
-      <translation>Die Bewegungen passen nicht zueinander (Korrelation {}).</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>The movements fit at more than one place (correlations {} and {}): they repeat themselves too evenly.</source>
-      <translation>Die Bewegungen passen an mehr als einer Stelle (Korrelationen {} und {}): sie wiederholen sich zu gleichmäßig.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>A recording holds too little movement to be aligned by it.</source>
-      <translation>Eine Aufnahme enthält zu wenig Bewegung, um nach ihr auszurichten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>Neither IMUs nor tracked angles are in both recordings.</source>
-      <translation>Weder IMUs noch Winkel aus dem Tracking sind in beiden Aufnahmen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>{} is no alignment of two recordings.</source>
-      <translation>{} ist keine Ausrichtung zweier Aufnahmen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/align.py" />
-      <source>By their clocks the recordings were not made at the same time.</source>
-      <translation>Nach ihren Uhren wurden die Aufnahmen nicht zur selben Zeit gemacht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/compare.py" />
-      <source>{} and {} have no hand in common.</source>
-      <translation>{} und {} haben keine gemeinsame Hand.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/compare.py" />
-      <source>{} and {} have no instant in common.</source>
-      <translation>{} und {} haben keinen gemeinsamen Zeitpunkt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/decode_robot.py" />
-      <source>{} does not say what the robot {} is.</source>
-      <translation>{} sagt nicht, was der Roboter {} ist.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/decode_robot.py" />
-      <source>What the session says of its robot is no JSON object.</source>
-      <translation>Was die Sitzung über ihren Roboter sagt, ist kein JSON-Objekt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/decode_robot.py" />
-      <source>What the session says of its robot is no JSON.</source>
-      <translation>Was die Sitzung über ihren Roboter sagt, ist kein JSON.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/edits.py" />
-      <source>{} lists {} filled gaps; at most {} are read.</source>
-      <translation>{} enthält {} gefüllte Lücken; höchstens {} werden gelesen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/edits.py" />
-      <source>{} has schema {}, not {}.</source>
-      <translation>{} hat Schema {}, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/edits.py" />
-      <source>{} is not a record of edits: {}.</source>
-      <translation>{} ist kein Protokoll von Bearbeitungen: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/engine_state.py" />
-      <source>The state of tracking in the recording is damaged.</source>
-      <translation>Der Zustand des Trackings in der Aufnahme ist beschädigt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/engine_state.py" />
-      <source>The state of tracking in the recording is of another version.</source>
-      <translation>Der Zustand des Trackings in der Aufnahme ist von einer anderen Version.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/engine_state.py" />
-      <source>The state of tracking in the recording is damaged: {}.</source>
-      <translation>Der Zustand des Trackings in der Aufnahme ist beschädigt: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/formats.py" />
-      <source>{} is a data set of many sessions.</source>
-      <translation>{} ist ein Datensatz aus vielen Aufzeichnungen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/formats.py" />
-      <source>{} contains one session; {} can contain several.</source>
-      <translation>{} enthält eine Aufzeichnung; {} kann mehrere enthalten.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/formats.py" />
-      <source>The format {} does not support {}.</source>
-      <translation>Das Format {} unterstützt {} nicht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/mcap.py" />
-      <source>A session cannot do without its {}; leave out participant and notes by name.</source>
-      <translation>Eine Sitzung kommt ohne ihre {} nicht aus; Person und Notizen mit Namen weglassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>Images can be {}, not {}.</source>
-      <translation>Bilder können {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>A rate of {} Hz is not between {} and {} Hz.</source>
-      <translation>Eine Rate von {} Hz liegt nicht zwischen {} und {} Hz.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>Every image or every n-th, not every {}.</source>
-      <translation>Jedes Bild oder jedes n-te, nicht jedes {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>Views can be {}, not {}.</source>
-      <translation>Ansichten können {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>Axes can be {}, not {}.</source>
-      <translation>Achsen können {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>Joints are openxr or names of ours, not both.</source>
-      <translation>Gelenke sind openxr oder Namen von uns, nicht beides.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/options.py" />
-      <source>Units can be {}, not {}.</source>
-      <translation>Einheiten können {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/resample.py" />
-      <source>{} estimates over {} s would be {} rows at {} Hz; export a part of them.</source>
-      <translation>{} Schätzungen über {} s wären {} Zeilen bei {} Hz; einen Teil davon exportieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/series.py" />
-      <source>{} holds no estimates; track it first.</source>
-      <translation>{} enthält keine Schätzungen; erst tracken.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/series.py" />
-      <source>There is no estimate between {} s and {} s.</source>
-      <translation>Zwischen {} s und {} s gibt es keine Schätzung.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/series.py" />
-      <source>There is no keypoint or joint {} in this session.</source>
-      <translation>In dieser Sitzung gibt es keinen Punkt und kein Gelenk {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/tables.py" />
-      <source>Parquet needs Arrow: install glovetrack[parquet].</source>
-      <translation>Parquet braucht Arrow: glovetrack[parquet] installieren.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/glance.py" />
-      <source>There is no session in {}.</source>
-      <translation>In {} ist keine Sitzung.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/images.py" />
-      <source>An image of {} is damaged.</source>
-      <translation>Ein Bild von {} ist beschädigt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/images.py" />
-      <source>An image of {} is neither JPEG nor PNG.</source>
-      <translation>Ein Bild von {} ist weder JPEG noch PNG.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/images.py" />
-      <source>An image of {} claims {} by {} pixels.</source>
-      <translation>Ein Bild von {} behauptet {} mal {} Bildpunkte.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/container.py" />
-      <source>A session has at most {} types of messages.</source>
-      <translation>Eine Sitzung hat höchstens {} Nachrichtentypen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/container.py" />
-      <source>A session has at most {} channels.</source>
-      <translation>Eine Sitzung hat höchstens {} Kanäle.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/disk.py" />
-      <source>{} exists already; a recording never overwrites.</source>
-      <translation>{} gibt es schon; eine Aufnahme überschreibt nie.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/index.py" />
-      <source>{} is not an MCAP file: its header is damaged.</source>
-      <translation>{} ist keine MCAP-Datei: ihr Kopf ist beschädigt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/ordering.py" />
-      <source>{} cannot be read in order: its chunks all overlap.</source>
-      <translation>{} lässt sich nicht der Reihe nach lesen: alle Stücke überlappen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/records.py" />
-      <source>{} is not an MCAP file.</source>
-      <translation>{} ist keine MCAP-Datei.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/records.py" />
-      <source>{} holds a record of {} bytes: it is damaged.</source>
-      <translation>{} enthält einen Eintrag von {} Bytes: sie ist beschädigt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/mcap/records.py" />
-      <source>There is no file {}.</source>
-      <translation>Es gibt keine Datei {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/raw_imu.py" />
-      <source>{} holds no samples of IMUs.</source>
-      <translation>{} enthält keine Messwerte von IMUs.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/reader.py" />
-      <source>{} tells no stereo camera: {} missing.</source>
-      <translation>{} beschreibt keine Stereokamera: {} fehlt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/reader.py" />
-      <source>{} holds no {}: it was not recorded by Glovetrack, or only in part.</source>
-      <translation>{} enthält kein {}: es wurde nicht von Glovetrack aufgenommen, oder nur zum Teil.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/reader.py" />
-      <source>{} says it began at an instant that no clock shows: its wall_clock_ns, its monotonic_ns or its first log time is out of range.</source>
-      <translation>{} will zu einem Zeitpunkt begonnen haben, den keine Uhr zeigt: wall_clock_ns, monotonic_ns oder die erste Zeit liegen außerhalb.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/reader.py" />
-      <source>{} is a {} glove's.</source>
-      <translation>{} gehört zu einem Handschuh für {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/reader.py" />
-      <source>{} holds no {} of at most {} bytes.</source>
-      <translation>{} enthält kein {} von höchstens {} Bytes.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/recording/process.py" />
-      <source>The recorder's process {}.{} You can record again at once.</source>
-      <translation>Der Prozess des Aufnehmens {}.{} Es kann gleich wieder aufgenommen werden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/recover.py" />
-      <source>{} holds nothing that can be recovered.</source>
-      <translation>{} enthält nichts, was sich retten lässt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/ros/cdr.py" />
-      <source>An instant lies outside the years 1901 to 2038, which ROS 2 can tell.</source>
-      <translation>Ein Zeitpunkt liegt außerhalb der Jahre 1901 bis 2038, die ROS 2 nennen kann.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>Only {} GB are left on the disk of {}.</source>
-      <translation>Auf der Festplatte von {1} sind nur noch {0} GB frei.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>The disk of {} is nearly full ({} are left), so nothing is recorded.</source>
-      <translation>Die Festplatte von {} ist fast voll ({} sind frei), daher wird nichts aufgenommen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>Compression can be {}, not {}.</source>
-      <translation>Die Kompression kann {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>The JPEG quality is {}; it must lie in 1 to 100.</source>
-      <translation>Die JPEG-Qualität ist {}; sie muss in 1 bis 100 liegen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>The disk of {} is nearly full ({} are left), so nothing more is recorded; what was recorded is safe.</source>
-      <translation>Die Festplatte von {} ist fast voll ({} sind frei), daher wird nichts mehr aufgenommen; was aufgenommen wurde, ist sicher.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>The recording {} has ended already.</source>
-      <translation>Die Aufnahme {} ist schon zu Ende.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/connection.py" />
-      <source>The {} {} has no port: clients find it by its name.</source>
-      <translation>{} {} hat keinen Port: Programme finden es über seinen Namen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/connection.py" />
-      <source>{} is not a port for the {} {}: ports are 1 to 65535.</source>
-      <translation>{} ist kein Port für {} {}: Ports sind 1 bis 65535.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/datagram.py" />
-      <source>{}: ports are 1 to 65535.</source>
-      <translation>{}: Anschlüsse sind 1 bis 65535.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/publisher.py" />
-      <source>Joints can be {}, not {}.</source>
-      <translation>Gelenke können {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/registry.py" />
-      <source>{}: streams must be a table.</source>
-      <translation>{}: streams muss eine Tabelle sein.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/registry.py" />
-      <source>{}: streams.{} {}.</source>
-      <translation>{}: streams.{} {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/registry.py" />
-      <source>The {} stream made {} publishers for {} hands.</source>
-      <translation>Der Stream {} hat {} Sender für {} Hände erstellt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/remote/doors.py" />
-      <source>The window did not answer, so nothing was done.</source>
-      <translation>Das Fenster hat nicht geantwortet, es geschah also nichts.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/remote/doors.py" />
-      <source>No remote control by {} at {}:{}: {}.</source>
-      <translation>Keine Fernsteuerung über {} an {}:{}: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/server_thread.py" />
-      <source>No {} server at {}:{}: {}.</source>
-      <translation>Kein {}-Server an {}:{}: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/streams.py" />
-      <source>The stream {} fails: {}.</source>
-      <translation>Der Strom {} fällt aus: {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/streaming/streams.py" />
-      <source>The stream {} works again.</source>
-      <translation>Der Strom {} geht wieder.</translation>
-    </message>
-    <message>
-      <location filename="tracker/vision/detector.py" />
-      <source>An image must be colour with 8 bits a channel; this one has shape {} and type {}.</source>
-      <translation>Ein Bild muss farbig sein, mit 8 Bit je Kanal; dieses hat die Form {} und den Typ {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/vision/hue_table.py" />
-      <source>The colour profile {} has {} hues; at most {} can be told apart.</source>
-      <translation>Das Farbprofil {} hat {} Farbtöne; höchstens {} lassen sich unterscheiden.</translation>
-    </message>
-    <message>
-      <location filename="tracker/vision/lenses.py" />
+      <location filename="glovetrack.notices" />
       <source>There is only one camera, which counts as the left one.</source>
       <translation>Es gibt nur eine Kamera; sie gilt als die linke.</translation>
     </message>
     <message>
-      <location filename="tracker/vision/rig.py" />
-      <source>The stereo calibration has a baseline of {} mm: left and right are swapped, or this is no stereo pair.</source>
-      <translation>Die Stereo-Kalibrierung hat eine Basis von {} mm: links und rechts sind vertauscht, oder dies ist kein Stereopaar.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The camera delivers usable images again.</source>
+      <translation>Die Kamera liefert wieder brauchbare Bilder.</translation>
     </message>
     <message>
-      <location filename="tracker/vision/rig.py" />
+      <location filename="glovetrack.notices" />
+      <source>The camera has delivered no usable image for {silent_s:g} s.</source>
+      <translation>Die Kamera hat seit {silent_s:g} s kein brauchbares Bild geliefert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove {glove} is made for the {made_for:word} hand and cannot track the {side:word} one.</source>
+      <translation>Der Handschuh {glove} ist für die Hand {made_for:word} gemacht und kann die Hand {side:word} nicht tracken.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No packets from the {side:word} glove: the hand follows the images alone.</source>
+      <translation>Keine Pakete vom Handschuh ({side:word}): Die Hand folgt nur den Bildern.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Packets from the {side:word} glove are arriving again.</source>
+      <translation>Pakete vom Handschuh ({side:word}) kommen wieder an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This looks like a glove for the {other:word} hand: its patches are mirrored. The file {glove} is for the {side:word} hand. Choose one for the {other:word} hand.</source>
+      <translation>Das sieht nach einem Handschuh für die andere Hand aus ({other:word}): Seine Flecken sind gespiegelt. Die Datei {glove} gilt für die Hand {side:word}. Wählen Sie eine für die Hand {other:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove {glove} has no IMU on {segment:word}.</source>
+      <translation>Der Handschuh {glove} hat keine IMU auf {segment:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's port cannot be opened: {why}</source>
+      <translation>Der Anschluss des Handschuhs lässt sich nicht öffnen: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove was unplugged ({why}). It is used again as soon as it returns.</source>
+      <translation>Der Handschuh wurde abgezogen ({why}). Er wird wieder verwendet, sobald er zurück ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Message from the glove: {text}</source>
+      <translation>Meldung des Handschuhs: {text}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This glove has {imus} IMUs but the glove file has {expected}. Choose the right glove file.</source>
+      <translation>Dieser Handschuh hat {imus} IMUs, die Handschuhdatei aber {expected}. Wählen Sie die richtige Handschuhdatei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove is back, at {port}.</source>
+      <translation>Der Handschuh ist wieder da, an {port}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has restarted. Streaming is started again.</source>
+      <translation>Der Handschuh wurde neu gestartet. Die Übertragung beginnt erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove is sending again.</source>
+      <translation>Der Handschuh sendet wieder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Packets contain {imus} IMUs but the glove file has {expected}. Choose the right glove file.</source>
+      <translation>Pakete enthalten {imus} IMUs, die Handschuhdatei aber {expected}. Wählen Sie die richtige Handschuhdatei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's clock jumped by {jump_s:+.3f} s. Its packets are synchronised again.</source>
+      <translation>Die Uhr des Handschuhs ist um {jump_s:+.3f} s gesprungen. Seine Pakete werden neu synchronisiert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has not identified itself. Streaming is started anyway.</source>
+      <translation>Der Handschuh hat sich nicht zu erkennen gegeben. Die Übertragung wird trotzdem gestartet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has sent nothing for {silent_s:g} s.</source>
+      <translation>Der Handschuh hat seit {silent_s:g} s nichts gesendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pulse {number} on the glove</source>
+      <translation>Impuls {number} am Handschuh</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove sends {rate_hz:.0f} packets per second instead of {asked_hz}. Their time stamps are still right.</source>
+      <translation>Der Handschuh sendet {rate_hz:.0f} statt {asked_hz} Pakete pro Sekunde. Ihre Zeitstempel stimmen trotzdem.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove has not reported its ranges, so its values are not used yet. Hold the hand still for a second, so that gravity reveals them.</source>
+      <translation>Der Handschuh hat seine Messbereiche nicht gemeldet; seine Werte werden deshalb noch nicht verwendet. Halten Sie die Hand eine Sekunde still, damit die Schwerkraft sie verrät.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>At rest the glove's acceleration fits a range of {accel_g} g, which is used now. For rotation {gyro_dps} deg/s is assumed and may be wrong.</source>
+      <translation>In Ruhe passt die Beschleunigung des Handschuhs zu einem Messbereich von {accel_g} g, der jetzt verwendet wird. Für Drehungen werden {gyro_dps} °/s angenommen; das kann falsch sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's battery is low ({volts:.2f} V). Charge it soon.</source>
+      <translation>Der Akku des Handschuhs ist schwach ({volts:.2f} V). Laden Sie ihn bald.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Left glove: {what}</source>
+      <translation>Linker Handschuh: {what}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Right glove: {what}</source>
+      <translation>Rechter Handschuh: {what}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove at {port} is number {found}, but number {glove_id} is expected. To use another glove, choose it under Set-up, Glove.</source>
+      <translation>Der Handschuh an {port} hat die Nummer {found}, erwartet wird aber die Nummer {glove_id}. Um einen anderen Handschuh zu verwenden, wählen Sie ihn unter Einrichtung, Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The device at {port} is not a glove, but glove number {glove_id} is expected. To use another glove, choose it under Set-up, Glove.</source>
+      <translation>Das Gerät an {port} ist kein Handschuh; erwartet wird der Handschuh Nummer {glove_id}. Um einen anderen Handschuh zu verwenden, wählen Sie ihn unter Einrichtung, Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove has a chip of an unknown kind ({chip}). It passed its self-test and is used.</source>
+      <translation>IMU {imu} des Handschuhs hat einen Chip unbekannter Art ({chip}). Er hat seinen Selbsttest bestanden und wird verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove has a chip of an unknown kind ({chip}) that did not pass its self-test. It is not used: keep the glove still and restart it, or replace the IMU.</source>
+      <translation>IMU {imu} des Handschuhs hat einen Chip unbekannter Art ({chip}), der seinen Selbsttest nicht bestanden hat. Er wird nicht verwendet: Halten Sie den Handschuh still und starten Sie ihn neu, oder ersetzen Sie die IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove is at the end of its range. These samples are not used; move more slowly, or protect the glove from impacts.</source>
+      <translation>IMU {imu} des Handschuhs ist am Ende ihres Bereichs. Diese Messwerte werden nicht verwendet; bewegen Sie sich langsamer, oder schützen Sie den Handschuh vor Stößen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove is not responding.</source>
+      <translation>IMU {imu} des Handschuhs antwortet nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu} of the glove is responding again.</source>
+      <translation>IMU {imu} des Handschuhs antwortet wieder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The two gloves are exchanged: each uses the files of the other hand. Choose the hand of each in the gloves' set-up.</source>
+      <translation>Die beiden Handschuhe sind vertauscht: Jeder verwendet die Dateien der anderen Hand. Wählen Sie in der Einrichtung der Handschuhe für jeden die Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port} cannot be opened: {why}.</source>
+      <translation>{port} lässt sich nicht öffnen: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port} was disconnected: {why}.</source>
+      <translation>{port} wurde getrennt: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port} sends {received_bytes} bytes that are not a glove's: it is another device, or its line is not set to {bauds:or} baud.</source>
+      <translation>{port} sendet {received_bytes} Bytes, die nicht von einem Handschuh stammen: Es ist ein anderes Gerät, oder seine Leitung ist nicht auf {bauds:or} Baud eingestellt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The device at {port} is not responding.</source>
+      <translation>Das Gerät an {port} antwortet nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The USB adapter at {port} holds bytes back for up to {latency_ms} ms. For faster tracking set it to 1 ms: echo 1 | sudo tee {setting}</source>
+      <translation>Der USB-Adapter an {port} hält Bytes bis zu {latency_ms} ms zurück. Stellen Sie für schnelleres Tracking 1 ms ein: echo 1 | sudo tee {setting}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The USB adapter at {port} may hold bytes back for up to 16 ms. For faster tracking set 1 ms in the Device Manager: Ports, {port}, Port Settings, Advanced, Latency Timer.</source>
+      <translation>Der USB-Adapter an {port} hält Bytes möglicherweise bis zu 16 ms zurück. Stellen Sie für schnelleres Tracking im Geräte-Manager 1 ms ein: Anschlüsse, {port}, Anschlusseinstellungen, Erweitert, Wartezeit.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>More than {limit} coloured patches in an image; {ignored} ignored so far.</source>
+      <translation>Mehr als {limit} farbige Flecken in einem Bild; bisher wurden {ignored} ignoriert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There are {left} left and {right} right images. A sequence requires as many of one as of the other.</source>
+      <translation>Es gibt {left} linke und {right} rechte Bilder. Eine Folge braucht von beiden gleich viele.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stereo image is {width_px} pixels wide and cannot be split into two halves.</source>
+      <translation>Das Stereobild ist {width_px} Bildpunkte breit und lässt sich nicht in zwei Hälften teilen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an image that can be read.</source>
+      <translation>{path} ist kein lesbares Bild.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove is not responding yet. Unplug it, then plug it in again.</source>
+      <translation>Der Handschuh antwortet noch nicht. Ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The number of a glove is 1 to {most}, not {number}. Two gloves need different numbers.</source>
+      <translation>Die Nummer eines Handschuhs liegt zwischen 1 und {most}, nicht bei {number}. Zwei Handschuhe brauchen verschiedene Nummern.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is firmware for {bauds:or} baud, not for {baud}.</source>
+      <translation>Es gibt Firmware für {bauds:or} Baud, nicht für {baud}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be read as firmware: {why}</source>
+      <translation>{path} lässt sich nicht als Firmware lesen: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: line {line} is damaged, so the file is not used.</source>
+      <translation>{path}: Zeile {line} ist beschädigt; die Datei wird nicht verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: line {line} has a gap or an unknown type of record.</source>
+      <translation>{path}: Zeile {line} hat eine Lücke oder einen unbekannten Eintragstyp.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} ends before its last line: the file is incomplete.</source>
+      <translation>{path} endet vor der letzten Zeile: Die Datei ist unvollständig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not firmware of a glove (version 1.1 or later).</source>
+      <translation>{path} ist keine Firmware eines Handschuhs (ab Version 1.1).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has {size_bytes} bytes; the chip has {chip_bytes}.</source>
+      <translation>{path} hat {size_bytes} Bytes, der Chip nur {chip_bytes}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>avrdude, which writes the firmware, is not installed. On Debian run: sudo apt-get install avrdude; for other systems see github.com/avrdudes/avrdude.</source>
+      <translation>avrdude, das die Firmware schreibt, ist nicht installiert. Unter Debian: sudo apt-get install avrdude; für andere Systeme siehe github.com/avrdudes/avrdude.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Firmware {version} is available (installed: {installed}).</source>
+      <translation>Firmware {version} ist verfügbar (installiert: {installed}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: avrdude failed. (avrdude: {output})</source>
+      <translation>{port}: avrdude ist fehlgeschlagen. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: the board is not responding as a bootloader. Try the other kind ({others:list}), and press reset just before. (avrdude: {output})</source>
+      <translation>{port}: Die Platine antwortet nicht als Bootloader. Versuchen Sie die andere Art ({others:list}), und drücken Sie unmittelbar vorher Reset. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: you are not allowed to open the port. On Linux, join the group dialout. (avrdude: {output})</source>
+      <translation>{port}: Sie dürfen den Anschluss nicht öffnen. Treten Sie unter Linux der Gruppe dialout bei. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: another program uses the port. Close it. (avrdude: {output})</source>
+      <translation>{port}: Ein anderes Programm verwendet den Anschluss. Schließen Sie es. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: no device is connected to the port. (avrdude: {output})</source>
+      <translation>{port}: An diesem Anschluss ist kein Gerät. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: the chip's contents differ from what was written. Write the firmware again. (avrdude: {output})</source>
+      <translation>{port}: Der Inhalt des Chips weicht vom Geschriebenen ab. Schreiben Sie die Firmware erneut. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port}: the chip is not an ATmega328P. (avrdude: {output})</source>
+      <translation>{port}: Der Chip ist kein ATmega328P. (avrdude: {output})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A ZED has no images {height_px} pixels high. Possible heights: {known:list}.</source>
+      <translation>Eine ZED hat keine {height_px} Bildpunkte hohen Bilder. Mögliche Höhen: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a calibration file of a ZED camera: {why}</source>
+      <translation>{path} ist keine Kalibrierdatei einer ZED-Kamera: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has no {key} in [{section}]: the file is incomplete, or belongs to another camera.</source>
+      <translation>{path} enthält {key} nicht in [{section}]: Die Datei ist unvollständig oder gehört zu einer anderen Kamera.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: {key} in [{section}] is "{text}", which is not a number.</source>
+      <translation>{path}: {key} in [{section}] ist „{text}“, also keine Zahl.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The check itself failed: {why}.</source>
+      <translation>Die Prüfung selbst ist fehlgeschlagen: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Attach this report to a bug report.</source>
+      <translation>Hängen Sie diesen Bericht an einen Fehlerbericht an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{device} is in use by this window and was not tested.</source>
+      <translation>{device} wird von diesem Fenster benutzt und wurde nicht geprüft.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Glovetrack {version}, Python {python}, {platform}.</source>
+      <translation>Glovetrack {version}, Python {python}, {platform}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{cores} cores, {memory_gb:.1f} GB of memory.</source>
+      <translation>{cores} Kerne, {memory_gb:.1f} GB Arbeitsspeicher.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Use a computer with at least {cores} cores and 4 GB.</source>
+      <translation>Verwenden Sie einen Rechner mit mindestens {cores} Kernen und 4 GB.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The program's numerical code is compiled.</source>
+      <translation>Der numerische Code des Programms ist kompiliert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The program's numerical code is compiled while it runs (by {compiler}).</source>
+      <translation>Der numerische Code des Programms wird während des Laufs kompiliert (durch {compiler}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The first start takes minutes. Reinstall the package to avoid this.</source>
+      <translation>Der erste Start dauert Minuten. Installieren Sie das Paket neu, um das zu vermeiden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Other programs use {load_percent:.0f} % of all cores.</source>
+      <translation>Andere Programme belegen {load_percent:.0f} % aller Kerne.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Close other programs before you track.</source>
+      <translation>Schließen Sie andere Programme, bevor Sie verfolgen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Tracking at {fps:.0f} images per second takes {share_percent:.0f} % of a core at the present load: {detection_percent:.0f} % for the images, {filter_percent:.0f} % for the filter.</source>
+      <translation>Die Verfolgung mit {fps:.0f} Bildern pro Sekunde belegt bei der jetzigen Last {share_percent:.0f} % eines Kerns: {detection_percent:.0f} % für die Bilder, {filter_percent:.0f} % für das Filter.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Close other programs, and choose 30 images per second.</source>
+      <translation>Schließen Sie andere Programme und wählen Sie 30 Bilder pro Sekunde.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The disk of {folder} takes {disk_mb_s:.0f} MB/s; a recording needs up to {needed_mb_s:.0f} MB/s.</source>
+      <translation>Der Datenträger von {folder} schafft {disk_mb_s:.0f} MB/s; eine Aufnahme braucht bis zu {needed_mb_s:.0f} MB/s.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Record to another disk, or record without images.</source>
+      <translation>Nehmen Sie auf einen anderen Datenträger auf, oder ohne Bilder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Choose another folder for recordings.</source>
+      <translation>Wählen Sie einen anderen Ordner für Aufnahmen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{free_gb:.0f} GB are free: at least {minutes:.0f} minutes of recording with images.</source>
+      <translation>{free_gb:.0f} GB sind frei: mindestens {minutes:.0f} Minuten Aufnahme mit Bildern.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Delete or move old recordings.</source>
+      <translation>Löschen oder verschieben Sie alte Aufnahmen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no graphics card: the processor draws the 3D view.</source>
+      <translation>Es gibt keine Grafikkarte: Der Prozessor zeichnet die 3D-Ansicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Install the card's driver. Tracking itself does not need one.</source>
+      <translation>Installieren Sie den Treiber der Karte. Die Verfolgung selbst braucht keine.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Graphics card {name}.</source>
+      <translation>Grafikkarte {name}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This user may not use the graphics card {name}.</source>
+      <translation>Dieser Benutzer darf die Grafikkarte {name} nicht verwenden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Add yourself to its group (sudo usermod -aG render,video $USER) and log in again.</source>
+      <translation>Nehmen Sie sich in ihre Gruppe auf (sudo usermod -aG render,video $USER) und melden Sie sich neu an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenGL uses the graphics card: {renderer}.</source>
+      <translation>OpenGL verwendet die Grafikkarte: {renderer}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenGL uses the processor: {renderer}.</source>
+      <translation>OpenGL verwendet den Prozessor: {renderer}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenGL does not work.</source>
+      <translation>OpenGL funktioniert nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Install the graphics card's driver; until then the 3D view is simpler.</source>
+      <translation>Installieren Sie den Treiber der Grafikkarte; bis dahin ist die 3D-Ansicht einfacher.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This user may not open {device}.</source>
+      <translation>Dieser Benutzer darf {device} nicht öffnen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Add yourself to the group {group} (sudo usermod -aG {group} $USER) and log in again, or install the udev rule {rule} of the package.</source>
+      <translation>Nehmen Sie sich in die Gruppe {group} auf (sudo usermod -aG {group} $USER) und melden Sie sich neu an, oder installieren Sie die udev-Regel {rule} des Pakets.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Unplug the device, then plug it in again.</source>
+      <translation>Ziehen Sie das Gerät ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This user may open all {devices} device files.</source>
+      <translation>Dieser Benutzer darf alle {devices} Gerätedateien öffnen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The udev rule {rule} is not installed.</source>
+      <translation>Die udev-Regel {rule} ist nicht installiert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Install the package, or copy the rule to /etc/udev/rules.d: it gives access to new devices and sets the latency timer of USB adapters.</source>
+      <translation>Installieren Sie das Paket, oder kopieren Sie die Regel nach /etc/udev/rules.d: Sie erlaubt den Zugriff auf neue Geräte und stellt die Wartezeit von USB-Adaptern ein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no USB serial port.</source>
+      <translation>Es gibt keinen seriellen USB-Anschluss.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Plug the glove in.</source>
+      <translation>Stecken Sie den Handschuh an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No glove responds on any port.</source>
+      <translation>An keinem Anschluss antwortet ein Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Check the cable, or write the firmware.</source>
+      <translation>Prüfen Sie das Kabel, oder schreiben Sie die Firmware.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Close the other program, then check again.</source>
+      <translation>Schließen Sie das andere Programm und prüfen Sie erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>If a glove is connected there, write its firmware.</source>
+      <translation>Wenn dort ein Handschuh angeschlossen ist, schreiben Sie seine Firmware.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Two USB adapters have the same serial number.</source>
+      <translation>Zwei USB-Adapter haben dieselbe Seriennummer.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Gloves are then recognised by their own number: give each a different one (glovetrack firmware write PORT --glove-id N).</source>
+      <translation>Handschuhe werden dann an ihrer eigenen Nummer erkannt: Geben Sie jedem eine andere (glovetrack firmware write PORT --glove-id N).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove at {port} sends at {baud} baud, which Glovetrack does not use.</source>
+      <translation>Der Handschuh an {port} sendet mit {baud} Baud, die Glovetrack nicht verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Write the firmware again: glovetrack firmware write {port} --baud {baud}.</source>
+      <translation>Schreiben Sie die Firmware neu: glovetrack firmware write {port} --baud {baud}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{port} sends bytes that cannot be decoded at {bauds:or} baud.</source>
+      <translation>{port} sendet Bytes, die mit {bauds:or} Baud nicht lesbar sind.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>If it is a glove, its firmware has another baud rate or the cable is damaged: write the firmware again. Otherwise ignore this line.</source>
+      <translation>Wenn es ein Handschuh ist, hat seine Firmware eine andere Baudrate oder das Kabel ist beschädigt: Schreiben Sie die Firmware neu. Andernfalls beachten Sie diese Zeile nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove at {port} sends samples but does not answer.</source>
+      <translation>Der Handschuh an {port} sendet Messwerte, antwortet aber nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Glove {glove} at {port}: {imus} IMUs, firmware {firmware}, {baud} baud.</source>
+      <translation>Handschuh {glove} an {port}: {imus} IMUs, Firmware {firmware}, {baud} Baud.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Run glovetrack firmware write {port}.</source>
+      <translation>Führen Sie glovetrack firmware write {port} aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove at {port} answers but sends no samples.</source>
+      <translation>Der Handschuh an {port} antwortet, sendet aber keine Messwerte.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Unplug it, then plug it in again. If this does not help, write the firmware.</source>
+      <translation>Ziehen Sie ihn ab und stecken Sie ihn wieder an. Wenn das nicht hilft, schreiben Sie die Firmware.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{rate_hz:.1f} packets per second, {lost_percent:.1f} % lost, {damaged} damaged.</source>
+      <translation>{rate_hz:.1f} Pakete pro Sekunde, {lost_percent:.1f} % verloren, {damaged} beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Use a shorter cable and another USB port, without a hub, and check the plugs.</source>
+      <translation>Verwenden Sie ein kürzeres Kabel und einen anderen USB-Anschluss ohne Hub, und prüfen Sie die Stecker.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{rate_hz} were requested: write the current firmware.</source>
+      <translation>{rate_hz} wurden angefordert: Schreiben Sie die aktuelle Firmware.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's battery has {volts:.2f} V.</source>
+      <translation>Der Akku des Handschuhs hat {volts:.2f} V.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Charge the glove.</source>
+      <translation>Laden Sie den Handschuh.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMUs that do not respond: {imus:list}.</source>
+      <translation>IMUs, die nicht antworten: {imus:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Check the wires of these IMUs: supply, clock, data and select line.</source>
+      <translation>Prüfen Sie die Leitungen dieser IMUs: Versorgung, Takt, Daten und Auswahl.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>All {imus} IMUs respond.</source>
+      <translation>Alle {imus} IMUs antworten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Keep the glove still and restart it; otherwise replace the IMU.</source>
+      <translation>Halten Sie den Handschuh still und starten Sie ihn neu; andernfalls ersetzen Sie die IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu}: {chip}, self-test {selftest:word}.</source>
+      <translation>IMU {imu}: {chip}, Selbsttest {selftest:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu}: {chip}, self-test {selftest:word}, {temperature_c:.1f} °C.</source>
+      <translation>IMU {imu}: {chip}, Selbsttest {selftest:word}, {temperature_c:.1f} °C.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu}: axes that do not change: {axes:list}.</source>
+      <translation>IMU {imu}: Achsen, die sich nicht ändern: {axes:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Replace the IMU.</source>
+      <translation>Ersetzen Sie die IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>IMU {imu}: {samples} samples at the end of the range.</source>
+      <translation>IMU {imu}: {samples} Messwerte am Ende des Bereichs.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Move the glove more slowly. If it is at rest, replace the IMU.</source>
+      <translation>Bewegen Sie den Handschuh langsamer. Wenn er ruht, ersetzen Sie die IMU.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The delay of 90 % of the packets varies by {spread_ms:.1f} ms.</source>
+      <translation>Die Verzögerung von 90 % der Pakete schwankt um {spread_ms:.1f} ms.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Set the adapter's latency timer to 1 ms, and avoid USB hubs.</source>
+      <translation>Stellen Sie die Wartezeit des Adapters auf 1 ms, und meiden Sie USB-Hubs.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The glove's clock differs by {skew_ppm:+.0f} ppm.</source>
+      <translation>Die Uhr des Handschuhs weicht um {skew_ppm:+.0f} ppm ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Replace the board: its crystal is out of tolerance.</source>
+      <translation>Ersetzen Sie die Platine: Ihr Quarz liegt außerhalb der Toleranz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no camera.</source>
+      <translation>Es gibt keine Kamera.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Plug the camera in.</source>
+      <translation>Stecken Sie die Kamera an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Close other programs that use it, or plug it in again.</source>
+      <translation>Schließen Sie andere Programme, die sie verwenden, oder stecken Sie sie neu an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: {measured_fps:.1f} images per second of {width} × {height} pixels.</source>
+      <translation>{camera}: {measured_fps:.1f} Bilder pro Sekunde mit {width} × {height} Pixeln.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: {what}</source>
+      <translation>{camera}: {what}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: {measured_fps:.0f} images per second arrive instead of the {granted_fps:.0f} granted.</source>
+      <translation>{camera}: {measured_fps:.0f} Bilder pro Sekunde kommen an statt der zugesagten {granted_fps:.0f}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Add light or shorten the exposure; otherwise use another USB port.</source>
+      <translation>Mehr Licht oder kürzere Belichtung; andernfalls ein anderer USB-Anschluss.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera} opens but no images arrive.</source>
+      <translation>{camera} lässt sich öffnen, liefert aber keine Bilder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Plug it into another USB port; another camera on the same hub may use its bandwidth.</source>
+      <translation>Stecken Sie sie an einen anderen USB-Anschluss; eine andere Kamera am selben Hub kann seine Bandbreite belegen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: the image is black.</source>
+      <translation>{camera}: Das Bild ist schwarz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Take the cover off the lens.</source>
+      <translation>Nehmen Sie die Abdeckung vom Objektiv.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera} has no exposure control: its automatic exposure cannot be verified.</source>
+      <translation>{camera} hat keine Belichtungssteuerung: Ihre Belichtungsautomatik ist nicht prüfbar.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Keep the light constant, or use a camera with a manual exposure.</source>
+      <translation>Halten Sie das Licht konstant, oder verwenden Sie eine Kamera mit manueller Belichtung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera} does not confirm that its exposure is locked.</source>
+      <translation>{camera} bestätigt nicht, dass die Belichtung fest ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Check the exposure in the camera's own program, and keep the light constant.</source>
+      <translation>Prüfen Sie die Belichtung im Programm der Kamera, und halten Sie das Licht konstant.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: the exposure can be locked.</source>
+      <translation>{camera}: Die Belichtung lässt sich festhalten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: the driver stamps images with {stamp_jitter_ms:.1f} ms of jitter; they arrive with {arrival_jitter_ms:.1f} ms.</source>
+      <translation>{camera}: Der Treiber stempelt Bilder mit {stamp_jitter_ms:.1f} ms Schwankung; sie kommen mit {arrival_jitter_ms:.1f} ms an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{camera}: the driver does not stamp images; they arrive with {arrival_jitter_ms:.1f} ms of jitter.</source>
+      <translation>{camera}: Der Treiber stempelt Bilder nicht; sie kommen mit {arrival_jitter_ms:.1f} ms Schwankung an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Use another USB port without a hub, and close other programs.</source>
+      <translation>Verwenden Sie einen anderen USB-Anschluss ohne Hub, und schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Tracking stopped: the detected markers do not match the glove file. Fit the colours, or check whether two of the hues are exchanged.</source>
+      <translation>Tracking angehalten: Die erkannten Marker passen nicht zur Handschuhdatei. Passen Sie die Farben an, oder prüfen Sie, ob zwei Farbtöne vertauscht sind.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Looking for the hand.</source>
+      <translation>Die Hand wird gesucht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand is tracked.</source>
+      <translation>Die Hand wird verfolgt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand is out of sight; its position is extrapolated.</source>
+      <translation>Die Hand ist außer Sicht; ihre Position wird fortgeschrieben.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The position of the hand is lost; finger angles are still measured.</source>
+      <translation>Die Position der Hand ist verloren; die Fingerwinkel werden weiter gemessen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Looking for the {side:word} hand.</source>
+      <translation>Die Hand {side:word} wird gesucht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {side:word} hand is tracked.</source>
+      <translation>Die Hand {side:word} wird verfolgt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {side:word} hand is out of sight; its position is extrapolated.</source>
+      <translation>Die Hand {side:word} ist außer Sicht; ihre Position wird fortgeschrieben.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The position of the {side:word} hand is lost; finger angles are still measured.</source>
+      <translation>Die Position der Hand {side:word} ist verloren; die Fingerwinkel werden weiter gemessen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset: the engine {engine} does not support it. Choose the engine chain or inertial.</source>
+      <translation>Haltung zurücksetzen: Das Verfahren {engine} unterstützt das nicht. Wählen Sie das Verfahren chain oder inertial.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset, {side:word} hand: not possible before the hand is tracked.</source>
+      <translation>Haltung zurücksetzen, Hand {side:word}: nicht möglich, bevor die Hand verfolgt wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset, {side:word} hand: not done, because fingers are bent. Hold the hand flat and try again.</source>
+      <translation>Haltung zurücksetzen, Hand {side:word}: nicht ausgeführt, weil Finger gebeugt sind. Halten Sie die Hand flach und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset, {side:word} hand: not done, because the fingers point up or down. Hold the hand level and try again.</source>
+      <translation>Haltung zurücksetzen, Hand {side:word}: nicht ausgeführt, weil die Finger nach oben oder unten zeigen. Halten Sie die Hand waagerecht und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset, {side:word} hand: joints corrected by up to {joints_deg:.0f}°. The heading is measured by the camera.</source>
+      <translation>Haltung zurückgesetzt, Hand {side:word}: Gelenke um bis zu {joints_deg:.0f}° berichtigt. Die Richtung misst die Kamera.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset, {side:word} hand: joints corrected by up to {joints_deg:.0f}°, heading by {heading_deg:.0f}°.</source>
+      <translation>Haltung zurückgesetzt, Hand {side:word}: Gelenke um bis zu {joints_deg:.0f}°, Richtung um {heading_deg:.0f}° berichtigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Pose reset: hand flat, fingers straight ahead.</source>
+      <translation>Haltung zurückgesetzt: Hand flach, Finger gerade nach vorn.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine {engine} does not learn from guided poses.</source>
+      <translation>Das Verfahren {engine} lernt nicht aus angeleiteten Haltungen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no guided pose "{pose}". It is ignored.</source>
+      <translation>Es gibt keine angeleitete Haltung „{pose}“. Sie wird ignoriert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The guided pose "{pose}" neither begins nor ends. It is ignored.</source>
+      <translation>Die angeleitete Haltung „{pose}“ beginnt weder noch endet sie. Sie wird ignoriert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{instruction:word}</source>
+      <translation>{instruction:word}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine {engine} requires a camera with a stereo calibration. Without one, choose the engine {other}, which shows the hand by its IMUs.</source>
+      <translation>Das Verfahren {engine} braucht eine Kamera mit Stereokalibrierung. Wählen Sie ohne Kamera das Verfahren {other}, das die Hand anhand ihrer IMUs zeigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine {engine} requires both lenses. With one lens, choose the engine chain.</source>
+      <translation>Das Verfahren {engine} braucht beide Objektive. Wählen Sie mit einem Objektiv das Verfahren chain.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine {engine} requires an IMU and markers on the {segment:word}.</source>
+      <translation>Das Verfahren {engine} braucht eine IMU und Marker auf {segment:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine vist requires an IMU on every segment of a chain; the glove {glove} has none on {segments:list}.</source>
+      <translation>Das Verfahren vist braucht eine IMU auf jedem Glied einer Kette; der Handschuh {glove} hat keine auf {segments:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine vist requires one IMU per segment; the glove {glove} has more.</source>
+      <translation>Das Verfahren vist braucht genau eine IMU je Glied; der Handschuh {glove} hat mehr.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This engine does not use a wearer's profile. Choose the engine chain.</source>
+      <translation>Dieses Verfahren verwendet kein Profil einer Person. Wählen Sie das Verfahren chain.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no finger estimator "{name}". Available: {known:list}.</source>
+      <translation>Es gibt keinen Fingerschätzer „{name}“. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The engine is now {engine}.</source>
+      <translation>Das Verfahren ist jetzt {engine}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>System overloaded: 3D view frame rate reduced.</source>
+      <translation>System überlastet: Bildrate der 3D-Ansicht verringert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>System overloaded: camera images are shown without overlays.</source>
+      <translation>System überlastet: Kamerabilder werden ohne Einblendungen gezeigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>System overloaded: images are searched only where markers are expected.</source>
+      <translation>System überlastet: Bilder werden nur dort durchsucht, wo Marker erwartet werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>System overloaded: fewer images are searched. All packets of the glove are still used.</source>
+      <translation>System überlastet: Es werden weniger Bilder durchsucht. Alle Pakete des Handschuhs werden weiter verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The system is no longer overloaded: full 3D view frame rate.</source>
+      <translation>Das System ist nicht mehr überlastet: volle Bildrate der 3D-Ansicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Camera images are shown with overlays again.</source>
+      <translation>Kamerabilder werden wieder mit Einblendungen gezeigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Whole images are searched again.</source>
+      <translation>Bilder werden wieder vollständig durchsucht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>All images are searched again.</source>
+      <translation>Alle Bilder werden wieder durchsucht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {thread} thread failed: {type}: {why}.</source>
+      <translation>Der Thread {thread} ist ausgefallen: {type}: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no segment "{segment}" whose calibration is estimated.</source>
+      <translation>Es gibt kein Glied {segment}, dessen Kalibrierung geschätzt wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A hand is {least_mm:.0f} to {most_mm:.0f} mm long, from the crease of the wrist to the tip of the middle finger; {length_mm:.0f} mm is not plausible. Measure it again.</source>
+      <translation>Eine Hand ist von der Falte des Handgelenks bis zur Spitze des Mittelfingers {least_mm:.0f} bis {most_mm:.0f} mm lang; {length_mm:.0f} mm ist nicht plausibel. Messen Sie noch einmal.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a profile of a wearer: {why}</source>
+      <translation>{file} ist kein Profil einer Person: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is for the hand {hand} with the glove {glove}; this is the hand {our_hand} with the glove {our_glove}.</source>
+      <translation>{file} gehört zur Hand {hand} mit dem Handschuh {glove}; dies ist die Hand {our_hand} mit dem Handschuh {our_glove}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a profile of a wearer, or it is damaged.</source>
+      <translation>{file} ist kein Profil einer Person oder ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The listener {name} failed and was removed: {why}</source>
+      <translation>Der Empfänger {name} ist ausgefallen und wurde entfernt: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only {seconds:.1f} s of samples arrived; {needed_s:g} s are required.</source>
+      <translation>Es sind nur {seconds:.1f} s an Messwerten angekommen; {needed_s:g} s sind nötig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand moved ({moving:list}). Lay it flat on the table, palm down, and wait.</source>
+      <translation>Die Hand hat sich bewegt ({moving:list}). Legen Sie sie flach auf den Tisch, Handfläche nach unten, und warten Sie.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>is not responding</source>
+      <translation>antwortet nicht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>moves ({rate_dps:.1f} °/s)</source>
+      <translation>bewegt sich ({rate_dps:.1f} °/s)</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>turns, or its gyroscope is off by {bias_dps:.0f} °/s</source>
+      <translation>dreht sich, oder ihr Gyroskop weicht um {bias_dps:.0f} °/s ab</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>measures {gravity:.1f} m/s² of gravity, so its accelerometer is off</source>
+      <translation>misst {gravity:.1f} m/s² Schwerkraft, ihr Beschleunigungssensor weicht also ab</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{imu:word} {what}</source>
+      <translation>{imu:word} {what}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{imus:list}.</source>
+      <translation>{imus:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Rest your forearm and tip your whole hand up and down, with the fingers stretched.</source>
+      <translation>Legen Sie den Unterarm auf und kippen Sie die ganze Hand mit gestreckten Fingern auf und ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Bend and stretch your thumb a few times; keep everything else still.</source>
+      <translation>Beugen und strecken Sie den Daumen einige Male; halten Sie alles andere still.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Bend and stretch your {finger:word} finger a few times, in all its joints.</source>
+      <translation>Beugen und strecken Sie den Finger ({finger:word}) einige Male in allen Gelenken.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Nothing moved. {instruction}</source>
+      <translation>Nichts hat sich bewegt. {instruction}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>It did not respond in any step.</source>
+      <translation>Sie hat in keinem Schritt geantwortet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>It never moved. Check whether it is loose or broken.</source>
+      <translation>Sie hat sich nie bewegt. Prüfen Sie, ob sie lose oder defekt ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>It moved in several steps. Repeat them.</source>
+      <translation>Sie hat sich in mehreren Schritten bewegt. Wiederholen Sie diese.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>It is on the {found:word}; the glove file has it on the {expected:word}.</source>
+      <translation>Sie ist an {found:word}, laut Handschuhdatei aber an {expected:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>It is in its position, but rotated by about {angle_deg:.0f}°. Remount it.</source>
+      <translation>Sie ist an ihrer Stelle, aber um etwa {angle_deg:.0f}° verdreht. Bringen Sie sie neu an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>It is where the glove file has it.</source>
+      <translation>Sie ist dort, wo sie laut Handschuhdatei sein soll.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Every IMU is where the glove file has it.</source>
+      <translation>Jede IMU ist dort, wo sie laut Handschuhdatei sein soll.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Exchanged: {first:word} and {second:word}. Exchange their plugs, or choose a glove file with that order.</source>
+      <translation>Vertauscht: {first:word} und {second:word}. Tauschen Sie ihre Stecker, oder wählen Sie eine Handschuhdatei mit dieser Reihenfolge.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Check {imus:list}.</source>
+      <translation>Prüfen Sie {imus:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{imu:word} ({state:word})</source>
+      <translation>{imu:word} ({state:word})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{count} repeated {count:packet|packets} of the {side:word} glove {count:was|were} ignored.</source>
+      <translation>{count} {count:wiederholtes Paket|wiederholte Pakete} des Handschuhs {side:word} {count:wurde|wurden} ignoriert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{count} interpolated {count:gap|gaps} of {file} {count:was|were} not used: tracking starts from the sensors.</source>
+      <translation>{count} {count:interpolierte Lücke|interpolierte Lücken} von {file} {count:wurde|wurden} nicht verwendet: Das Tracking beginnt bei den Sensoren.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This version cannot use these settings of {file}: {settings:list}. They were ignored; the other recorded settings were used.</source>
+      <translation>Diese Version kann folgende Einstellungen von {file} nicht verwenden: {settings:list}. Sie wurden ignoriert, die übrigen aufgezeichneten Einstellungen wurden verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>This version cannot use these settings of {file}: {settings:list} and {more} more. They were ignored; the other recorded settings were used.</source>
+      <translation>Diese Version kann folgende Einstellungen von {file} nicht verwenden: {settings:list} und {more} weitere. Sie wurden ignoriert, die übrigen aufgezeichneten Einstellungen wurden verwendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} was recorded by version {version} in the middle of tracking. The recorded tracking state was not used, so the first seconds may differ.</source>
+      <translation>{file} wurde von der Version {version} mitten im Tracking aufgenommen. Der aufgezeichnete Zustand wurde nicht verwendet; die ersten Sekunden können daher abweichen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulated camera has ended.</source>
+      <translation>Die simulierte Kamera hat geendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulated wearer is asked for the pose {pose:word}.</source>
+      <translation>Von der simulierten Person wird die Haltung {pose:word} verlangt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The simulated wearer is not asked for a pose any more.</source>
+      <translation>Von der simulierten Person wird keine Haltung mehr verlangt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No pixels are marked for the hue "{hue:word}".</source>
+      <translation>Für den Farbton „{hue:word}“ sind keine Bildpunkte markiert.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The pixels marked for "{hue:word}" have every hue. Mark one cloth only.</source>
+      <translation>Die für „{hue:word}“ markierten Bildpunkte haben jeden Farbton. Markieren Sie nur einen Stoff.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The light has changed; adapting the colours.</source>
+      <translation>Das Licht hat sich geändert; die Farben werden angepasst.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Nothing was fitted: no glove was recognised with certainty. Hold your hand flat in front of the camera, in more or whiter light.</source>
+      <translation>Es wurde nichts angepasst: Kein Handschuh wurde sicher erkannt. Halten Sie die Hand flach vor die Kamera, in mehr oder weißerem Licht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Point at a marker of each hue first. Missing: {hues:words}.</source>
+      <translation>Zeigen Sie zuerst auf einen Marker jedes Farbtons. Es fehlt: {hues:words}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only the pixels that you pointed at were learned: no glove was recognised around them. Hold your hand flat and point at the centre of a patch of each hue.</source>
+      <translation>Nur die Bildpunkte, auf die Sie gezeigt haben, wurden gelernt: Um sie herum wurde kein Handschuh erkannt. Halten Sie die Hand flach und zeigen Sie auf die Mitte eines Flecks jedes Farbtons.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours are unchanged: the learned ones find {found} of {picked} markers and {others} other objects, the current ones {found_before} and {others_before}. Point at markers of a flat hand, in more light.</source>
+      <translation>Die Farben sind unverändert: Die gelernten finden {found} von {picked} Markern und {others} andere Objekte, die jetzigen {found_before} und {others_before}. Zeigen Sie bei mehr Licht auf Marker einer flachen Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours are unchanged: the fitted ones find {found} patches of the glove and {others} other objects, the current ones {found_before} and {others_before}.</source>
+      <translation>Die Farben sind unverändert: Die angepassten finden {found} Flecken des Handschuhs und {others} andere Objekte, die jetzigen {found_before} und {others_before}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours find {patches} patches, none of which fit the glove. Fit the colours.</source>
+      <translation>Die Farben finden {patches} Flecken, von denen keiner zum Handschuh passt. Passen Sie die Farben an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours no longer find too many patches, or the hand was found.</source>
+      <translation>Die Farben finden nicht mehr zu viele Flecken, oder die Hand wurde gefunden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colour profile {profile} has {hues} hues; at most {most} can be distinguished.</source>
+      <translation>Das Farbprofil {profile} hat {hues} Farbtöne; höchstens {most} lassen sich unterscheiden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The colours showed no hand, so they were fitted automatically.</source>
+      <translation>Die Farben zeigten keine Hand und wurden deshalb automatisch angepasst.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No hand is visible. {why}</source>
+      <translation>Es ist keine Hand zu sehen. {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {hues:words} markers are too bright. Shorten the exposure, or move the lamp away.</source>
+      <translation>Die Marker in {hues:words} sind zu hell. Verkürzen Sie die Belichtung, oder rücken Sie die Lampe weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{share_percent:.0f} % of the image is white. Keep the window and the screen out of the image, or shorten the exposure.</source>
+      <translation>{share_percent:.0f} % des Bildes sind weiß. Halten Sie Fenster und Bildschirm aus dem Bild, oder verkürzen Sie die Belichtung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The markers are dark. Put more light on the hand, or lengthen the exposure.</source>
+      <translation>Die Marker sind dunkel. Sorgen Sie für mehr Licht auf der Hand, oder verlängern Sie die Belichtung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The image is noisy. Use more light and less gain.</source>
+      <translation>Das Bild rauscht. Verwenden Sie mehr Licht und weniger Verstärkung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The light is too warm. Use a daylight lamp or set the white balance, then fit the colours.</source>
+      <translation>Das Licht ist zu warm. Verwenden Sie eine Tageslichtlampe oder stellen Sie den Weißabgleich ein; passen Sie dann die Farben an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The light is too cold. Set the white balance, then fit the colours.</source>
+      <translation>Das Licht ist zu kalt. Stellen Sie den Weißabgleich ein; passen Sie dann die Farben an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {hues:words} markers look alike in this light. Use another lamp, or other cloth.</source>
+      <translation>Die Marker in {hues:words} sehen in diesem Licht gleich aus. Verwenden Sie eine andere Lampe oder anderen Stoff.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The room also contains {hues:words}, in {spots} {spots:spot|spots}. Lay a dark or grey cloth under the hand, or fit the colours.</source>
+      <translation>Auch der Raum enthält {hues:words}, in {spots} {spots:Fleck|Flecken}. Legen Sie einen dunklen oder grauen Stoff unter die Hand, oder passen Sie die Farben an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{missed} of {expected} markers are not found with these colours. Fit them to the image.</source>
+      <translation>{missed} von {expected} Markern werden mit diesen Farben nicht gefunden. Passen Sie die Farben an das Bild an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Hold your gloved hand in front of the camera, its back up.</source>
+      <translation>Halten Sie die Hand im Handschuh vor die Kamera, den Handrücken nach oben.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The result places the lenses {found_mm:.1f} mm apart, but the known distance is {known_mm:.1f} mm. Measure a square of the board again.</source>
+      <translation>Das Ergebnis ergibt einen Abstand der Objektive von {found_mm:.1f} mm, bekannt sind aber {known_mm:.1f} mm. Messen Sie ein Feld der Tafel noch einmal.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The views do not fit one camera: corners are off by {rms_px:.1f} px. Check the numbers of squares, hold the board flat and still, and turn off autofocus.</source>
+      <translation>Die Ansichten passen nicht zu einer Kamera: Ecken weichen um {rms_px:.1f} px ab. Prüfen Sie die Zahlen der Felder, halten Sie die Tafel flach und still, und schalten Sie den Autofokus ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The views cover only {covered_percent:.0f} % of the images. Show the board at the edges, too.</source>
+      <translation>Die Ansichten decken nur {covered_percent:.0f} % der Bilder ab. Zeigen Sie die Tafel auch am Rand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The views are too similar: only {tilted} {tilted:shows|show} a tilted board, and the focal length is uncertain by {focal_percent:.1f} %. Tilt the board more.</source>
+      <translation>Die Ansichten sind zu ähnlich: Nur {tilted} {tilted:zeigt|zeigen} die Tafel geneigt, und die Brennweite ist um {focal_percent:.1f} % unsicher. Neigen Sie die Tafel stärker.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} is not usable. {problems}</source>
+      <translation>{name} ist nicht brauchbar. {problems}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The calibration contains values that are not numbers.</source>
+      <translation>Die Kalibrierung enthält Werte, die keine Zahlen sind.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>One camera is mirrored relative to the other. Turn off its mirror setting.</source>
+      <translation>Eine Kamera ist gegenüber der anderen gespiegelt. Schalten Sie ihre Spiegelung ab.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The cameras are above or behind each other, not side by side. Rotate the rig, or the images, by 90 degrees.</source>
+      <translation>Die Kameras sind über- oder hintereinander statt nebeneinander. Drehen Sie das Gestell oder die Bilder um 90 Grad.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Left and right are exchanged: the camera called left is on the right. Exchange the two images in the camera's set-up, or turn off mirroring, which looks the same.</source>
+      <translation>Links und rechts sind vertauscht: Die linke Kamera ist rechts. Vertauschen Sie in der Einrichtung der Kamera die beiden Bilder, oder schalten Sie die Spiegelung ab, die genauso aussieht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The result places the cameras {found_mm:.1f} mm apart; {least_mm:.0f} to {most_mm:.0f} mm is possible. Check the size of a square, or the unit of the file.</source>
+      <translation>Das Ergebnis ergibt einen Abstand der Kameras von {found_mm:.1f} mm; möglich sind {least_mm:.0f} bis {most_mm:.0f} mm. Prüfen Sie die Größe eines Feldes oder die Einheit der Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The result places one camera {above_mm:.0f} mm above and {before_mm:.0f} mm in front of the other. They must be side by side.</source>
+      <translation>Nach dem Ergebnis ist eine Kamera {above_mm:.0f} mm über und {before_mm:.0f} mm vor der anderen. Sie müssen nebeneinander sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The result has the cameras point {angle_deg:.0f} degrees apart. They must point in the same direction.</source>
+      <translation>Nach dem Ergebnis blicken die Kameras {angle_deg:.0f} Grad auseinander. Sie müssen in dieselbe Richtung blicken.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {lens:word} has a focal length of {focal_px:.0f} px for an image {width_px} px wide, which is not plausible.</source>
+      <translation>{lens:word}: Die Brennweite von {focal_px:.0f} px bei einem {width_px} px breiten Bild ist nicht plausibel.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The pixels of the {lens:word} are not square ({x_px:.0f} by {y_px:.0f}).</source>
+      <translation>{lens:word}: Die Bildpunkte sind nicht quadratisch ({x_px:.0f} × {y_px:.0f}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The right lens magnifies {ratio:.2f} times as much as the left one. Check that the squares are the same for both and that neither lens is zoomed.</source>
+      <translation>Das rechte Objektiv vergrößert {ratio:.2f}-mal so stark wie das linke. Prüfen Sie, ob die Felder für beide gleich sind und keines gezoomt ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The centre of the {lens:word} is {off_px:.0f} px from the middle of the image. Check whether the image is cropped or of another size.</source>
+      <translation>{lens:word}: Die Mitte liegt {off_px:.0f} px neben der Bildmitte. Prüfen Sie, ob das Bild beschnitten ist oder eine andere Größe hat.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {lens:word} distorts the image's corners beyond recognition. Show the board in the corners too, or use a lens that is not a fisheye.</source>
+      <translation>{lens:word}: Die Bildecken sind bis zur Unkenntlichkeit verzerrt. Zeigen Sie die Tafel auch in den Ecken, oder verwenden Sie ein Objektiv, das kein Fischauge ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Hold the board where the images are empty: {regions:word}.</source>
+      <translation>Halten Sie die Tafel dorthin, wo die Bilder leer sind: {regions:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Tilt the board by 30 degrees: to the left, right, towards you and away.</source>
+      <translation>Neigen Sie die Tafel um 30 Grad: nach links, nach rechts, zu sich hin und von sich weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Hold the board closer, then farther away.</source>
+      <translation>Halten Sie die Tafel näher, dann weiter weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Show a few more views, each different from the others.</source>
+      <translation>Zeigen Sie noch einige Ansichten, jede anders als die anderen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a stereo calibration: the file of a ZED ends in .conf, that of OpenCV in .yml.</source>
+      <translation>{path} ist keine Stereo-Kalibrierung: die Datei einer ZED endet auf .conf, die von OpenCV auf .yml.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not usable. {why}</source>
+      <translation>{path} ist nicht brauchbar. {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a calibration that OpenCV can read.</source>
+      <translation>{path} ist keine Kalibrierung, die OpenCV lesen kann.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There are only {usable} usable views; at least {needed} are required.</source>
+      <translation>Es gibt nur {usable} brauchbare Ansichten; mindestens {needed} sind nötig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The views do not fit any camera. Check the board's kind and its numbers of squares.</source>
+      <translation>Die Ansichten passen zu keiner Kamera. Prüfen Sie die Art der Tafel und die Zahlen ihrer Felder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not contain {key} ({names:or}).</source>
+      <translation>{path} enthält {key} nicht ({names:or}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: R is not a rotation.</source>
+      <translation>{path}: R ist keine Drehung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains a value that is not a matrix.</source>
+      <translation>{path} enthält einen Wert, der keine Matrix ist.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: {key} must be {shape} finite numbers.</source>
+      <translation>{path}: {key} muss aus {shape} endlichen Zahlen bestehen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: the {side:word} camera has {count} distortion coefficients; only k1 k2 p1 p2 k3 are supported.</source>
+      <translation>{path}: Die Kamera {side:word} hat {count} Verzeichnungskoeffizienten; unterstützt werden nur k1 k2 p1 p2 k3.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stereo calibration has a baseline of {baseline_mm:.1f} mm: left and right are swapped, or this is not a stereo pair.</source>
+      <translation>Die Stereo-Kalibrierung hat eine Basis von {baseline_mm:.1f} mm: links und rechts sind vertauscht, oder dies ist kein Stereopaar.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The two rectified cameras must share one matrix P[:, :3].</source>
       <translation>Die beiden rektifizierten Kameras müssen eine Matrix P[:, :3] teilen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/arm/stream.py" />
-      <source>That is no command for an arm: {}.</source>
-      <translation>Das ist kein Befehl für einen Arm: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>A board is {kinds:or}, not "{kind}".</source>
+      <translation>Eine Tafel ist {kinds:or}, nicht „{kind}“.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/arm/stream.py" />
-      <source>A robot is at host:port, not {}.</source>
-      <translation>Ein Roboter ist unter host:port, nicht {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>A board has {least} to {most} squares in each direction, not {columns} by {rows}.</source>
+      <translation>Eine Tafel hat {least} bis {most} Felder je Richtung, nicht {columns} mal {rows}.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/swarm/vehicles.py" />
-      <source>Vehicles are at host:port, such as 127.0.0.1:14550, not {}.</source>
-      <translation>Fahrzeuge sind unter host:port, etwa 127.0.0.1:14550, nicht {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>A square of {square_mm:g} mm is not plausible. Measure one on the paper.</source>
+      <translation>Ein Feld von {square_mm:g} mm ist nicht plausibel. Messen Sie eines auf dem Papier.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} is no mesh that can be read: .obj or .stl.</source>
-      <translation>{} ist kein lesbares Netz: .obj oder .stl.</translation>
+      <location filename="glovetrack.notices" />
+      <source>A chessboard of {columns} by {rows} squares looks the same upside down. One number must be even and the other odd.</source>
+      <translation>Ein Schachbrett von {columns} × {rows} Feldern sieht auf dem Kopf gleich aus. Eine Zahl muss gerade sein, die andere ungerade.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} holds no mesh: it takes four triangles to enclose anything.</source>
-      <translation>{} enthält kein Netz: um etwas zu umschließen, braucht es vier Dreiecke.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Both images must show the same part of the board.</source>
+      <translation>Beide Bilder müssen denselben Teil der Tafel zeigen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} names points that it does not have, or that are nowhere.</source>
-      <translation>{} nennt Punkte, die es nicht hat oder die nirgends sind.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The {side:word} image is mirrored. Turn off the camera's mirror setting.</source>
+      <translation>Das Bild {side:word} ist gespiegelt. Schalten Sie die Spiegelung der Kamera ab.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>There is no mesh {}; a file is told with its ending.</source>
-      <translation>Es gibt kein Netz {}; eine Datei wird mit ihrer Endung genannt.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The board is not visible in the {side:word} image.</source>
+      <translation>Die Tafel ist im Bild {side:word} nicht zu sehen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} is no OBJ file: {}.</source>
-      <translation>{} ist keine OBJ-Datei: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The whole board is not visible.</source>
+      <translation>Die Tafel ist nicht ganz zu sehen.</translation>
     </message>
     <message>
-      <location filename="extensions/applications/touch/meshes.py" />
-      <source>{} is no STL file: {}.</source>
-      <translation>{} ist keine STL-Datei: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The whole board is not visible in the {side:word} image.</source>
+      <translation>Die Tafel ist im Bild {side:word} nicht ganz zu sehen.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/c3d.py" />
-      <source>{} could not be written as a whole: the disk may be full.</source>
-      <translation>{} konnte nicht ganz geschrieben werden: die Festplatte ist vielleicht voll.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The image is mirrored. Turn off the camera's mirror setting.</source>
+      <translation>Das Bild ist gespiegelt. Schalten Sie die Spiegelung der Kamera ab.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/film.py" />
-      <source>There is no ffmpeg with H.264 on this computer: the film is MPEG-4 part 2, which browsers and some players do not show.</source>
-      <translation>Auf diesem Rechner gibt es kein ffmpeg mit H.264: der Film ist MPEG-4 Teil 2, den Browser und manche Abspieler nicht zeigen.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The board is not visible.</source>
+      <translation>Die Tafel ist nicht zu sehen.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/film.py" />
-      <source>OpenCV on this computer cannot write {}.</source>
-      <translation>OpenCV kann auf diesem Rechner {} nicht schreiben.</translation>
+      <location filename="glovetrack.notices" />
+      <source>{missing} more new {missing:view is|views are} required.</source>
+      <translation>{missing} {missing:weitere neue Ansicht ist|weitere neue Ansichten sind} nötig.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/film.py" />
-      <source>{} could not be written by ffmpeg.</source>
-      <translation>{} konnte von ffmpeg nicht geschrieben werden.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Rows differ by {rms_px:.2f} px and sizes by {size_percent:.1f} %. Calibrate again with more, and more varied, views.</source>
+      <translation>Zeilen weichen um {rms_px:.2f} px und Größen um {size_percent:.1f} % ab. Kalibrieren Sie neu, mit mehr und verschiedeneren Ansichten.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/overlay.py" />
-      <source>{} holds no images of the tracked time.</source>
-      <translation>{} enthält keine Bilder der getrackten Zeit.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Rows differ by {rms_px:.2f} px and sizes by {size_percent:.1f} %. The calibration is usable; a new one would locate the hand more accurately.</source>
+      <translation>Zeilen weichen um {rms_px:.2f} px und Größen um {size_percent:.1f} % ab. Die Kalibrierung ist brauchbar; eine neue würde die Hand genauer orten.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/skeleton.py" />
-      <source>A bone was never seen with both its ends, so there is no skeleton.</source>
-      <translation>Ein Knochen wurde nie mit beiden Enden gesehen, also gibt es kein Skelett.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Rows agree to {rms_px:.2f} px and sizes to {size_percent:.2f} %.</source>
+      <translation>Zeilen stimmen auf {rms_px:.2f} px und Größen auf {size_percent:.2f} % überein.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/skeleton.py" />
-      <source>A skeleton needs the wrist; export all joints.</source>
-      <translation>Ein Skelett braucht das Handgelenk; alle Gelenke exportieren.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Corners are off by {rms_px:.2f} px. Calibrate again with more, and more varied, views.</source>
+      <translation>Die Ecken weichen um {rms_px:.2f} px ab. Kalibrieren Sie neu, mit mehr und verschiedeneren Ansichten.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/skeleton.py" />
-      <source>{} was never tracked, so there is no skeleton.</source>
-      <translation>{} wurde nie getrackt, also gibt es kein Skelett.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Corners are off by {rms_px:.2f} px. The calibration is usable; a new one would locate the hand more accurately.</source>
+      <translation>Die Ecken weichen um {rms_px:.2f} px ab. Die Kalibrierung ist brauchbar; eine neue würde die Hand genauer orten.</translation>
     </message>
     <message>
-      <location filename="extensions/interchange/urdf.py" />
-      <source>A URDF has right-handed axes; {} has left-handed ones.</source>
-      <translation>Eine URDF-Datei hat rechtshändige Achsen; {} hat linkshändige.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Corners are accurate to {rms_px:.2f} px.</source>
+      <translation>Die Ecken sind auf {rms_px:.2f} px genau.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/film.py" />
-      <source>Films need {}, which this computer has not; take the images as recorded.</source>
-      <translation>Filme brauchen {}, das dieser Rechner nicht hat; die Bilder nehmen, wie sie aufgenommen sind.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Damaged messages in {file} were ignored: {topics:list}.</source>
+      <translation>Beschädigte Nachrichten in {file} wurden ignoriert: {topics:list}.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/film.py" />
-      <source>{} could not be made by {}: {}.</source>
-      <translation>{} konnte von {} nicht erzeugt werden: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not describe the robot {robot}.</source>
+      <translation>{path} beschreibt den Roboter {robot} nicht.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/images.py" />
-      <source>The images of camera {} are not all of one size: a data set wants that. Export it with --images none.</source>
-      <translation>Die Bilder der Kamera {} sind nicht alle gleich groß: ein Datensatz verlangt das. Mit --images none exportieren.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The session's robot description is not JSON.</source>
+      <translation>Die Roboterbeschreibung der Sitzung ist kein JSON.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/images.py" />
-      <source>{} has a part without images of camera {}.</source>
-      <translation>{} hat einen Teil ohne Bilder der Kamera {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The session's robot description is not a JSON object.</source>
+      <translation>Die Roboterbeschreibung der Sitzung ist kein JSON-Objekt.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>Move the hand.</source>
-      <translation>Die Hand bewegen.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The tracking state in the recording is damaged.</source>
+      <translation>Der Tracking-Zustand in der Aufnahme ist beschädigt.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>There is no episode: parts between notes need two frames at least.</source>
-      <translation>Es gibt keine Episode: Teile zwischen Notizen brauchen mindestens zwei Zeitschritte.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The tracking state in the recording is of another version.</source>
+      <translation>Der Tracking-Zustand in der Aufnahme ist von einer anderen Version.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>LeRobot counts whole frames a second; {} Hz is none.</source>
-      <translation>LeRobot zählt ganze Zeitschritte je Sekunde; {} Hz ist kein solcher Wert.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The tracking state in the recording is damaged: {why}.</source>
+      <translation>Der Tracking-Zustand in der Aufnahme ist beschädigt: {why}.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/plan.py" />
-      <source>{} has images of camera {} that are no JPEG or PNG.</source>
-      <translation>{} hat Bilder der Kamera {}, die weder JPEG noch PNG sind.</translation>
+      <location filename="glovetrack.notices" />
+      <source>There is no estimate between {start_s:g} s and {end_s:g} s.</source>
+      <translation>Zwischen {start_s:g} s und {end_s:g} s gibt es keine Schätzung.</translation>
     </message>
     <message>
-      <location filename="extensions/lerobot/stats.py" />
+      <location filename="glovetrack.notices" />
+      <source>There is no keypoint or joint "{name}" in this session.</source>
+      <translation>In dieser Sitzung gibt es weder Punkt noch Gelenk „{name}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no estimates. Track it first.</source>
+      <translation>{path} enthält keine Schätzungen. Tracken Sie die Sitzung zuerst.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no session in {path}.</source>
+      <translation>In {path} ist keine Sitzung.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An image of {camera} is damaged.</source>
+      <translation>Ein Bild von {camera} ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An image of {camera} is neither JPEG nor PNG.</source>
+      <translation>Ein Bild von {camera} ist weder JPEG noch PNG.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An image of {camera} claims a size of {width} by {height} pixels.</source>
+      <translation>Ein Bild von {camera} gibt eine Größe von {width} × {height} Bildpunkten an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A session has at most {most} types of messages.</source>
+      <translation>Eine Sitzung hat höchstens {most} Nachrichtentypen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A session has at most {most} channels.</source>
+      <translation>Eine Sitzung hat höchstens {most} Kanäle.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an MCAP file: its header is damaged.</source>
+      <translation>{path} ist keine MCAP-Datei: ihr Kopf ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be read in order: its chunks all overlap.</source>
+      <translation>{path} lässt sich nicht der Reihe nach lesen: alle Stücke überlappen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an MCAP file.</source>
+      <translation>{path} ist keine MCAP-Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains a record of {size_bytes} bytes: it is damaged.</source>
+      <translation>{path} enthält einen Eintrag von {size_bytes} Bytes: sie ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no IMU samples.</source>
+      <translation>{path} enthält keine Messwerte von IMUs.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no {part} of at most {limit_bytes} bytes.</source>
+      <translation>{path} enthält kein {part} von höchstens {limit_bytes} Bytes.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no {part}: it was not recorded by Glovetrack, or only in part.</source>
+      <translation>{path} enthält kein {part}: es wurde nicht von Glovetrack aufgenommen, oder nur zum Teil.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} has an impossible start time: its wall_clock_ns, its monotonic_ns or its first log time is out of range.</source>
+      <translation>{path} hat eine unmögliche Startzeit: wall_clock_ns, monotonic_ns oder die erste Log-Zeit liegt außerhalb des Bereichs.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is for the {side:word} hand.</source>
+      <translation>{path} gilt für die Hand {side:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} does not describe a stereo camera. Missing: {missing:list}.</source>
+      <translation>{path} beschreibt keine Stereokamera. Es fehlt: {missing:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains nothing that can be recovered.</source>
+      <translation>{path} enthält nichts, was sich retten lässt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>An instant is outside the years 1901 to 2038, which ROS 2 can represent.</source>
+      <translation>Ein Zeitpunkt liegt außerhalb der Jahre 1901 bis 2038, die ROS 2 darstellen kann.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The start state of this recording does not match the engine {engine} with this hand and glove, so it cannot be tracked again. ({where})</source>
+      <translation>Der Anfangszustand dieser Aufnahme passt nicht zum Verfahren {engine} mit dieser Hand und diesem Handschuh; sie kann nicht erneut getrackt werden. ({where})</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{count} on {topic}</source>
+      <translation>{count} auf {topic}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>others on {count} more {count:topic|topics}</source>
+      <translation>weitere auf {count} {count:anderen Thema|anderen Themen}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Recordings are aligned by {known:or}, not by "{method}".</source>
+      <translation>Aufnahmen werden nach {known:or} ausgerichtet, nicht nach {method}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>According to their clocks the recordings were not made at the same time.</source>
+      <translation>Nach ihren Uhren wurden die Aufnahmen nicht zur selben Zeit gemacht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recordings do not share {needed_s:g} s of movement.</source>
+      <translation>Die Aufnahmen haben keine {needed_s:g} s Bewegung gemeinsam.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The movements do not match (correlation {correlation:.2f}).</source>
+      <translation>Die Bewegungen passen nicht zueinander (Korrelation {correlation:.2f}).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The movements match at more than one offset (correlations {correlation:.2f} and {elsewhere:.2f}): they are too regular.</source>
+      <translation>Die Bewegungen passen an mehr als einer Stelle (Korrelationen {correlation:.2f} und {elsewhere:.2f}): sie wiederholen sich zu gleichmäßig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A recording contains too little movement to be aligned by it.</source>
+      <translation>Eine Aufnahme enthält zu wenig Bewegung, um danach auszurichten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recordings have neither IMUs nor tracked angles in common.</source>
+      <translation>Die Aufnahmen haben weder IMUs noch getrackte Winkel gemeinsam.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not an alignment of two recordings.</source>
+      <translation>{path} ist keine Ausrichtung zweier Aufnahmen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{first} and {second} have no hand in common.</source>
+      <translation>{first} und {second} haben keine gemeinsame Hand.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{first} and {second} do not overlap in time.</source>
+      <translation>{first} und {second} überschneiden sich zeitlich nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has schema "{schema}", not {expected}.</source>
+      <translation>{file} hat Schema {schema}, nicht {expected}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a record of edits: {why}.</source>
+      <translation>{file} ist kein Protokoll von Bearbeitungen: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} lists {fills} filled gaps; at most {most} are read.</source>
+      <translation>{file} enthält {fills} gefüllte Lücken; höchstens {most} werden gelesen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Recording started.</source>
+      <translation>Aufnahme gestartet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording is complete.</source>
+      <translation>Die Aufnahme ist vollständig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording has ended: {why}</source>
+      <translation>Die Aufnahme wurde beendet: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording could not be completed: {why}</source>
+      <translation>Die Aufnahme konnte nicht abgeschlossen werden: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} already exists. A recording never overwrites a file.</source>
+      <translation>{path} gibt es schon. Eine Aufnahme überschreibt nie eine Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recorder's process {why}.{there} You can start another recording.</source>
+      <translation>Der Aufnahmeprozess {why}.{there} Sie können eine neue Aufnahme starten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Only {free_gb:.1f} GB are left on the disk of {folder}.</source>
+      <translation>Auf der Festplatte von {folder} sind nur noch {free_gb:.1f} GB frei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The disk of {folder} is nearly full ({left} left), so recording has stopped. What was recorded is safe. Free some space.</source>
+      <translation>Die Festplatte von {folder} ist fast voll ({left} frei), deshalb wurde die Aufnahme beendet. Was aufgenommen wurde, ist sicher. Geben Sie Speicherplatz frei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The disk of {folder} is nearly full ({left} left), so recording is not possible. Free some space.</source>
+      <translation>Die Festplatte von {folder} ist fast voll ({left} frei), deshalb ist keine Aufnahme möglich. Geben Sie Speicherplatz frei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The recording {path} has already ended.</source>
+      <translation>Die Aufnahme {path} ist bereits beendet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Images can be {known:or}, not "{value}".</source>
+      <translation>Bilder können {known:or} sein, nicht {value}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Compression can be {known:or}, not "{value}".</source>
+      <translation>Die Kompression kann {known:or} sein, nicht {value}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The JPEG quality is {quality}; it must be 1 to 100.</source>
+      <translation>Die JPEG-Qualität ist {quality}; sie muss zwischen 1 und 100 liegen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{format} is a data set of many sessions. Give more than one session, or choose another format.</source>
+      <translation>{format} ist ein Datensatz aus vielen Sitzungen. Geben Sie mehr als eine Sitzung an, oder wählen Sie ein anderes Format.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{format} contains one session; {others:list} can contain several.</source>
+      <translation>{format} enthält eine Sitzung; {others:list} kann mehrere enthalten.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The format {format} cannot be used: {why}.{install}</source>
+      <translation>Das Format {format} kann nicht verwendet werden: {why}.{install}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The format {format} does not support {options:list}.</source>
+      <translation>Das Format {format} unterstützt {options:list} nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A session requires its {parts:list}. Leave out participant and notes by name.</source>
+      <translation>Eine Sitzung braucht {parts:list}. Lassen Sie Person und Notizen mit Namen weg.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A rate of {rate_hz:g} Hz is not between {least_hz:g} and {most_hz:g} Hz.</source>
+      <translation>Eine Rate von {rate_hz:g} Hz liegt nicht zwischen {least_hz:g} und {most_hz:g} Hz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Images are every one or every n-th, not every {every}.</source>
+      <translation>Bilder sind jedes oder jedes n-te, nicht jedes {every}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Views can be {known:or}, not "{value}".</source>
+      <translation>Ansichten können {known:or} sein, nicht {value}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Axes can be {known:or}, not "{value}".</source>
+      <translation>Achsen können {known:or} sein, nicht {value}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Joints are either openxr or names of Glovetrack, not both.</source>
+      <translation>Gelenke sind entweder openxr oder Namen von Glovetrack, nicht beides.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Units can be {known:or}, not "{value}".</source>
+      <translation>Einheiten können {known:or} sein, nicht {value}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{estimates} estimates over {seconds:.0f} s would be {rows} rows at {rate_hz:g} Hz. Export a part of them.</source>
+      <translation>{estimates} Schätzungen über {seconds:.0f} s wären {rows} Zeilen bei {rate_hz:g} Hz. Exportieren Sie einen Teil davon.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Parquet requires Arrow. Install glovetrack[parquet].</source>
+      <translation>Parquet braucht Arrow. Installieren Sie glovetrack[parquet].</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} could not be written completely. The disk may be full.</source>
+      <translation>{file} konnte nicht vollständig geschrieben werden. Die Festplatte ist möglicherweise voll.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no "{name}" among the {kind:word}. Available: {known:list}; or enter the path of a file.</source>
+      <translation>„{name}“ gibt es nicht ({kind:word}). Vorhanden: {known:list}; oder geben Sie den Pfad einer Datei an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not valid TOML: {why}.</source>
+      <translation>{file} ist kein gültiges TOML: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not valid TOML: it is nested too deeply.</source>
+      <translation>{file} ist kein gültiges TOML: Es ist zu tief verschachtelt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is larger than {limit_bytes} bytes, so it is not a configuration file.</source>
+      <translation>{file} ist größer als {limit_bytes} Bytes, also keine Konfigurationsdatei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not valid TOML: a text in line {line} is not closed.</source>
+      <translation>{file} ist kein gültiges TOML: Ein Text in Zeile {line} ist nicht geschlossen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}, line {line}: {key} {why}.</source>
+      <translation>{file}, Zeile {line}: {key} {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a UTF-8 text file.</source>
+      <translation>{file} ist keine UTF-8-Textdatei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>settings: {key} {why}.</source>
+      <translation>Einstellungen: {key} {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}: streams must be a table.</source>
+      <translation>{file}: streams muss eine Tabelle sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}: streams.{key} {why}.</source>
+      <translation>{file}: streams.{key} {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be written: {why:word}.</source>
+      <translation>{path} kann nicht geschrieben werden: {why:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a regular file.</source>
+      <translation>{path} ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is larger than {limit_bytes} bytes, so it is not {what:word}.</source>
+      <translation>{path} ist größer als {limit_bytes} Bytes, also nicht {what:word}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is an input. Choose another name for the output.</source>
+      <translation>{path} ist eine Eingabe. Wählen Sie für die Ausgabe einen anderen Namen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} already exists and is {what:word}. Choose another name.</source>
+      <translation>{path} gibt es schon und ist {what:word}. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} already exists. Choose another name, or use --force to replace it.</source>
+      <translation>{path} gibt es schon. Wählen Sie einen anderen Namen, oder ersetzen Sie sie mit --force.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The folder {folder} is not empty. Choose another one, or use --force to replace files in it.</source>
+      <translation>Der Ordner {folder} ist nicht leer. Wählen Sie einen anderen, oder ersetzen Sie Dateien darin mit --force.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} already exists. Choose another name.</source>
+      <translation>{path} gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} cannot be read: {why}.</source>
+      <translation>{path} kann nicht gelesen werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no file {path}.</source>
+      <translation>Es gibt keine Datei {path}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no {kind} "{name}". Available: {known:list}.</source>
+      <translation>{kind} „{name}“ gibt es nicht. Vorhanden: {known:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {kind} {name} cannot be loaded: {why}</source>
+      <translation>{kind} {name} kann nicht geladen werden: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {kind} {name} cannot be loaded: {entry} is not a {expected}.</source>
+      <translation>{kind} {name} kann nicht geladen werden: {entry} ist kein {expected}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{what} requires a package that is not installed ({why}).{install}</source>
+      <translation>{what} braucht ein Paket, das nicht installiert ist ({why}).{install}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>"{value}" is not a port for the {kind} {what}: ports are 1 to 65535.</source>
+      <translation>„{value}“ ist kein Port für {kind} ({what}): Ports sind 1 bis 65535.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {kind} {what} has no port: clients find it by its name.</source>
+      <translation>{kind} {what} hat keinen Port: Programme finden es über seinen Namen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {what} stream cannot go to {host}:{port}: {why}.</source>
+      <translation>Der Stream {what} kann nicht an {host}:{port} gehen: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {what} stream cannot go to {host}:{port}: ports are 1 to 65535.</source>
+      <translation>Der Stream {what} kann nicht an {host}:{port} gehen: Ports sind 1 bis 65535.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Joints can be {known:or}, not "{value}".</source>
+      <translation>Gelenke können {known:or} sein, nicht {value}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {kind} stream made {made} publishers for {hands} hands.</source>
+      <translation>Der Stream {kind} hat {made} Sender für {hands} Hände erstellt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The {kind} server cannot start at {host}:{port}: {why}.</source>
+      <translation>Der Server {kind} kann an {host}:{port} nicht starten: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: switch it on and start tracking, then test it.</source>
+      <translation>{stream}: Schalten Sie ihn ein und starten Sie das Tracking; testen Sie ihn dann.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: received by {count} connected programs.</source>
+      <translation>{stream}: von {count} verbundenen Programmen empfangen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: no program is connected.</source>
+      <translation>{stream}: Kein Programm ist verbunden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: {size} bytes were sent and refused (port unreachable). No program receives at this address.</source>
+      <translation>{stream}: {size} Bytes wurden gesendet und abgewiesen (Port nicht erreichbar). Unter dieser Adresse empfängt kein Programm.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: {size} bytes were sent and not refused. UDP sends no answer, so whether a program received them is unknown.</source>
+      <translation>{stream}: {size} Bytes wurden gesendet und nicht abgewiesen. UDP sendet keine Antwort; ob ein Programm sie empfangen hat, ist daher unbekannt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: nothing has been sent yet, because no hand is tracked.</source>
+      <translation>{stream}: Es wurde noch nichts gesendet, weil keine Hand verfolgt wird.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: {count} messages were sent. The protocol does not report whether a program received them.</source>
+      <translation>{stream}: {count} Nachrichten wurden gesendet. Das Protokoll meldet nicht, ob ein Programm sie empfangen hat.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stream {stream} fails: {why}.</source>
+      <translation>Der Stream {stream} ist gestört: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stream {stream} works again.</source>
+      <translation>Der Stream {stream} funktioniert wieder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Remote control by {kind} cannot start at {host}:{port}: {why}.</source>
+      <translation>Die Fernsteuerung über {kind} kann an {host}:{port} nicht starten: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The window did not respond, so nothing was done.</source>
+      <translation>Das Fenster hat nicht geantwortet, es geschah also nichts.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The system has less than {needed_mb:.0f} MB of shared memory left, which is required to pass images between processes. Close other programs.</source>
+      <translation>Das System hat weniger als {needed_mb:.0f} MB gemeinsamen Speicher frei, der zum Übergeben von Bildern zwischen Prozessen nötig ist. Schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A request has at most {most} bytes.</source>
+      <translation>Eine Anfrage hat höchstens {most} Bytes.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A request is JSON or plain text, in UTF-8.</source>
+      <translation>Eine Anfrage ist JSON oder Klartext in UTF-8.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The field do must be {known:or}.</source>
+      <translation>Das Feld do muss {known:or} sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{do} has no field "{field}".</source>
+      <translation>{do} hat kein Feld „{field}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The field text must be a text.</source>
+      <translation>Das Feld text muss ein Text sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A note requires a text.</source>
+      <translation>Eine Notiz braucht einen Text.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A note has at most {most} characters.</source>
+      <translation>Eine Notiz hat höchstens {most} Zeichen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>finger must be {fingers:or}.</source>
+      <translation>finger muss {fingers:or} sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{do} requires a finger: {fingers:or}.</source>
+      <translation>{do} braucht einen Finger: {fingers:or}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{field} must be an integer from {least} to {most}.</source>
+      <translation>{field} muss eine ganze Zahl von {least} bis {most} sein.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>strength is a number from 0 (no contact) to 1.</source>
+      <translation>strength ist eine Zahl von 0 (kein Kontakt) bis 1.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>object is a name of at most {most} characters.</source>
+      <translation>object ist ein Name von höchstens {most} Zeichen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>id is an integer or a text of at most {most} characters.</source>
+      <translation>id ist eine ganze Zahl oder ein Text von höchstens {most} Zeichen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>At most {rate_hz:.0f} requests per second are accepted.</source>
+      <translation>Es werden höchstens {rate_hz:.0f} Anfragen pro Sekunde angenommen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The window is loaded: too many requests are waiting. Try again later.</source>
+      <translation>Das Fenster ist ausgelastet: Zu viele Anfragen warten. Versuchen Sie es später erneut.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>That is not a command for an arm: {why}.</source>
+      <translation>Das ist kein Befehl für einen Arm: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A robot is at host:port, not "{address}".</source>
+      <translation>Ein Roboter ist unter host:port, nicht „{address}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The application {application} requires a package that is not installed ({why}).{install}</source>
+      <translation>Die Anwendung {application} braucht ein Paket, das nicht installiert ist ({why}).{install}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Vehicles are at host:port, such as 127.0.0.1:14550, not "{address}".</source>
+      <translation>Fahrzeuge sind unter host:port, etwa 127.0.0.1:14550, nicht „{address}“.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>There is no mesh "{name}". For a file, include its extension.</source>
+      <translation>Es gibt kein Netz „{name}“. Geben Sie bei einer Datei die Endung an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} is not a mesh that can be read: .obj or .stl.</source>
+      <translation>{path} ist kein lesbares Netz: .obj oder .stl.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} is not an OBJ file: {why}.</source>
+      <translation>{name} ist keine OBJ-Datei: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} is not an STL file: {why}.</source>
+      <translation>{name} ist keine STL-Datei: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} does not contain a mesh: a closed one has at least four triangles.</source>
+      <translation>{name} enthält kein Netz: Ein geschlossenes hat mindestens vier Dreiecke.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{name} refers to points that it does not have, or that are not finite.</source>
+      <translation>{name} verweist auf Punkte, die es nicht hat oder die nicht endlich sind.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>ffmpeg could not write {file}: {why}</source>
+      <translation>ffmpeg konnte {file} nicht schreiben: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>OpenCV cannot write {file} on this computer.</source>
+      <translation>OpenCV kann {file} auf diesem Rechner nicht schreiben.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>ffmpeg could not write {file}.</source>
+      <translation>ffmpeg konnte {file} nicht schreiben.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path} contains no images of the tracked time.</source>
+      <translation>{path} enthält keine Bilder aus der getrackten Zeit.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No skeleton: both ends of a bone are never known at the same time.</source>
+      <translation>Kein Skelett: Nie sind beide Enden eines Knochens zugleich bekannt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A skeleton requires the wrist. Export all joints.</source>
+      <translation>Ein Skelett braucht das Handgelenk. Exportieren Sie alle Gelenke.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No skeleton: {keypoint:word} was never tracked.</source>
+      <translation>Kein Skelett: {keypoint:word} wurde nie getrackt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>URDF requires right-handed axes; {axes} is left-handed.</source>
+      <translation>URDF braucht rechtshändige Achsen; {axes} ist linkshändig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>Videos require {program}, which is not installed. Keep the images as recorded.</source>
+      <translation>Videos brauchen {program}, das nicht installiert ist. Behalten Sie die Bilder, wie sie aufgenommen wurden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{program} could not write {path}: {why}.</source>
+      <translation>{program} konnte {path} nicht schreiben: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The images of camera {camera} differ in size, which a data set does not allow. Export it with --images none.</source>
+      <translation>Die Bilder der Kamera {camera} sind verschieden groß, was ein Datensatz nicht zulässt. Exportieren Sie ihn mit --images none.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>A part of {path} has no images of camera {camera}.</source>
+      <translation>Ein Teil von {path} hat keine Bilder der Kamera {camera}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No episodes: parts between notes require at least two frames.</source>
+      <translation>Keine Episoden: Teile zwischen Notizen brauchen mindestens zwei Bilder.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>LeRobot requires an integer rate, not {rate_hz:g} Hz.</source>
+      <translation>LeRobot braucht eine ganzzahlige Rate, nicht {rate_hz:g} Hz.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The images of camera {camera} in {path} are not JPEG or PNG.</source>
+      <translation>Die Bilder der Kamera {camera} in {path} sind weder JPEG noch PNG.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>An image is damaged.</source>
       <translation>Ein Bild ist beschädigt.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/anatomy.py" />
-      <source>The robot hand's fingers are not found: their bodies are to be named thumb (or th), index (ff), middle (mf), ring (rf) and little (lf).</source>
-      <translation>Die Finger der Roboterhand wurden nicht gefunden: ihre Körper sollen thumb (oder th), index (ff), middle (mf), ring (rf) und little (lf) heißen.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand {file} is larger than {limit_bytes} bytes.</source>
+      <translation>Die Roboterhand {file} ist größer als {limit_bytes} Byte.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/anatomy.py" />
-      <source>The robot hand's fingers have no palm in common.</source>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand {file} cannot be used: {why}</source>
+      <translation>Die Roboterhand {file} kann nicht verwendet werden: {why}</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand cannot be mirrored: it has {what}.</source>
+      <translation>Die Roboterhand lässt sich nicht spiegeln: sie hat {what}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand's fingers were not found. Name their bodies thumb (or th), index (ff), middle (mf), ring (rf) and little (lf).</source>
+      <translation>Die Finger der Roboterhand wurden nicht gefunden. Nennen Sie ihre Körper thumb (oder th), index (ff), middle (mf), ring (rf) und little (lf).</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand's fingers do not share a palm.</source>
       <translation>Die Finger der Roboterhand haben keine gemeinsame Handfläche.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/anatomy.py" />
-      <source>The robot hand's {} has no tip: a site named tip, or a geom.</source>
-      <translation>{} der Roboterhand hat keine Spitze: eine site namens tip oder ein geom.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand's {finger:word} has no tip. Add a site named tip to its last body.</source>
+      <translation>Der Finger ({finger:word}) der Roboterhand hat keine Spitze. Fügen Sie seinem letzten Körper eine Site namens tip hinzu.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/command.py" />
-      <source>A robot is asked {}, not {}.</source>
-      <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Unknown robot command "{command}". Use {known:or}.</source>
+      <translation>Unbekannter Roboterbefehl „{command}“. Verwenden Sie {known:or}.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/hand.py" />
-      <source>The robot hand {} is larger than {} bytes.</source>
-      <translation>Die Roboterhand {} ist größer als {} Byte.</translation>
+      <location filename="glovetrack.notices" />
+      <source>A robot hand requires MuJoCo, which is not installed. Run: {install}</source>
+      <translation>Eine Roboterhand braucht MuJoCo, das nicht installiert ist. Führen Sie aus: {install}</translation>
     </message>
     <message>
-      <location filename="extensions/robot/library.py" />
-      <source>There is no robot hand {}: it is {} or a file of MJCF.</source>
-      <translation>Es gibt keine Roboterhand {}: es ist {} oder eine MJCF-Datei.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The robot hand {name} is not installed. Run: {install}</source>
+      <translation>Die Roboterhand {name} ist nicht installiert. Führen Sie aus: {install}</translation>
     </message>
     <message>
-      <location filename="extensions/robot/mirror.py" />
-      <source>The robot hand cannot be mirrored: it has {}.</source>
-      <translation>Die Roboterhand lässt sich nicht spiegeln: sie hat {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Robot hand "{name}" not found. Use {known:or} or the path of an MJCF file.</source>
+      <translation>Roboterhand „{name}“ nicht gefunden. Verwenden Sie {known:or} oder den Pfad einer MJCF-Datei.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/process.py" />
-      <source>The recorded robot is another one than its model says.</source>
-      <translation>Der aufgenommene Roboter ist ein anderer, als sein Modell sagt.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Add a cube to the objects: pick and place requires one.</source>
+      <translation>Fügen Sie den Objekten einen Würfel hinzu: Greifen und Ablegen braucht einen.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/process.py" />
-      <source>The robot's process has ended.</source>
-      <translation>Der Prozess des Roboters ist zu Ende.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The side must be right or left, not "{side}".</source>
+      <translation>Die Seite muss rechts oder links sein, nicht „{side}“.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>A hand is right or left, not {}.</source>
-      <translation>Eine Hand ist rechts oder links, nicht {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The clutch must be {known:or}, not "{clutch}".</source>
+      <translation>Die Kupplung muss {known:or} sein, nicht „{clutch}“.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>The clutch is {}, not {}.</source>
-      <translation>Die Kupplung ist {}, nicht {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Unknown object "{value}". Use {known:or}.</source>
+      <translation>Unbekanntes Objekt „{value}“. Verwenden Sie {known:or}.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>Objects are {}, not {}.</source>
-      <translation>Gegenstände sind {}, nicht {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The motion scale must be 0.1 to 10, the reach scale 0.5 to 2.</source>
+      <translation>Die Bewegungsskala muss 0,1 bis 10 sein, die Reichweitenskala 0,5 bis 2.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.</source>
-      <translation>Die Bewegung wird mit 0.1 bis 10 skaliert, die Reichweite mit 0.5 bis 2.</translation>
+      <location filename="glovetrack.notices" />
+      <source>Robot speeds must be greater than zero.</source>
+      <translation>Robotergeschwindigkeiten müssen größer als null sein.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>A robot's speeds are greater than zero.</source>
-      <translation>Die Geschwindigkeiten eines Roboters sind größer als null.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The session's robot settings are damaged.</source>
+      <translation>Die Robotereinstellungen der Sitzung sind beschädigt.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/settings.py" />
-      <source>What the session says of its robot is damaged.</source>
-      <translation>Was die Sitzung über ihren Roboter sagt, ist beschädigt.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The recording was made with another robot: {why}.</source>
+      <translation>Die Aufnahme wurde mit einem anderen Roboter gemacht: {why}.</translation>
     </message>
     <message>
-      <location filename="extensions/robot/teleop.py" />
-      <source>The recorded robot is another one: {}.</source>
-      <translation>Der aufgenommene Roboter ist ein anderer: {}.</translation>
+      <location filename="glovetrack.notices" />
+      <source>The recorded robot does not match its model.</source>
+      <translation>Der aufgezeichnete Roboter passt nicht zu seinem Modell.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The robot's process has ended. Start the robot again.</source>
+      <translation>Der Prozess des Roboters ist beendet. Starten Sie den Roboter neu.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: received. VMT {version} responds.</source>
+      <translation>{stream}: empfangen. VMT {version} antwortet.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: lines were sent, and the terminal has room for more.</source>
+      <translation>{stream}: Zeilen wurden gesendet, und das Terminal kann weitere aufnehmen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{stream}: no program reads the terminal. Open it as a serial port.</source>
+      <translation>{stream}: Kein Programm liest das Terminal. Öffnen Sie es als seriellen Anschluss.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>left lens</source>
+      <translation>linkes Objektiv</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>right lens</source>
+      <translation>rechtes Objektiv</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>lens</source>
+      <translation>Objektiv</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>top left</source>
+      <translation>oben links</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>top</source>
+      <translation>oben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>top right</source>
+      <translation>oben rechts</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the middle</source>
+      <translation>die Mitte</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>bottom left</source>
+      <translation>unten links</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>bottom</source>
+      <translation>unten</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>bottom right</source>
+      <translation>unten rechts</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>still</source>
+      <translation>unbewegt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>silent</source>
+      <translation>schweigt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>unclear</source>
+      <translation>unklar</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>elsewhere</source>
+      <translation>an anderer Stelle</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>turned</source>
+      <translation>verdreht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>hands</source>
+      <translation>Hände</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>gloves</source>
+      <translation>Handschuhe</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>colours</source>
+      <translation>Farben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a configuration file</source>
+      <translation>eine Konfigurationsdatei</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a mesh that can be read</source>
+      <translation>ein lesbares Netz</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a folder</source>
+      <translation>ein Ordner</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a device, not a file</source>
+      <translation>ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the disk is full</source>
+      <translation>die Festplatte ist voll</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the disk quota is used up</source>
+      <translation>das Kontingent ist aufgebraucht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the disk allows no file this large</source>
+      <translation>das Dateisystem erlaubt keine so große Datei</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>you may not write there</source>
+      <translation>Sie dürfen dort nicht schreiben</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the disk can only be read</source>
+      <translation>der Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the disk failed or was taken away</source>
+      <translation>der Datenträger ist ausgefallen oder wurde entfernt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the disk was taken away</source>
+      <translation>der Datenträger wurde entfernt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the network disk is disconnected</source>
+      <translation>das Netzlaufwerk ist getrennt</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the folder does not exist</source>
+      <translation>der Ordner existiert nicht</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>the name is too long</source>
+      <translation>der Name ist zu lang</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a file of that name exists already</source>
+      <translation>eine Datei dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>a folder of that name exists already</source>
+      <translation>einen Ordner dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{} or {}</source>
+      <translation>{} oder {}</translation>
     </message>
   </context>
 </TS>

@@ -36,12 +36,15 @@ def catalogue(code: str) -> dict[str, str]:
 
 
 def fields(text: str) -> Counter[tuple[str, str | None, str | None]]:
-    """What str.format will put in: which value, with which format; counted where unnamed."""
+    """What formatting inserts: which value, in which format; unnamed ones are counted.
+
+    The words of a plural, ``{count:gap|gaps}``, belong to the language.
+    """
     found: Counter[tuple[str, str | None, str | None]] = Counter()
     for _text, name, spec, conversion in string.Formatter().parse(text):
         if name is not None:
             unnamed = sum(n for (key, _, _), n in found.items() if key.isdigit())
-            found[name or str(unnamed), spec, conversion] += 1
+            found[name or str(unnamed), "|" if "|" in (spec or "") else spec, conversion] += 1
     return found
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
     ByteStack,
@@ -73,8 +74,9 @@ def hue_table(profile: ColourProfile) -> HueTable:
     """The classes of a profile's hues; takes 50 ms."""
     if len(profile.hues) > MAX_HUES:
         raise ConfigError(
-            f"The colour profile {profile.name!r} has {len(profile.hues)} hues; "
-            f"at most {MAX_HUES} can be distinguished."
+            notice(
+                "colours.too_many_hues", profile=profile.name, hues=len(profile.hues), most=MAX_HUES
+            )
         )
     cells = np.empty(CELLS**3, np.uint16)
     patterns = np.empty((len(profile.hues) + 1 + len(cells)) * CELL_COLOURS, np.int8)

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.messages import BlobFrame, CameraPose
 from tracker.vision.rig import Camera, StereoRig
 
@@ -22,9 +23,9 @@ def check_lenses(lenses: str, rig: StereoRig | None = None) -> None:
     """Raises ConfigError for a word that is none of `LENSES`, and for the right camera where there
     is only one."""
     if lenses not in LENSES:
-        raise ConfigError(f"lenses is {lenses!r}; it may be {', '.join(LENSES)}.")
+        raise ConfigError(notice("camera.lenses", lenses=lenses, known=LENSES))
     if lenses == "right" and rig is not None and rig.one_camera:
-        raise ConfigError("There is only one camera, which counts as the left one.")
+        raise ConfigError(notice("camera.one_is_left"))
 
 
 def through(frame: BlobFrame, lenses: str) -> BlobFrame:

@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 
 from tracker.base.errors import ConfigError
+from tracker.base.notices import notice
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose
@@ -83,12 +84,9 @@ class StereoRig:
 
     def __post_init__(self) -> None:
         if self.baseline <= 1e-4:
-            raise ConfigError(
-                f"The stereo calibration has a baseline of {self.baseline * 1000:.1f} mm: "
-                "left and right are swapped, or this is no stereo pair."
-            )
+            raise ConfigError(notice("stereo.baseline_negative", baseline_mm=self.baseline * 1000))
         if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
-            raise ConfigError("The two rectified cameras must share one matrix P[:, :3].")
+            raise ConfigError(notice("stereo.matrices_differ"))
 
     @property
     def sides(self) -> tuple[str, ...]:

@@ -47,7 +47,7 @@ WORDS = (
     "the disk can only be read",
     "the disk failed or was taken away",
     "the disk was taken away",
-    "the network disk is gone",
+    "the network disk is disconnected",
     "the folder does not exist",
     "the name is too long",
     "a file of that name exists already",
