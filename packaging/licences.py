@@ -66,8 +66,8 @@ def licence_of(distribution: Distribution, known: dict[str, str]) -> str:
         if c.startswith("License :: ") and not c.endswith("OSI Approved")
     ]
     short = "" if "\n" in field else field
-    told = data.get("License-Expression") or short or " AND ".join(classifiers)
-    return told or known.get(data["Name"], "")
+    found = data.get("License-Expression") or short or " AND ".join(classifiers)
+    return found or known.get(data["Name"], "")
 
 
 def sources(work: Path) -> set[Path]:
@@ -108,8 +108,8 @@ def libraries(bundle: Path, known: dict[str, str]) -> Iterator[Part]:
             continue
         keys = [k for k in known if path.name.startswith(k)]
         licence = known[max(keys, key=len)] if keys else ""
-        told = FFMPEG.search(path.read_bytes())
-        yield Part(path.name, "", told[1].decode() if told else licence)
+        found = FFMPEG.search(path.read_bytes())
+        yield Part(path.name, "", found[1].decode() if found else licence)
 
 
 def refused(parts: Iterable[Part]) -> list[str]:

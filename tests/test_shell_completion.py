@@ -123,5 +123,5 @@ def test_a_log_file_has_messages_from_info_on_and_replaces_nothing(
     assert logged(capsys.readouterr().err) == ["warning"]
     assert main(["verify", str(session), "--log-file", str(log)]) == 1
     assert logged(log.read_text()) == ["info", "warning"]
-    assert "run.log exists already" in capsys.readouterr().err
+    assert "run.log already exists" in capsys.readouterr().err
     assert before == (logging.getLogger().handlers, logging.getLogger().level)

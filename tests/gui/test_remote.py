@@ -269,7 +269,7 @@ def test_the_windows_own_socket_takes_requests_and_still_takes_sessions(window, 
         answer = json.loads(said_to(qtbot, name, {"remote": {"do": "start"}}))
         assert answer["file"] == str(window.host.recording.request.path)
         wrong = json.loads(said_to(qtbot, name, {"remote": {"do": "explode"}}))
-        assert not wrong["ok"] and "can be asked" in wrong["error"]
+        assert not wrong["ok"] and "must be start" in wrong["error"]
         assert said_to(qtbot, name, {"open": ""}) == b"taken\n"
         assert ask({"do": "status"}, name + "x") is None
     finally:

@@ -44,7 +44,7 @@ def test_every_convention_is_what_its_words_say(tracked) -> None:
     ways = {"forward": (1, 0, 0), "backward": (-1, 0, 0), "left": (0, 1, 0), "right": (0, -1, 0)}
     ways |= {"up": (0, 0, 1)}
     for axes in AXES.values():
-        parts = axes.words.split(", ")
+        parts = axes.description.split(", ")
         for row, part in zip(axes.rows, parts[:3], strict=True):
             assert np.array_equal(row, ways[part.split()[1]])
         assert axes.left_handed == ("left-handed" in parts)

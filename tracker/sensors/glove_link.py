@@ -119,7 +119,7 @@ class GloveLink:
         self._imu_ok = (1 << imu_count) - 1
         self._ranges: Ranges | None = None
         self._at_rest = RangeFromRest()
-        self._heard: int | None = None  # seq of the last samples since START
+        self._last_seq: int | None = None  # seq of the last samples since START
         self._before: int | None = None  # the same at a HELLO that may be a late answer
         self._was_gone = False  # and its return is not yet reported
         self._packet_clock = self._new_clock()
@@ -228,7 +228,7 @@ class GloveLink:
     def _greet(self, now: float) -> None:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
         self.hello, self._ranges, self._at_rest = None, None, RangeFromRest()
-        self._heard = self._before = None
+        self._last_seq = self._before = None
         self._events.topics -= {"range", "ranges", "rate"}
         self._packet_clock = self._new_clock()
         self._send(HelloRequest())
@@ -292,9 +292,9 @@ class GloveLink:
         """A HELLO after samples means a restart, unless it is a late answer to HELLO?."""
         if self._is_stranger(hello.glove_id, now):
             return
-        if self._heard is not None and self.state != LinkState.GREETING:
+        if self._last_seq is not None and self.state != LinkState.GREETING:
             if now - self._began < ANSWER_WITHIN:
-                self._before = self._heard  # the next packet's number tells
+                self._before = self._last_seq  # the next packet's number tells
             else:
                 self._restarted()
         self.hello = hello
@@ -332,7 +332,7 @@ class GloveLink:
         self._events.report(warning("glove.restarted"))
 
     def _begin(self, now: float) -> None:
-        self._packet_clock, self._heard, self._began = self._new_clock(), None, now
+        self._packet_clock, self._last_seq, self._began = self._new_clock(), None, now
         if self.hello is None or self.hello.rate_hz != self.params.rate_hz:
             self._send(Rate(self.params.rate_hz))
         self._send(Start())
@@ -351,7 +351,7 @@ class GloveLink:
             if now - self._since > LONG_SILENCE:
                 self._packet_clock = self._new_clock()
         if self.state != LinkState.GREETING:  # a glove that was never stopped is still to be asked
-            self.state, self._since, self._heard = LinkState.STREAMING, now, frame.seq
+            self.state, self._since, self._last_seq = LinkState.STREAMING, now, frame.seq
         before, self._before = self._before, None
         if before is not None and not 0 < (frame.seq - before) % 2**SEQ_BITS <= LOST_AT_MOST:
             self._restarted()

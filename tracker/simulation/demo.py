@@ -78,7 +78,7 @@ def build(spec: DemoSpec) -> Simulation:
     hand = parse_hand(spec.hand_text)
     glove = parse_glove(spec.glove_text, hand)
     if spec.motion:
-        motion: Motion = _told(spec, hand, glove)
+        motion: Motion = _motion_of(spec, hand, glove)
     else:
         own = RandomPostures(hand, spec.seed, duration=spec.duration, camera=spec.rig.pose)
         motion = AskedMotion(own, spec.seed)
@@ -122,7 +122,7 @@ def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
     return simulation.motion.asked if isinstance(simulation.motion, AskedMotion) else ()
 
 
-def _told(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
+def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
     """Imported when asked for: what these need brings all of scipy, and the demo starts first."""
     from tracker.simulation.recorded.load import load_motion
     from tracker.simulation.scripted import show

@@ -64,7 +64,7 @@ TFMessage_ = struct("tf2_msgs", "TFMessage_", transforms=sequence[TransformStamp
 
 
 class Publisher:
-    """Writers for the topics of each side, made when the side is first heard of."""
+    """Writers for the topics of each side, made when the side first appears."""
 
     def __init__(self, domain: int) -> None:
         os.environ.setdefault("CYCLONEDDS_URI", LOOPBACK)

@@ -109,7 +109,7 @@ class ChainTracker:
 
     def image(self, frame: BlobFrame) -> FrameResult:
         # 1. A hand that is lost in full view is looked for as at the start.
-        begun = self._begin_anew(frame)
+        begun = self._restart(frame)
         if begun is not None:
             return begun
         # 2. Which blob is which marker: near the prediction, else anywhere.
@@ -178,7 +178,7 @@ class ChainTracker:
         self.filter.move(moved)
         return there
 
-    def _begin_anew(self, frame: BlobFrame) -> FrameResult | None:
+    def _restart(self, frame: BlobFrame) -> FrameResult | None:
         """Look for the lost hand as at the start: by now it may be turned and bent in any way.
 
         What is known of the wearer is kept, unless it is so long that it may be what is wrong.
