@@ -98,7 +98,7 @@ def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["--demo", "--stream", "ros"])
     assert ended.value.code == 2
-    assert "There is no stream 'ros'" in capsys.readouterr().err
+    assert 'no stream "ros"' in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("word", ["--remote", "--stream", "--wearer", "--headless-report"])
