@@ -39,6 +39,7 @@ NOT_WRITTEN = {
     *("--imu", "--joints", "--listen", "--live", "--motion", "--object", "--objects", "--photo"),
     *("--remote", "--remote-host", "--send", "--set", "--settings", "--stream", "--stream-host"),
     *("words", "--task", "--to", "--views", "--wearer", "--model", "--kinds", "--by", "--gaps"),
+    *("--folder", "--only"),
 }
 """Those that name what is read, devices, addresses, and other text."""
 
@@ -87,6 +88,7 @@ CASES: dict[str, Words] = {
     "import": lambda s, f: [s.table, "-o", f / "o.mcap", "--json", f / "j.json"],
     "info": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "gaps": lambda s, f: [s.tracked, "--json", f / "j.json"],
+    "doctor": lambda s, f: ["--only", "processor", "-o", f / "d.txt", "--json", f / "j.json"],
     "verify": lambda s, f: [s.tracked, "--json", f / "j.json"],
     "recover": lambda s, f: [s.tracked, "-o", f / "o.mcap", "--json", f / "j.json"],
     "report": lambda s, f: [s.tracked, "-o", f / "r.html", "--json", f / "j.json"],
@@ -131,6 +133,7 @@ CASES: dict[str, Words] = {
 }
 """Words of each command that writes, all its outputs in the folder ``f``."""
 ELSEWHERE = {("rig", "folder"), ("fill", "--out"), ("fill", "--json")}
+ELSEWHERE |= {("imu-noise", "--out"), ("imu-noise", "--json")}  # a minute at rest
 ELSEWHERE |= {(opens, "--out") for opens in ("window", "demo", "devices")}
 """Options whose tests are of their own, below."""
 

@@ -110,6 +110,14 @@ def test_the_command_writes_figures_curves_and_a_glove_file(
     assert names[0] in capsys.readouterr().out
     with_it = parse_glove(target.read_text(), hand)
     assert with_it.imus[2].noise.gyro == pytest.approx(3 * GYRO, rel=0.15)
+    for path in (out, table, target):  # none of them is overwritten
+        before = {p: p.read_bytes() for p in (out, table, target)}
+        for other in {out, table, target} - {path}:
+            other.unlink()
+        assert main(["imu-noise", *words, "--glove", str(glove_file), "--set", str(target)]) == 1
+        assert path.read_bytes() == before[path]
+        for other, data in before.items():
+            other.write_bytes(data)
 
 
 def test_a_glove_file_without_a_target_is_wrong_usage(session: Path, tmp_path: Path) -> None:

@@ -159,7 +159,7 @@ def test_what_waits_and_who_is_known_are_bounded() -> None:
 def test_nothing_is_open_and_the_command_line_opens_it() -> None:
     settings = ConnectionSettings()
     assert not any(map(settings.is_on, door_kinds()))
-    assert list(door_kinds()) == ["udp", "osc", "websocket", "lsl"]
+    assert list(door_kinds()) == ["udp", "osc", "websocket", "lsl", "vmt"]
     for name, kind in door_kinds().items():
         assert settings.options(kind).host == "127.0.0.1", name
     settings = with_doors(settings, "udp, WebSocket:9000", "0.0.0.0")

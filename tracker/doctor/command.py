@@ -22,7 +22,11 @@ PACKAGES = ("numpy", "opencv-python-headless", "pyserial", "numba", "PySide6-Ess
 
 def _add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "-o", metavar="REPORT", dest="out", type=Path, help="also write the report to a text file"
+        "-o",
+        "--out",
+        metavar="REPORT",
+        type=Path,
+        help="also write the report to a text file",
     )
     parser.add_argument(
         "--folder",
