@@ -47,17 +47,17 @@ OPENXR = Command[argparse.Namespace](
     "openxr", "register the OpenXR layer, and show which applications read the hand"
 )
 REGISTER = Command[argparse.Namespace](
-    "openxr.register",
+    "openxr register",
     "register the layer for this user",
     _register,
     description="Copies the layer into the user's data folder and adds it to the layers of the "
     "OpenXR loader. OpenXR applications that this user starts then have hand tracking.",
 )
 UNREGISTER = Command[argparse.Namespace](
-    "openxr.unregister", "remove the layer of this user", _unregister
+    "openxr unregister", "remove the layer of this user", _unregister
 )
 STATUS = Command[argparse.Namespace](
-    "openxr.status",
+    "openxr status",
     "show whether the layer is registered and which applications read the hand",
     _status,
     description="The exit status is 0 if the layer is registered.",

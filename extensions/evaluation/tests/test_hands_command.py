@@ -45,7 +45,7 @@ def test_a_pair_is_tracked_by_the_command(tmp_path: Path) -> None:
 
 def test_an_unknown_engine_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["evaluate", "hands", "--engine", "none"]) != 0
-    assert "There is no engine 'none'" in capsys.readouterr().err
+    assert 'There is no engine "none"' in capsys.readouterr().err
 
 
 class NobodyLeft:
