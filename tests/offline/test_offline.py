@@ -83,8 +83,8 @@ def test_images_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--engine", "magic"], "There is no engine 'magic'"),
-        (["--hand", "nobody"], "There is no 'nobody' among the hands"),
+        (["--engine", "magic"], 'There is no engine "magic"'),
+        (["--hand", "nobody"], 'There is no "nobody" among the hands'),
         (["--colours", "fabric-default"], "no images"),
     ],
 )

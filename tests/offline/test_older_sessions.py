@@ -130,7 +130,7 @@ def test_a_real_session_of_an_older_version_is_tracked(data_folder: Path, tmp_pa
     source = data_folder / "overload" / "session.mcap"
     report = track(source, tmp_path / "a.mcap")
     unused = {n.code: n.values for n in report.unused}
-    named = str(unused["track.settings_unused_more"]["settings"])
+    named = str(unused["track.settings_unused"]["settings"])
     assert "chain.constraint.thumb_abduction" in named and "track.state_unused" in unused
     assert report.estimates > 600 and report.error_mm["mean"] < 40
 
