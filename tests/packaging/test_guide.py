@@ -48,6 +48,7 @@ ELSEWHERE = {
             'fill tracked.mcap -o some.mcap --gaps gaps.json --by "A. Miller"',
         )
     },
+    "glovetrack pinches tracked.mcap": ("tests/packaging/test_examples.py", "pinches"),
     "sudo usermod -aG dialout $USER": ("packaging/debian_smoke.sh", "usermod -aG dialout"),
 }
 """Commands that need a minute, longer recordings, gaps or their own system, and who runs them."""
