@@ -57,7 +57,7 @@ class Worn:
 
     def tip(self, state: ChainState, k: int) -> Array:
         """(3,) m, of the digit ``k`` as it is shown."""
-        rows = self.shown.ends.driven_ends, self.shown.ends.own
+        rows = self.shown.confidence.ends.driven_ends, self.shown.confidence.ends.own
         return points(self, state, *rows)[0][k, 1]
 
 
@@ -106,7 +106,9 @@ def test_points_and_jacobians_are_those_of_the_distal_segments(
     state.P = root @ root.T
     own = Synergies(worn.own.value + rng.normal(0, 0.1, worn.own.value.shape), worn.own.P)
     worn.shown.trust(own, worn.distal.posture_sd)
-    p, J, C, _ = points(worn, state, worn.shown.ends.driven_ends, worn.shown.ends.own)
+    p, J, C, _ = points(
+        worn, state, worn.shown.confidence.ends.driven_ends, worn.shown.confidence.ends.own
+    )
     for k, digit in enumerate(worn.distal.digits):
         end = np.array([layout.hand.segments[digit.segment].length, 0, 0])
         plain = worn.distal.point(state, own, digit.name, end)
@@ -122,7 +124,7 @@ def test_a_thumb_bends_as_its_outline_does(
     layout: ChainLayout, rig: StereoRig, flat: ChainState
 ) -> None:
     worn = Worn(layout, rig)
-    before, sure = worn.tip(flat, 0), worn.shown.ends(flat)[len(layout.active)]
+    before, sure = worn.tip(flat, 0), worn.shown.confidence.ends(flat)[len(layout.active)]
     own = Synergies(worn.own.value.copy(), worn.own.P)
     own.value[0, OFFSET] += BENT
     end = np.array([layout.hand.segments[worn.distal.digits[0].segment].length, 0, 0])
@@ -133,7 +135,7 @@ def test_a_thumb_bends_as_its_outline_does(
     off = np.linalg.norm(worn.tip(flat, 0) - true)
     assert np.linalg.norm(before - true) > 0.009  # 20° of 29 mm
     assert off < 0.004
-    assert worn.shown.ends(flat)[len(layout.active)] < 0.75 * sure
+    assert worn.shown.confidence.ends(flat)[len(layout.active)] < 0.75 * sure
 
 
 def test_what_was_seen_fades(layout: ChainLayout, rig: StereoRig, flat: ChainState) -> None:
