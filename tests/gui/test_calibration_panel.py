@@ -199,7 +199,7 @@ def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):
     path = WearerStore(store.path.parent / "wearers").path("Anna")
     path.write_bytes(b"damaged")
     panel.profiles.wear("Anna")
-    assert "Anna.toml is no profile of a wearer" in panel.window().banner.text()
+    assert "Anna.toml is not a profile of a wearer" in panel.window().banner.text()
     assert panel.wearer.name == ""
 
 

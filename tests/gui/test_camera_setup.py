@@ -298,7 +298,7 @@ def test_what_arrives_is_seen_in_the_dialog_and_no_longer_when_it_ends(window, d
     qtbot.waitUntil(lambda: left._image is not None, timeout=10_000)
     assert (left._array == frame.left).all() and (right._array == frame.right).all()
     height, width = frame.left.shape[:2]
-    assert dialog.arriving.text().startswith(f"Arriving: {width} by {height} px")
+    assert dialog.arriving.text().startswith(f"Receiving {width} × {height} px")
     assert dialog.arriving.text().endswith("(simulated camera)")
     window.host.end()
     qtbot.waitUntil(lambda: left._image is None, timeout=10_000)
