@@ -530,7 +530,7 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     room[100:200, 100:300] = (30, 180, 30)
     monkeypatch.setattr(colours.image.source, "image", lambda: room)
     colours.check_room()
-    assert "green: the room has this colour" in colours.ranges.words.text()
+    assert "green: the background has this colour" in colours.ranges.words.text()
     colours.start_again()
     said = colours.ranges.words.text()
     assert said.startswith(
@@ -559,7 +559,7 @@ def test_a_single_patch_is_told_as_one():
     profile = models()[2]
     found = [FoundHue(h, n, 0) for n, h in enumerate(profile.hues[:2], start=1)]
     said = fit_words(found, profile)
-    assert said.startswith("Fitted red (1 patch), yellow (2 patches). Kept green, blue:")
+    assert said.startswith("Fitted red (1 patch), yellow (2 patches). Not changed: green, blue")
 
 
 def test_fast_masks_are_those_of_the_profile():

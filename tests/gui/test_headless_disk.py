@@ -82,7 +82,7 @@ def test_a_disk_that_fills_up_during_the_report_is_an_error(
     printed = capsys.readouterr()
     assert printed.err.splitlines()[-1] == (
         f"{session} cannot be written: {why}. "
-        f"`glovetrack recover {session}` makes a whole file of what was recorded."
+        f"`glovetrack recover {session}` recovers what was recorded."
     )
     assert "Traceback" not in printed.err
     assert "session.csv" in printed.out
