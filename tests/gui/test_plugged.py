@@ -109,7 +109,7 @@ def test_a_recording_that_begins_while_a_file_is_being_opened_goes_on(live, qtbo
     live.host.open("Opening take.mcap", slow, keep=True)
     assert live.host.recording.begin(RecordingRequest(tmp_path / "now.mcap", "", ""))
     let.set()
-    qtbot.waitUntil(lambda: "Opening take.mcap: not now" in live.banner.text(), timeout=10_000)
+    qtbot.waitUntil(lambda: "take.mcap was not opened" in live.banner.text(), timeout=10_000)
     assert live.host.recording.request is not None
     assert live.host.setup is setup and live.host.running and not live.host.opening
     assert (built[0].engine.started, built[0].engine.stopped) == (0, 1)

@@ -11,7 +11,7 @@ import pytest
 
 from extensions.conformance.isaac.reader import read_records
 from extensions.conformance.run import read_take
-from extensions.movement.report.measure import tell_hands
+from extensions.movement.report.measure import measure_hands
 from tracker.cli import main
 from tracker.glove.mirror import OTHER
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
@@ -120,7 +120,7 @@ def test_a_format_of_one_hand_gives_a_file_for_each(tracked: Path, tmp_path: Pat
 
 
 def test_a_report_tells_of_each_hand(tracked: Path) -> None:
-    told = tell_hands(tracked)
+    told = measure_hands(tracked)
     assert [(one.side, one.name) for one in told] == [
         ("left", "tracked left"),
         ("right", "tracked right"),
