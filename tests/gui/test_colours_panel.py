@@ -534,7 +534,7 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     colours.start_again()
     said = colours.ranges.words.text()
     assert said.startswith(
-        "Restored the initial colours of this session.\n▲ green: the room has this"
+        "Restored the initial colours of this session.\n▲ green: the background has this"
     )
     assert room_shares(room, models()[2])["green"] == pytest.approx(
         100 * 200 / (720 * 1280), rel=0.1
