@@ -181,7 +181,7 @@ def _interval(table: TomlTable, key: str, top: int, wraps: bool = False) -> tupl
     if low % 1 or high % 1:
         raise table.fail(key, "must be two whole numbers")
     if not (0 <= low <= top and 0 <= high <= top):
-        raise table.fail(key, f"must lie between 0 and {top}")
+        raise table.fail(key, f"must be between 0 and {top}")
     if low > high and not wraps:
         raise table.fail(key, "must have the smaller number first")
     return int(low), int(high)
