@@ -74,10 +74,10 @@ def test_why_the_layer_cannot_be_registered_is_reported(
     panel: OpenXrPanel, registration, window: MainWindow
 ) -> None:
     registration.library.unlink()
-    told: list[str] = []
-    window.host.error.connect(told.append)
+    errors: list[str] = []
+    window.host.error.connect(errors.append)
     panel.register.click()
-    assert "not part of this installation" in told[0]
+    assert "not part of this installation" in errors[0]
 
 
 def test_the_placement_is_what_the_stream_sends(
