@@ -43,10 +43,10 @@ def run(*words: str | Path) -> None:
     assert main([str(w) for w in words]) == 0, words
 
 
-def identical(a: Path, b: Path) -> bool:
-    """Whether both files have the same estimates at the same instants, to the last bit."""
+def assert_identical(a: Path, b: Path) -> None:
+    """Both files have the same estimates at the same instants, to the last bit."""
     found = compare(a, b)
-    return bool(found["identical"])
+    assert found["identical"], found
 
 
 def sides(path: Path) -> tuple[str, ...]:
@@ -73,16 +73,16 @@ def test_a_recording_is_whole_and_tracked_again_bit_for_bit(
     again, third = tmp_path / "again.mcap", tmp_path / "third.mcap"
     run("track", recording, "-o", again, "--with-sensors")
     assert n_estimates(recording) > 20  # a loaded computer estimates the last seconds later
-    assert identical(recording, again)
+    assert_identical(recording, again)
     run("track", again, "-o", third)
-    assert identical(again, third)
+    assert_identical(again, third)
 
 
 def test_a_part_of_a_recording_is_tracked_again(recording: Path, tmp_path: Path) -> None:
     part = tmp_path / "part.mcap"
     run("crop", recording, "-o", part, *SPAN)
     run("track", part, "-o", tmp_path / "again.mcap")
-    assert identical(part, tmp_path / "again.mcap")
+    assert_identical(part, tmp_path / "again.mcap")
 
 
 def test_what_is_left_of_a_recording_is_tracked_again(recording: Path, tmp_path: Path) -> None:

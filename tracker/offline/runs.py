@@ -88,6 +88,8 @@ class Output:
         if isinstance(message, PackedFrame):
             self._recorder.write_packed(message)
             return
+        if isinstance(message, BlobFrame | ImuSample):
+            self._recorder.arrived(message.t_arrival)
         if isinstance(message, BlobFrame):
             self._frame(message)
         elif isinstance(message, Event) and guided_of(message) is None and not is_reset(message):

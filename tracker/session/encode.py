@@ -58,6 +58,20 @@ class ImageCoding:
     quality: int = 90
 
 
+class Arrivals:
+    """The latest arrival (ns since 1970) of what was fed to the engine.
+
+    An estimate is logged when what it follows from arrived, and not at its own instant: images may
+    arrive long after their exposure. So the order of a file is that of the run which wrote it.
+    """
+
+    def __init__(self) -> None:
+        self.last = 0
+
+    def add(self, log_time: int) -> None:
+        self.last = max(self.last, log_time)
+
+
 def status_name(info: SessionInfo, side: str) -> str:
     """Returns the name of a Status; that of the second hand in a session of both has its side."""
     return f"tracker_{side}" if info.others and side != MAIN else "tracker"
@@ -66,15 +80,22 @@ def status_name(info: SessionInfo, side: str) -> str:
 class Encoder:
     """Encodes messages; stores the last value of those of which only changes are written."""
 
-    def __init__(self, info: SessionInfo, images: ImageCoding, status: str = "tracker") -> None:
-        """``status``: the name under which a Status is written, see `status_name`."""
+    def __init__(
+        self,
+        info: SessionInfo,
+        images: ImageCoding,
+        status: str = "tracker",
+        arrivals: Arrivals | None = None,
+    ) -> None:
+        """``status``: the name under which a Status is written, see `status_name`; ``arrivals``:
+        those of all hands of the session."""
         self._coding, self._tracker = images, status
+        self._arrivals = arrivals or Arrivals()
         self._info, self._side, self._wall = info, info.side, info.anchor.wall
         self._segments = [f"{info.side}_{s}" for s in info.hand.segment_names]
         self._robots = RobotEncoder(self._wall)
         self._states: object = None
         self._pose_stamp = -1
-        self._last_imu = 0
 
     def encoded(self, message: Message) -> Iterator[Out]:
         """Of any message. A FrameResult follows from the rest, an EngineState is an attachment."""
@@ -103,7 +124,7 @@ class Encoder:
     def imu(self, m: ImuSample) -> Iterator[Out]:
         """Per IMU that answered one message, then the packet's times on both clocks."""
         stamp, log = self._wall(m.t), self._wall(m.t_arrival)
-        self._last_imu = max(self._last_imu, log)
+        self._arrivals.add(log)
         sequence = (m.seq + 1) % 2**32
         for i, name in enumerate(self._info.glove.imu_names):
             if m.valid[i]:
@@ -164,6 +185,7 @@ class Encoder:
 
     def blobs(self, m: BlobFrame) -> Iterator[Out]:
         stamp, log = self._wall(m.t), self._wall(m.t_arrival)
+        self._arrivals.add(log)
         yield from self.camera_pose(m.t, m.t_arrival, m.pose)
         for camera, found in (("left", m.left), ("right", m.right)):
             if found is None:
@@ -179,7 +201,7 @@ class Encoder:
     def estimate(self, m: Estimate) -> Iterator[Out]:
         """States if they changed, angles, segments, sd, and last the keypoints."""
         stamp = self._wall(m.t)
-        log = max(stamp, self._last_imu)
+        log = max(stamp, self._arrivals.last)
         yield from self._state_changes(m, stamp, log)
         yield self._joints(topics.hand(self._side, "joint_states"), m, stamp, log)
         yield self._segment_poses(m, stamp, log)
@@ -256,7 +278,7 @@ class Encoder:
             out.append(motion.Diagnostic(0, segment, "", values))
         data = motion.pack_diagnostics(stamp, out)
         topic = topics.hand(self._side, "calibration")
-        yield Out(topic, motion.DIAGNOSTICS, max(stamp, self._last_imu), stamp, data)
+        yield Out(topic, motion.DIAGNOSTICS, max(stamp, self._arrivals.last), stamp, data)
 
     def status(self, m: Status) -> Iterator[Out]:
         stamp = self._wall(m.t)

@@ -15,7 +15,7 @@ from tracker.base.notices import notice, warning
 from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
-from tracker.session.encode import Encoder, ImageCoding, Out, status_name
+from tracker.session.encode import Arrivals, Encoder, ImageCoding, Out, status_name
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
 from tracker.session.mcap.disk import automatic_path
@@ -88,8 +88,10 @@ class SessionRecorder:
             self._check_room()
         self._out: McapOutput | None = self._open()
         coding = ImageCoding(self.params.images, self.params.jpeg_quality)
+        self._arrivals = Arrivals()
         self._encoders = {
-            hand.side: Encoder(hand, coding, status_name(info, hand.side)) for hand in info.hands
+            hand.side: Encoder(hand, coding, status_name(info, hand.side), self._arrivals)
+            for hand in info.hands
         }
         self._encoder = self._encoders[info.side]
         self._next_check = info.anchor.wall_ns
@@ -151,6 +153,11 @@ class SessionRecorder:
         else:
             self._guarded(lambda out: self._put(out, self._of(side).encoded(message)))
         return True
+
+    def arrived(self, t: float) -> None:
+        """The measurement from which the next estimates follow arrived at ``t`` s, in a session
+        that does not contain it."""
+        self._arrivals.add(self.info.anchor.wall(t))
 
     def _of(self, side: str) -> Encoder:
         return self._encoders[side] if side else self._encoder

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 from tracker.base.errors import FileError
 from tracker.base.notices import notice
 from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
 from tracker.session.mcap.records import LIMIT
+from tracker.session.mcap.spans import Span
 
 _PER_MESSAGE = 400  # bytes in memory in addition to its data
 
@@ -48,13 +50,49 @@ def last_before(
     time: int,
     check: Callable[[RawMessage], None] = lambda raw: None,
 ) -> RawMessage | None:
-    """The latest message of a topic with log_time < ``time`` that ``check`` does not find damaged:
-    it raises one of `tracker.base.damage.DAMAGE`."""
+    """The latest message of a topic with log_time < ``time`` (ns), of equal ones the last in the
+    file, that ``check`` does not find damaged: it raises one of `tracker.base.damage.DAMAGE`."""
     wanted = frozenset([topic])
+    best: _Placed | None = None
     for span in source.spans_with(wanted, 0, time, back=True):
-        found = [m for m in source.messages_in(span, wanted) if m.log_time < time]
-        for message in sorted(found, key=lambda m: m.log_time, reverse=True):
-            with source.left_out.reading(topic, message.log_time):
-                check(message)
-                return message
+        best = _latest_in(source, span, wanted, time, check)
+        if best is not None:
+            break
+    if best is None:
+        return None
+    # Spans overlap: one that begins earlier may contain a later message.
+    for span in source.spans_with(wanted, best.place[0], time):
+        if span.end >= best.place[0]:
+            other = _latest_in(source, span, wanted, time, check, best.place)
+            best = other or best
+    return best.message
+
+
+class _Placed(NamedTuple):
+    """A message, and its log time (ns), span's offset and position in the span."""
+
+    place: tuple[int, int, int]
+    message: RawMessage
+
+
+def _latest_in(
+    source: McapInput,
+    span: Span,
+    wanted: frozenset[str],
+    time: int,
+    check: Callable[[RawMessage], None],
+    after: tuple[int, int, int] = (-1, 0, 0),
+) -> _Placed | None:
+    """The latest undamaged message of a span before ``time`` (ns); None if it is not ``after``."""
+    found = [
+        _Placed((m.log_time, span.offset, i), m)
+        for i, m in enumerate(source.messages_in(span, wanted))
+        if m.log_time < time
+    ]
+    for placed in sorted(found, key=lambda p: p.place, reverse=True):
+        if placed.place <= after:
+            return None
+        with source.left_out.reading(placed.message.topic, placed.message.log_time):
+            check(placed.message)
+            return placed
     return None
