@@ -1,0 +1,1 @@
+"""Reference recordings of a laboratory: import, time alignment, registration, accuracy."""
