@@ -1,1 +1,1 @@
-"""The filters: `chain` (ours) and what any engine shares (buffer, layout, update, start)."""
+"""The filters: `chain` (ours) and what all engines share (buffer, layout, update, start)."""

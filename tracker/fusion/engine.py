@@ -1,4 +1,4 @@
-"""What the pipeline asks of an engine: what each must do, and what only some can do."""
+"""The interface of an engine to the pipeline: mandatory and optional methods."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from tracker.messages import (
     IntArray,
 )
 
-COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
+COAST_DAMPING = 2.0  # 1/s: decay rate of a velocity that no marker confirms
 
 
 class ExpectedHand(NamedTuple):
-    """A hand at an image's instant as what was before it tells: the estimate, and its markers'
-    p_G (m, 3) m, their sd (m,) m and ids (m,)."""
+    """The hand predicted for an image's time from earlier data: the estimate, and its markers' p_G
+    (m, 3) m, their sd (m,) m and ids (m,)."""
 
     estimate: Estimate
     p_G: Array
@@ -32,26 +32,26 @@ class ExpectedHand(NamedTuple):
 class Engine(Protocol):
     """A synchronous tracker: the same messages in the same order give the same states.
 
-    An engine derives from this class. What only some can do is given a default here. What must be
-    known before an engine is made is in `tracker.engine.kinds.Capabilities`; an engine that learns
-    the wearer is also a `tracker.fusion.worn.LearnsWearer`.
+    Engines derive from this class, which has defaults for optional methods. What must be known
+    before an engine is created is in `tracker.engine.kinds.Capabilities`; an engine that learns the
+    wearer is also a `tracker.fusion.worn.LearnsWearer`.
     """
 
     @abstractmethod
     def feed_imu(self, sample: ImuSample) -> Estimate:
-        """Take a packet; the hand at the packet's instant."""
+        """Process a packet; returns the hand at the packet's time."""
 
     @abstractmethod
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen; processed once IMU data cover its exposure."""
+        """Queue an image; it is processed once IMU data cover its exposure."""
 
     @abstractmethod
     def take_results(self) -> list[FrameResult]:
-        """What was made of images since the last call, oldest first."""
+        """The results of the images since the last call, oldest first."""
 
     @abstractmethod
     def predict(self, t: float) -> Estimate:
-        """The hand at any instant near now. Moves nothing."""
+        """The hand at any time close to the present. Changes nothing."""
 
     @abstractmethod
     def calibration(self) -> Calibration:
@@ -59,31 +59,31 @@ class Engine(Protocol):
 
     @abstractmethod
     def get_state(self) -> Any:
-        """Everything that changes, independent of the engine."""
+        """The complete state, independent of the engine."""
 
     @abstractmethod
     def set_state(self, state: Any) -> None:
-        """Go on from `get_state`."""
+        """Continue from a `get_state`."""
 
-    # ---- what only some engines can do
+    # ---- optional methods
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching, and
-        for an engine that does not follow images."""
+        """Predicted markers in G (n, 3), their sd (n,) m and ids (n,); None while searching, and
+        for an engine that does not use images for tracking."""
         return None
 
     def expected(self, t: float) -> ExpectedHand | None:
-        """The hand in an image of ``t`` that was not used yet; None while its place is unknown,
-        and for an engine that does not follow images."""
+        """The predicted hand in an image of ``t`` not processed yet; None while its position is
+        unknown, and for an engine that does not use images for tracking."""
         return None
 
     def reset_pose(self) -> Notice | None:
-        """Align joints with a flat hand that the wearer holds now. Reports what was done; None for
-        an engine that cannot do it."""
+        """Align the joints with a flat hand that the wearer holds now. Returns a notice of the
+        result; None for an engine without this function."""
         return None
 
     @property
     def heading_drift_sd(self) -> float:
-        """sd (rad) of the turn about the vertical while no image measures it; NaN for an engine
-        that does not estimate it, and while it is measured or nothing is known."""
+        """sd (rad) of the rotation about the vertical while no image measures it; NaN for an engine
+        that does not estimate it, and while it is measured or unknown."""
         return float("nan")

@@ -1,7 +1,7 @@
 """The hybrids of Lemak et al. 2020 for the real glove: vision for the dorsum, IMUs for the fingers.
 
-The dorsum's pose comes from its own markers and IMU through the chain filter; each finger's two
-joints come from that finger's two IMUs alone. No finger needs a marker.
+The dorsum's pose is estimated from its own markers and IMU by the chain filter; each finger's two
+joints are estimated from that finger's two IMUs alone. No finger needs a marker.
 """
 
 from __future__ import annotations
@@ -48,17 +48,17 @@ from tracker.messages import (
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
 from tracker.vision.rig import StereoRig
 
-GYRO_SD = 0.15  # rad/s an axis of a finger's rate: bias and mounting are not estimated
-ANGLE_SD = 0.15  # rad, of a finger's joint by its IMUs alone
-FINGER_SD = 0.01  # m of a finger's markers, by the finger's two IMUs alone
-MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
+GYRO_SD = 0.15  # rad/s per axis of a finger's rate: bias and mounting are not estimated
+ANGLE_SD = 0.15  # rad, of a finger's joint from its IMUs alone
+FINGER_SD = 0.01  # m of a finger's markers, from the finger's two IMUs alone
+MAX_REPEAT = 20  # lost packets bridged by repeating the last readings
 
 
 @record("hybrid.fingers", shapes={"joints": "3 3", "felt": "I"})
 @dataclass(eq=False)
 class FingersKept:
-    """What changes beside the estimators: joint rotations of each finger, and when (s) each IMU
-    answered last."""
+    """The state besides that of the estimators: joint rotations of each finger, and when (s) each
+    IMU was last valid."""
 
     joints: list[tuple[Array, Array]]
     felt: Array
@@ -68,7 +68,7 @@ class FingersKept:
 @record("hybrid", sized=True)
 @dataclass(eq=False)
 class HybridKept:
-    """All of a hybrid engine that changes."""
+    """The complete state of a hybrid engine."""
 
     dorsum: ChainKept
     estimators: list[FingerKept]
@@ -128,7 +128,7 @@ class HybridEngine(Engine):
         return self._moving(self._whole(dorsum, sample.t), dorsum, sample)
 
     def _moving(self, estimate: Estimate, dorsum: Estimate, sample: ImuSample) -> Estimate:
-        """The estimate with the dorsum's motion, and fingers that turn as their IMUs read."""
+        """The estimate with the dorsum's motion, and finger rates from their IMUs."""
         if dorsum.motion is None:
             return estimate
         lay, at = self._layout, self._hand.keypoint_names.index("wrist")
@@ -174,12 +174,12 @@ class HybridEngine(Engine):
             self._fingers.joints[k] = (joints.R_01, joints.R_12)
 
     def _packets_since(self, t: float) -> int:
-        """Packets that should have come since the last one; lost ones are bridged."""
+        """Number of packets due since the last one; lost ones are bridged."""
         gap = (t - self._fingers.last_t) * self._params.rate_hz
         return 1 if not np.isfinite(gap) else int(np.clip(round(gap), 1, MAX_REPEAT))
 
     def _readings(self, sample: ImuSample, rows: Sequence[int]) -> ImuPair:
-        """Both IMUs' readings in their segments' B; NaN where one does not answer."""
+        """Both IMUs' readings in their segments' B; NaN where one is invalid."""
         gyro, accel = np.full((2, 3), np.nan), np.full((2, 3), np.nan)
         for k, j in enumerate(rows):
             if sample.valid[j]:
@@ -188,7 +188,7 @@ class HybridEngine(Engine):
         return ImuPair(gyro, accel)
 
     def _whole(self, dorsum: Estimate, t: float) -> Estimate:
-        """The dorsum's pose with every finger's joints hung on it."""
+        """The dorsum's pose with the joints of all fingers attached."""
         lay, hand = self._layout, self._hand
         n = len(lay.active)
         R, p = np.empty((n, 3, 3)), np.empty((n, 3))
@@ -223,7 +223,7 @@ class HybridEngine(Engine):
         return [self._spread(r) for r in self._dorsum.take_results()]
 
     def _spread(self, result: FrameResult) -> FrameResult:
-        """Rows of the dorsum's markers put where the whole glove has them."""
+        """Maps rows of the dorsum's markers to those of the whole glove."""
         m = len(self._glove.markers)
 
         def wide(values: Any, empty: float) -> Any:
@@ -246,11 +246,12 @@ class HybridEngine(Engine):
         return self._whole(self._dorsum.predict(t), t)
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """None: finger markers of the same hues are there too, so no position is ruled out."""
+        """None: finger markers of the same hues exist too, so no position can be excluded."""
         return None
 
     def expected(self, t: float) -> ExpectedHand | None:
-        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
+        """The predicted hand in an image of ``t`` not processed yet; None while its position is
+        unknown."""
         dorsum = self._dorsum.expected(t)
         if dorsum is None:
             return None
@@ -264,13 +265,13 @@ class HybridEngine(Engine):
         return self._dorsum.calibration()
 
     def get_state(self) -> HybridKept:
-        """A copy of everything that changes."""
+        """A copy of the complete state."""
         estimators = [e.kept for e in self._estimators]
         ours = copy.deepcopy((estimators, self._fingers, self._health.kept))
         return HybridKept(self._dorsum.get_state(), *ours)
 
     def set_state(self, state: HybridKept) -> None:
-        """Go on from `get_state`."""
+        """Continue from a `get_state`."""
         self._dorsum.set_state(state.dorsum)
         ours = copy.deepcopy((state.estimators, state.fingers, state.health))
         estimators, self._fingers, health = ours
@@ -280,7 +281,7 @@ class HybridEngine(Engine):
 
 
 def _only(glove: GloveModel, segment: str) -> GloveModel:
-    """The part of a glove on one segment, markers renumbered."""
+    """The part of a glove on one segment, with markers renumbered."""
     markers = [m for m in glove.markers if m.segment == segment]
     return replace(
         glove,

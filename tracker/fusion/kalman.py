@@ -1,4 +1,4 @@
-"""The Kalman update shared by all engines, and products with rows that are mostly zero."""
+"""The Kalman update shared by all engines, and products with sparse rows."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ def update(P: Array, H: Array, r: Array, R: Array) -> tuple[Array, Array]:
 
 
 def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Array, Array]:
-    """As `update`, for a caller that has H P (m, N) and H P H^T (m, m) already."""
+    """As `update`, for a caller that already has H P (m, N) and H P H^T (m, m)."""
     out = P.copy()
     return correct(out, HP, HPH, r, R), out
 
 
 def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
-    """`update_with` in place: dx (N,) of a C-ordered P that becomes the new one."""
+    """`update_with` in place: dx (N,); the C-ordered P is overwritten with the new one."""
     # 1. U^T U = S
     U = _factor(HPH + R)
-    # 2. W and dx; transposes of ours are in the library's own order: nothing is copied on the way
+    # 2. W and dx; the transposes have LAPACK's memory order, so nothing is copied
     Wt = dtrsm(1.0, U, HP.T, side=1, lower=0)
     dx: Array = Wt @ dtrsm(1.0, U, r[:, None], lower=0, trans_a=1)[:, 0]
     # 3. one triangle of P - W^T W, and its mirror
@@ -42,7 +42,7 @@ def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
 
 @kernel(nogil=False)
 def _mirror(P: Written[Matrix]) -> None:
-    """Copy the lower triangle to the upper one, in tiles that stay in the cache."""
+    """Copy the lower triangle to the upper one, in tiles that fit the cache."""
     n, tile = len(P), 32
     for top in range(0, n, tile):
         for left in range(0, top + 1, tile):
@@ -52,10 +52,11 @@ def _mirror(P: Written[Matrix]) -> None:
 
 
 def _factor(S: Array) -> Array:
-    """Upper U with U^T U = S (m, m), of whose C order the lower triangle counts; S is used up.
+    """Upper U with U^T U = S (m, m), a C-ordered matrix of which the lower triangle is read and
+    overwritten.
 
-    LAPACK is called directly: at this size scipy's checks cost as much as the arithmetic. Raises
-    LinAlgError where S is not positive.
+    LAPACK is called directly: at this size scipy's checks take as long as the arithmetic. Raises
+    LinAlgError where S is not positive definite.
     """
     U, info = dpotrf(S.T, lower=0, clean=0, overwrite_a=1)
     if info != 0:
@@ -65,7 +66,7 @@ def _factor(S: Array) -> Array:
 
 @kernel
 def times(H: Matrix, P: Matrix) -> Matrix:
-    """H P of H (m, N), few entries a row, and P (N, k)."""
+    """H P for a sparse H (m, N) and P (N, k)."""
     out = np.zeros((len(H), P.shape[1]))
     for i in range(len(H)):
         for j in range(H.shape[1]):
@@ -96,7 +97,8 @@ def joined(
 ) -> tuple[Matrix, Matrix, Matrix, Vector, Matrix]:
     """H, H P, H P Hᵀ, r and R of two independent measurements.
 
-    H P of the first is known; R_1 (m, m), the second's noise ``variance`` (k,) on the diagonal.
+    H P of the first is given; R_1 (m, m) is its noise, and ``variance`` (k,) the diagonal noise of
+    the second.
     """
     m, k = len(r_1), len(r_2)
     H, HP = np.empty((m + k, len(P))), np.empty((m + k, len(P)))

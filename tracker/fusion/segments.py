@@ -1,4 +1,4 @@
-"""Which segments of a hand a filter estimates, and which of them its sensors are on.
+"""The segments of a hand that a filter estimates, and the segments that carry its sensors.
 
 Estimated ("active") segments are those with an IMU or a marker and all their ancestors.
 """
@@ -24,7 +24,7 @@ class EstimatedSegments:
 
     @cached_property
     def active(self) -> IntArray:
-        """(A,) rows of the hand's segments that are estimated, parents first."""
+        """(A,) rows of the hand's estimated segments, parents first."""
         wanted = {0}
         sensed = [*(i.segment for i in self.glove.imus), *(m.segment for m in self.glove.markers)]
         for name in sensed:
@@ -36,7 +36,7 @@ class EstimatedSegments:
 
     @cached_property
     def row_of(self) -> dict[int, int]:
-        """Hand row to active row."""
+        """Maps a hand row to its active row."""
         return {int(h): a for a, h in enumerate(self.active)}
 
     @cached_property

@@ -1,4 +1,4 @@
-"""An engine that learns the wearer: its profile from a file, and what it has learned to one."""
+"""The interface of an engine that learns the wearer: reading and writing its profile."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from tracker.fusion.chain.known import KnownWearer
 
 FLOOR = np.deg2rad(0.1)
-"""rad/s: what a hand laid on a table still turns, and the bias drifts until it is used."""
+"""rad/s: residual rotation of a hand resting on a table, and drift of the bias until it is used."""
 
 
 def with_gyro_bias(
     profile: WearerProfile, layout: ChainLayout, bias: Array, sd: Array
 ) -> WearerProfile:
-    """``profile`` with the biases (n, 3) rad/s and their deviations (n,) of each IMU; rows of NaN
-    leave an IMU as it was."""
+    """``profile`` with the biases (n, 3) rad/s and their standard deviations (n,) of each IMU; rows
+    of NaN leave an IMU unchanged."""
     known = np.flatnonzero(np.all(np.isfinite(bias), axis=1) & np.isfinite(sd))
     bg, P = profile.bg.copy(), profile.P.copy()
     for j in known:
@@ -42,9 +42,9 @@ def with_gyro_bias(
 
 @runtime_checkable
 class LearnsWearer(Protocol):
-    """An engine whose knowledge of the wearer is that of the filter `chain`.
+    """An engine that has the wearer calibration of the filter `chain`.
 
-    ``wearer`` takes guided poses and a user's commands.
+    ``wearer`` processes guided poses and a user's commands.
     """
 
     @property
@@ -52,15 +52,15 @@ class LearnsWearer(Protocol):
 
     @property
     def layout(self) -> ChainLayout:
-        """Which row is what in profiles."""
+        """The rows of profiles."""
 
     def calibration(self) -> Calibration: ...
 
     def profile(self) -> WearerProfile:
-        """What has been learned of the wearer."""
+        """The learned wearer profile."""
 
     def put_on(self, profile: WearerProfile) -> None:
-        """Take what is known of the wearer, now and at each new start."""
+        """Use a wearer profile, now and at each new start."""
 
 
 def learner_of(engine: Engine) -> LearnsWearer | None:
@@ -69,31 +69,31 @@ def learner_of(engine: Engine) -> LearnsWearer | None:
 
 
 def put_on(engine: Engine, profile: Path) -> None:
-    """Begin with what is known of the wearer. Raises ConfigError for an engine that takes no
-    profile, FileError for a file that is not one."""
+    """Start with a wearer profile. Raises ConfigError for an engine that does not use profiles,
+    FileError for an invalid file."""
     learner = _learner(engine)
     learner.put_on(read_wearer(profile, learner.layout).profile)
 
 
 def measure(engine: Engine, length: float) -> None:
-    """Begin with a hand that is ``length`` m long and average otherwise. Raises as `put_on`."""
+    """Start with a hand of ``length`` m, average otherwise. Raises as `put_on`."""
     learner = _learner(engine)
     learner.put_on(measured_profile(learner.layout, length))
 
 
 def keep(engine: Engine, profile: Path) -> None:
-    """Write what was learned of the wearer, and replace the file. Raises as `put_on`."""
+    """Write the learned profile to the file, replacing it. Raises as `put_on`."""
     write_wearer(profile, learned(_learner(engine)))
 
 
 def learned(learner: LearnsWearer) -> WearerFile:
-    """What is known of the wearer now."""
+    """The present profile of the wearer."""
     return WearerFile(learner.layout, learner.profile(), learner.calibration())
 
 
 def take_gyro_bias(engine: Engine, bias: Array, sd: Array) -> None:
-    """Use gyro biases (n, 3) rad/s, with sd (n,), that were measured at rest; no effect on an
-    engine that does not learn the wearer."""
+    """Use gyro biases (n, 3) rad/s, with sd (n,), measured at rest; no effect on an engine that
+    does not learn the wearer."""
     if (learner := learner_of(engine)) is not None:
         learner.put_on(with_gyro_bias(learner.profile(), learner.layout, bias, sd))
 

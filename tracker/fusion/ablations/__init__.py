@@ -1,1 +1,1 @@
-"""What is kept to be measured against."""
+"""Variants of the filters that serve as baselines in comparisons."""

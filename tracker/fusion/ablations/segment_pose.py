@@ -1,8 +1,9 @@
 """A segment's pose from its own stereo points alone, for loosely coupled filters.
 
-Points y_i in G of a segment whose markers stand at x_i in B, with mean x̄, tell the position c of x̄
-and the orientation R:  y_i = c + R Exp(δ) (x_i - x̄) + noise of covariance C_i. The weighted least
-squares of that begin at the unweighted optimum (Kabsch) and give the covariance of (c, δ).
+Points y_i in G of a segment with markers at x_i in B, with mean x̄, determine the position c of x̄
+and the orientation R:  y_i = c + R Exp(δ) (x_i - x̄) + noise of covariance C_i. The weighted
+least-squares solution starts at the unweighted optimum (Kabsch) and yields the covariance of
+(c, δ).
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from tracker.messages import Array, IntArray
 from tracker.vision.rig import StereoRig
 
 LEAST_POINTS = 3
-STEPS = 3  # of Gauss and Newton
-MOST_ROTATION_SD = 0.6  # rad: points nearly on one line tell no orientation
-MOST_MISFIT = 9.0  # squared residuals per degree of freedom: one of the points is another's
+STEPS = 3  # Gauss-Newton iterations
+MOST_ROTATION_SD = 0.6  # rad: nearly collinear points do not determine the orientation
+MOST_MISFIT = 9.0  # squared residuals per degree of freedom: one point is of another segment
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,8 +36,8 @@ class SegmentPose:
 def fit_pose(shape_B: Array, points_G: Array, cov: Array) -> SegmentPose | None:
     """Pose of points (k, 3) m with covariances (k, 3, 3) m² whose shape (k, 3) is known.
 
-    None where fewer than three points, points on a line, or points that do not fit the shape leave
-    it unknown.
+    None where there are fewer than three points, or the points are collinear or do not fit the
+    shape.
     """
     if len(shape_B) < LEAST_POINTS:
         return None
@@ -60,7 +61,7 @@ def fit_pose(shape_B: Array, points_G: Array, cov: Array) -> SegmentPose | None:
 
 
 def _kabsch(x: Array, points: Array) -> Array:
-    """Rotation (3, 3) that takes the centred x (k, 3) nearest to the points (k, 3)."""
+    """Rotation (3, 3) that aligns the centred x (k, 3) best with the points (k, 3)."""
     U, _, Vt = np.linalg.svd((points - points.mean(axis=0)).T @ x)
     proper = np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))])
     R: Array = U @ proper @ Vt
@@ -68,7 +69,7 @@ def _kabsch(x: Array, points: Array) -> Array:
 
 
 def by_segment(segment: IntArray) -> Iterator[tuple[int, IntArray]]:
-    """Each segment with at least three of the markers (k,) that are on ``segment`` (k,)."""
+    """Each segment with at least three of the markers (k,), whose segments are ``segment`` (k,)."""
     for s in np.unique(segment):
         rows = np.flatnonzero(segment == s)
         if len(rows) >= LEAST_POINTS:
@@ -78,9 +79,9 @@ def by_segment(segment: IntArray) -> Iterator[tuple[int, IntArray]]:
 def stereo_covariance(
     rig: StereoRig, p_C: Array, R_GC: Array, pixel_px: float, marker: float
 ) -> Array:
-    """Sigma_c (k, 3, 3) m² in G of triangulated points p_C (k, 3) with the marker's placement.
+    """Sigma_c (k, 3, 3) m² in G of triangulated points p_C (k, 3), including marker placement.
 
-    J diag(s², s²/2, 2 s²) J^T for (u_L, v, disparity), so depth is the least certain.
+    J diag(s², s²/2, 2 s²) J^T for (u_L, v, disparity), so depth is the least accurate.
     """
     s2, focal = pixel_px**2, rig.fx * rig.baseline
     x, y, z = p_C.T
@@ -94,6 +95,6 @@ def stereo_covariance(
 
 
 def softened(cov: Array, r: Array, HPH: Array, huber: float) -> Array:
-    """Noise (m, m) grown where the innovation (m,) is beyond ``huber`` standard deviations."""
+    """Noise (m, m), inflated where the innovation (m,) exceeds ``huber`` standard deviations."""
     distance = float(np.sqrt(r @ np.linalg.solve(HPH + cov, r) / len(r)))
     return cov * max(1.0, distance / huber) ** 2

@@ -1,9 +1,9 @@
-"""Poorer ways of fusing, kept to be measured against the usual ones (the papers' ablations).
+"""Simpler fusion variants for comparison with the default (the papers' ablations).
 
-``guide``: markers are looked for where the IMUs say that they are ("imu"), or where they were in
-the last image ("previous"), which movie S1 of Lee et al. 2021 shows to fail.
-``coupling``: every marker corrects the filter ("tight"), or a segment's markers first become a
-pose of the segment by vision alone, which then corrects it ("loose").
+``guide``: markers are searched for where the IMUs predict them ("imu"), or where they were in the
+previous image ("previous"), which fails in movie S1 of Lee et al. 2021. ``coupling``: every marker
+corrects the filter ("tight"), or the markers of a segment are first reduced to a segment pose by
+vision alone, which then corrects the filter ("loose").
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ COUPLINGS = ("tight", "loose")
 
 
 def check_variant(guide: str, coupling: str) -> None:
-    """Raises ConfigError for a word that means nothing."""
+    """Raises ConfigError for an unknown ``guide`` or ``coupling``."""
     for what, word, known in (("guide", guide, GUIDES), ("coupling", coupling, COUPLINGS)):
         if word not in known:
             raise ConfigError(f"The setting {what} can be {' or '.join(known)}, not {word!r}.")

@@ -1,4 +1,4 @@
-"""What of a hand was sensed lately, and how sure the filter is of it."""
+"""Which parts of a hand were sensed recently, and how certain the filter is of them."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from tracker.fusion.output.output import Sensed, sensed_lately
 from tracker.fusion.time.timeline import HAND_SPEED
 from tracker.messages import SEEN_LATELY, Array, CameraPose, ImuSample, IntArray, Tracking
 
-MEASURED_SD = 0.016  # m, beyond which nothing is called measured: three of them are 5 cm
-BIAS_LASTS = 2.0  # s for which an error of the gyro's bias stays about the vertical
-SILENT = 0.5  # s without any IMU after which images alone measure nothing
-RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
+MEASURED_SD = 0.016  # m, limit for the state MEASURED: three standard deviations are 5 cm
+BIAS_LASTS = 2.0  # s for which a gyro bias error stays aligned with the vertical
+SILENT = 0.5  # s without any IMU, after which the images alone do not count as a measurement
+RETURN_AFTER = 0.15  # s of lost packets after which a segment's orientation is uncertain
 
 
 @record(
@@ -45,25 +45,25 @@ RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 )
 @dataclass(eq=False)
 class ShownKept:
-    """What changes of a `HandConfidence`."""
+    """The part of a `HandConfidence` that changes."""
 
-    seen: Array  # (M,) s when each marker was seen last
-    felt: Array  # (n,) s when each IMU answered last
-    tip_sd: Array  # (A + d,) m of each active segment's end, then of each that these drive; or none
+    seen: Array  # (M,) s when each marker was last seen
+    felt: Array  # (n,) s when each IMU was last valid
+    tip_sd: Array  # (A + d,) m of each active segment's end, then of each driven one; or empty
     one_camera: bool = False  # started with one camera, and no marker was seen by both since
     doubted: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, bool))
-    """(A,) markers do not speak for where each segment is; none in what older versions kept"""
+    """(A,) markers do not support the segment's pose; empty in older recordings"""
     poor_since: Array = field(default_factory=lambda: np.zeros(0))
-    """(D,) s since when a digit's markers are not where they should be; as above"""
-    most_sd: float = MEASURED_SD  # m, beyond which nothing is called measured
-    heading_drift: float = 0.0  # rad by which the heading may be off since images held it
-    heading_at: float = np.inf  # s until when that was added up
-    p_GC: Array = field(default_factory=lambda: np.zeros(0))  # (3,) m of the one camera, lately
-    unsensed_until: float = -np.inf  # s until when no IMU sensed how the hand turned
+    """(D,) s since when a digit's markers are not where expected; empty in older recordings"""
+    most_sd: float = MEASURED_SD  # m, limit for the state MEASURED
+    heading_drift: float = 0.0  # rad by which the heading may have drifted since the last image
+    heading_at: float = np.inf  # s until when that was integrated
+    p_GC: Array = field(default_factory=lambda: np.zeros(0))  # (3,) m of the one camera
+    unsensed_until: float = -np.inf  # s until when no IMU measured the rotation of the hand
 
 
 class HandConfidence:
-    """For one hand with one glove. Packets and images go in, in order of time."""
+    """For one hand with one glove. Packets and images must arrive in order of time."""
 
     def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:
         self._layout = layout
@@ -78,7 +78,7 @@ class HandConfidence:
         )
 
     def restore(self, kept: ShownKept, state: ChainState) -> None:
-        """Go on from what was kept of ``state``, which is taken over; older versions kept less."""
+        """Restores the saved part, which is not copied; older versions saved less."""
         self.kept = kept
         if 0 < len(kept.tip_sd) < self._rows:
             self.kept.tip_sd = self.ends(state)
@@ -86,7 +86,7 @@ class HandConfidence:
     # ---- what was sensed
 
     def returned(self, sample: ImuSample) -> IntArray:
-        """(k,) IMUs that answer in ``sample`` after they were silent for long."""
+        """(k,) IMUs that are valid in ``sample`` after a long interruption."""
         felt = self.kept.felt
         if sample.t - felt.min(initial=np.inf) <= RETURN_AFTER:
             return np.zeros(0, np.int64)
@@ -94,30 +94,30 @@ class HandConfidence:
         return np.flatnonzero(away & np.isfinite(felt))
 
     def packet(self, sample: ImuSample) -> None:
-        """Which IMUs answered."""
+        """Records which IMUs are valid."""
         self.kept.felt[sample.valid] = sample.t
 
     def image(self, t: float, match: IntArray) -> None:
-        """Which markers an image showed; match (2, M), -1 for none."""
+        """Records which markers an image showed; match (2, M), -1 for none."""
         self.kept.seen[match.max(axis=0) >= 0] = t
 
     # ---- what is believed
 
     def started(self) -> None:
-        """Nothing has spoken for the pose but the search that found it."""
+        """After a start: only the search supports the pose."""
         self.kept.doubted = np.ones(len(self._layout.active), bool)
         self.kept.poor_since = np.full(int(self._digit.max(initial=-1)) + 1, -np.inf)
 
     def moved_unsensed(self, t: float) -> None:
-        """The root's IMU answers again at ``t``: no sensor knows how the hand turned meanwhile, and
-        its tilt takes gravity for motion until an image since then supports the pose."""
+        """The root's IMU is valid again at ``t``: the rotation meanwhile is unknown, and a tilt
+        error is mistaken for acceleration until a later image supports the pose."""
         if not len(self.kept.doubted):
             self.started()
         self.kept.doubted = np.ones(len(self._layout.active), bool)
         self.kept.unsensed_until = t
 
     def supported(self, t: float, seen: Evidence, sure: bool) -> None:
-        """An image supports the digits as ``seen`` tells; ``sure`` is the hand as a whole."""
+        """Updates the support of the digits by ``seen``; ``sure``: the whole hand is supported."""
         now = self.kept
         if not len(now.doubted):
             self.started()
@@ -133,7 +133,7 @@ class HandConfidence:
     # ---- what was sensed
 
     def sensed(self, t: float, tracking: Tracking) -> Sensed:
-        """What was sensed lately, as of ``t``."""
+        """What was sensed recently, as of ``t``."""
         lay, now = self._layout, self.kept
         segments = sensed_lately(
             now.felt, lay.imu_segment, now.seen, lay.marker_segment, len(lay.active), t, SEEN_LATELY
@@ -141,7 +141,7 @@ class HandConfidence:
         if len(now.doubted):
             segments[now.doubted] = 0
         if SILENT < t - now.felt.max(initial=-np.inf) < np.inf:
-            segments[:] = 0  # a glove that was there is not: a few blobs bend a hand as they like
+            segments[:] = 0  # without the glove, a few blobs constrain the posture too little
         return Sensed(segments, tracking)
 
     # ---- how sure
@@ -152,8 +152,8 @@ class HandConfidence:
         return self.kept.tip_sd if len(self.kept.tip_sd) else np.zeros(self._rows)
 
     def unsure(self, state: ChainState, pose: CameraPose, known_size_sd: float) -> None:
-        """Take how sure each segment's end is; one camera alone does not know the distance, but by
-        the hand's size, of which a share was unknown beforehand."""
+        """Updates the standard deviations of the segments' ends; one camera measures the distance
+        only through the hand's size, which is uncertain by the share ``known_size_sd``."""
         self.kept.tip_sd, self.kept.most_sd = self.ends(state), MEASURED_SD
         if self.kept.one_camera:
             self.kept.p_GC = pose.p_GC
@@ -163,21 +163,22 @@ class HandConfidence:
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
 
     def worn(self, state: ChainState) -> None:
-        """The size is another one now: one camera shows it at another distance."""
+        """The hand size has changed: with one camera, the distance changes with it."""
         if self.kept.one_camera and len(self.kept.p_GC):
             size_taken_for_granted(state, self._layout, self.kept.p_GC, MonoParams().distance_sd)
 
     def size_sd(self, known_size_sd: float) -> float:
-        """Share by which the hand's size is unsure beyond its state; 0 once both cameras saw it."""
+        """Relative uncertainty of the size not in the state's covariance; 0 once both cameras saw
+        it."""
         return size_unsure_by(known_size_sd) if self.kept.one_camera else 0.0
 
     def held(self, t: float) -> None:
-        """An image has shown how the hand is turned."""
+        """An image has corrected the heading."""
         self.kept.heading_drift, self.kept.heading_at = 0.0, t
 
     def drifted(self, state: ChainState) -> None:
-        """Nothing has shown the heading until the state's instant: what is not known of the root
-        gyro's bias about the vertical adds up (docs/chain.md, eq. 58)."""
+        """Without heading measurements up to the state's time: integrates the uncertainty of the
+        root gyro's bias about the vertical (docs/chain.md, eq. 58)."""
         now, j = self.kept, int(self._layout.imu_of[0])
         dt, now.heading_at = max(state.t - now.heading_at, 0.0), state.t
         if j < 0:
@@ -188,18 +189,18 @@ class HandConfidence:
         now.heading_drift = float(np.hypot(now.heading_drift, bias * np.sqrt(2 * BIAS_LASTS * dt)))
 
     def heading_sd(self, state: ChainState) -> float:
-        """rad, of how the hand is turned about the vertical."""
+        """rad, of the rotation about the vertical."""
         up, rows = state.R_GB[0][2], slice(6, 9)  # eq. 3: the error is in the segment's own axes
         return float(np.sqrt(up @ state.P[rows, rows] @ up + self.kept.heading_drift**2))
 
     def aged(self, state: ChainState) -> None:
-        """The filter has moved on without an image: take how sure it is now."""
+        """The filter has moved on without an image: update the standard deviations."""
         if not self.kept.one_camera:
             self.kept.tip_sd = self.ends(state)
 
     def doubt_variance(self, t: float) -> float:
-        """m² an axis that the covariance lacks while the whole hand is doubted: it holds only if
-        the blobs were of the markers that they were taken for (docs/chain.md, eq. 63)."""
+        """m² per axis to add to the covariance while the whole hand is doubted: the covariance is
+        valid only if the matches are correct (docs/chain.md, eq. 63)."""
         if not self.is_doubted:
             return 0.0
         since = t - self.kept.seen.max(initial=-np.inf)
@@ -208,5 +209,5 @@ class HandConfidence:
 
     @property
     def is_doubted(self) -> bool:
-        """Whether no segment is known to be where its markers are."""
+        """Whether the markers support none of the segments."""
         return bool(len(self.kept.doubted) and self.kept.doubted.all())

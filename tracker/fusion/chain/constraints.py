@@ -97,7 +97,7 @@ class Constraints:
     def rows(self, state: ChainState) -> tuple[Array, Array, Array]:
         """Stacked H (m, N), innovation r (m,), variances (m,).
 
-        A limit gives a row only where it is passed.
+        A limit contributes a row only where it is exceeded.
         """
         return _rows(self._blocks, self._joints, state.R_GB, self._axis_rows, self._flexion_rows)
 
@@ -128,7 +128,7 @@ def _put(
 def _put_flexion(
     h: Written[Vector], at: Blocks, joints: Joints, R_GB: Stack, child: int, gain: float
 ) -> None:
-    """Flexion turns about the child's own y (its twist being small; eq. 36)."""
+    """Adds derivatives; flexion turns about the child's own y (its twist being small; eq. 36)."""
     y = np.array([0.0, 1.0, 0.0])
     R = _relative(joints, R_GB, child)
     _put(h, at, joints, child, -rotate(joints.R_rest[child], rotate(R, y)), y, gain)
@@ -155,7 +155,7 @@ def _rows(
         c, s = flexions.child[k], flexions.source[k]
         low, high, ratio, offset = flexions.numbers[k]
         value = zyx3(_relative(joints, R_GB, c))[1]
-        # 2. limits, where they are passed (eq. 36)
+        # 2. limits, where they are exceeded (eq. 36)
         bound = min(max(value, low), high)
         if bound != value:
             _put_flexion(H[m], at, joints, R_GB, c, 1.0)

@@ -1,8 +1,9 @@
-"""Looking for a digit whose markers are not where it is: other postures tried on stereo points.
+"""Searches for a misplaced digit: tries other postures against the stereo points.
 
-A digit that starts wrong may stay wrong: its own markers lie outside its gates, its IMUs tell tilt
-and turning but no heading. Postures on a grid of its joints' angles vote as whole hands do in
-`start.search`; those that the accelerometers speak against count less.
+A digit with a wrong initial posture may not recover: its markers lie outside its gates, and its
+IMUs measure tilt and rotation but not heading. Postures on a grid of its joint angles are scored by
+voting, as whole hands are in `start.search`, with a penalty for those that contradict the
+accelerometers.
 """
 
 from __future__ import annotations
@@ -21,20 +22,20 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
 
-STEPS = {"flexion": 5, "abduction": 3, "twist": 1}  # of the grid, each joint axis
+STEPS = {"flexion": 5, "abduction": 3, "twist": 1}  # of the grid, per joint axis
 MOST_STEPS = {
     "flexion": 6,
     "abduction": 5,
     "twist": 1,
-}  # of a widely abducting one
-WIDE = 0.9  # rad between limits of abduction, from which a joint is such a one
+}  # for a joint with wide abduction
+WIDE = 0.9  # rad between the abduction limits of such a joint
 RADIUS = 0.018  # m, within which a point supports a marker
 TILT_SD = 0.3  # rad: the grid's own coarseness, and motion in the accelerometers
-TILT_WEIGHT = 0.15  # markers that one sd² of tilt counts
+TILT_WEIGHT = 0.15  # markers per sd² of tilt error
 FACING_COS = 0.25
-ROTATION_SD = 0.25  # rad of a digit that was found so
-BETTER = 0.3  # markers by which another posture must be supported more, to be tried
-MOST_TURN = 1.2  # rad by which a posture is turned to the tilt that is felt
+ROTATION_SD = 0.25  # rad sd of a digit found by this search
+BETTER = 0.3  # markers by which another posture must be better supported to be tried
+MOST_TURN = 1.2  # rad, limit of the rotation that aligns a posture with the measured tilt
 
 
 class SupportPoints(NamedTuple):
@@ -48,8 +49,8 @@ class SupportPoints(NamedTuple):
 
 class DigitPostures(NamedTuple):
     """K postures of one digit in the root's B, its base joint at the origin: marker (K, m, 3) m,
-    normal (K, m, 3), up to scale; R (K, a, 3, 3) of its segments; rows of both in the layout;
-    reach (m) of the farthest marker from the base joint."""
+    normal (K, m, 3), up to scale; R (K, a, 3, 3) of its segments; rows of both in the layout; reach
+    (m), distance of the farthest marker from the base joint."""
 
     marker: Stack
     normal: Stack
@@ -61,8 +62,8 @@ class DigitPostures(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SeenPoints:
-    """Stereo points that may be the digit's: p_G (n, 3) m, hue (n,), fresh (n,) where a camera's
-    blob is no marker's yet; camera at p_GC (3,)."""
+    """Stereo points that may belong to the digit: p_G (n, 3) m, hue (n,), fresh (n,) where a
+    camera's blob is not matched yet; camera at p_GC (3,)."""
 
     p_G: Array
     hue: IntArray
@@ -76,7 +77,7 @@ class SeenPoints:
 
     @property
     def support(self) -> SupportPoints:
-        """As `posture_scores` takes them."""
+        """The points as input of `posture_scores`."""
         return SupportPoints(self.p_G, self.hue, RADIUS)
 
     def way(self, p: Array) -> Array:
@@ -86,7 +87,7 @@ class SeenPoints:
 
 
 class DigitSearch:
-    """Postures of each digit of one hand, made when they are first needed."""
+    """Candidate postures for each digit of one hand, created on first use."""
 
     def __init__(self, layout: ChainLayout) -> None:
         self._layout = layout
@@ -95,8 +96,8 @@ class DigitSearch:
         self._postures: dict[int, DigitPostures] = {}
 
     def other(self, state: ChainState, digit: int, seen: SeenPoints) -> Array | None:
-        """R_GB (A, 3, 3) with the digit in the posture that the points support best; None where
-        that is the one it has."""
+        """R_GB (A, 3, 3) with the digit in the best-supported posture; None where that is the
+        present one."""
         grid = self._postures_of(digit)
         root, base = state.R_GB[0], segment_positions(state, self._layout)[grid.segments[0]]
         length = float(state.scale[grid.segments, 0].mean())
@@ -120,8 +121,8 @@ class DigitSearch:
         return R
 
     def support(self, state: ChainState, digit: int, seen: SeenPoints) -> float:
-        """Markers of the digit that the points support where ``state`` has it: each counts 1 at
-        its point and 0 from `RADIUS` on."""
+        """Number of the digit's markers that the points support in ``state``: each counts 1 at its
+        point and 0 from `RADIUS` on."""
         grid = self._postures_of(digit)
         base = segment_positions(state, self._layout)[grid.segments[0]]
         p_G = marker_positions(state, self._layout)[grid.markers][None]
@@ -133,7 +134,8 @@ class DigitSearch:
         return float(posture_scores(p_G, normal, np.eye(3), origin, way, hue, seen.support)[0])
 
     def _tilt_errors(self, state: ChainState, grid: DigitPostures, root: Array) -> Array:
-        """(K,) sum of squares, in sd, of what the digit's IMUs feel against each posture."""
+        """(K,) sum of squares, in sd, of the tilt measured by the digit's IMUs against each
+        posture."""
         felt = [i for i, a in enumerate(grid.segments) if self._layout.imu_of[a] >= 0]
         if not felt:
             return np.zeros(len(grid.R))
@@ -144,7 +146,7 @@ class DigitSearch:
         return out
 
     def _as_felt(self, R: Array, before: Array, segment: int) -> Array:
-        """R (3, 3) turned so that it has the tilt of ``before``, which an IMU feels."""
+        """R (3, 3) rotated to the tilt of ``before``, which an IMU measures."""
         if self._layout.imu_of[segment] < 0:
             return R
         axis = np.cross(before[2], R[2])
@@ -155,7 +157,7 @@ class DigitSearch:
         return turned
 
     def doubtful(self, P: Array, digit: int) -> None:
-        """Make the digit's rotations as unsure in P (N, N) as a posture off the grid is."""
+        """Set the digit's rotations in P (N, N) to the uncertainty of a posture off the grid."""
         for a in self._postures_of(digit).segments:
             rows = self._layout.blocks.theta + 3 * int(a) + np.arange(3)
             P[rows, :] = 0.0
@@ -169,7 +171,7 @@ class DigitSearch:
 
 
 def _at_most(markers: IntArray, points: IntArray) -> int:
-    """Markers of hues (m,) that points of hues (n,) can support, each by one of its own."""
+    """Upper bound: markers of hues (m,) that points of hues (n,) can support, one point each."""
     hues = int(max(markers.max(initial=-1), points.max(initial=-1))) + 1
     there = np.bincount(points, minlength=hues), np.bincount(markers, minlength=hues)
     return int(np.minimum(*there).sum())
@@ -198,7 +200,7 @@ def _made(layout: ChainLayout, segments: IntArray) -> DigitPostures:
     normal = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_normal[markers])
     marker = place[:, rows] + at - place[:, :1]
     reach = float(np.sqrt((marker**2).sum(axis=2).max(initial=0.0)))
-    # einsum and what is picked by index may lie in another order: a kernel would be compiled again
+    # einsum and indexing may return another memory layout, which would compile the kernel again
     marker, normal = np.ascontiguousarray(marker), np.ascontiguousarray(normal)
     return DigitPostures(marker, normal, rotation, markers, segments, reach)
 
@@ -239,8 +241,8 @@ def posture_scores(
     hue: IntVector,
     points: SupportPoints,
 ) -> Vector:
-    """(K,) markers that points support: marker and normal (K, m, 3) in axes R (3, 3) about base
-    (3,), ``way`` (3,) the unit vector to the camera; a marker turned away has no say."""
+    """(K,) supported markers: marker and normal (K, m, 3) in axes R (3, 3) about base (3,), ``way``
+    (3,) the unit vector to the camera; markers that face away do not count."""
     p_G, point_hue, reach2 = points.p_G, points.hue, points.radius * points.radius
     out = np.zeros(len(marker))
     for k in range(len(marker)):

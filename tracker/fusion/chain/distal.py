@@ -1,12 +1,12 @@
 """Fingertips, also of segments that the filter does not estimate (docs/chain.md, "Fingertips").
 
-A distal segment without IMU and markers bends as the joint before it does,
+A distal segment without IMU and markers bends with the joint before it,
 
     flexion = ratio * flexion of the source + offset,
 
-and is rotated laterally by a fixed angle, since no joint's axis is quite where the hand file has
-it. These three are the wearer's, one set per digit, and known no better than people differ.
-Equation numbers are those of docs/chain.md.
+and is rotated laterally by a fixed angle, since real joint axes differ from those of the hand file.
+These three parameters belong to the wearer, one set per digit; their prior is the variation between
+people. Equation numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ STEP = 1e-5  # rad, of central differences
 class Digit(NamedTuple):
     """A digit whose distal segment is not estimated.
 
-    Rows: ``segment`` of the hand; ``parent`` and ``source`` of active segments, that which it
-    hangs on and that at whose joint the angle that drives it is; ``link`` of the hand's synergies.
+    Rows: ``segment`` of the hand; ``parent`` and ``source`` are active segments: the one that
+    carries it, and the one whose joint angle drives it; ``link`` among the hand's synergies.
     """
 
     name: str
@@ -49,14 +49,14 @@ class Digit(NamedTuple):
 @record("chain.synergies", shapes={"value": "d 3", "P": "3d 3d"})
 @dataclass(eq=False)
 class Synergies:
-    """What is known of the d digits of `DistalSegments`: value (d, 3) ratio, offset (rad) and
+    """The synergies of the d digits of `DistalSegments`: value (d, 3) ratio, offset (rad) and
     lateral (rad); covariance P (3 d, 3 d)."""
 
     value: Array
     P: Array
 
     def moved(self, dx: Array, P: Array) -> Synergies:
-        """With an error vector (3 d,) added, and a new covariance."""
+        """A copy corrected by an error vector (3 d,), with a new covariance."""
         return Synergies(self.value + dx.reshape(self.value.shape), P)
 
 
@@ -84,10 +84,10 @@ class DistalSegments:
         self.digits = tuple(_digits(layout))
         self._number = {d.segment: k for k, d in enumerate(self.digits)}
 
-    # ---- what is known of them
+    # ---- parameters
 
     def prior(self) -> Synergies:
-        """As the hand file says, and as far as people differ from it."""
+        """The hand file's values, with the variation between people as covariance."""
         hand = self._layout.hand
         value = [
             (hand.synergies[d.link].ratio, hand.synergies[d.link].offset, 0.0) for d in self.digits
@@ -113,7 +113,7 @@ class DistalSegments:
     def gains(self, synergies: Synergies) -> Array:
         """(k, 2) ratio and offset (rad) of all the hand's synergies.
 
-        A finger of which nothing is known bends its end joint as the known fingers do.
+        A finger without its own estimate bends its end joint like the fingers with one.
         """
         hand = self._layout.hand
         out = np.array([[s.ratio, s.offset] for s in hand.synergies]).reshape(-1, 2)
@@ -130,7 +130,7 @@ class DistalSegments:
         return out
 
     def lateral(self, synergies: Synergies) -> Array:
-        """(S,) rad that each of the hand's segments is rotated laterally."""
+        """(S,) rad by which each of the hand's segments is rotated laterally."""
         out = np.zeros(len(self._layout.hand.segments))
         for k, d in enumerate(self.digits):
             out[d.segment] = synergies.value[k, ASIDE]
@@ -139,7 +139,7 @@ class DistalSegments:
     # ---- angles and points
 
     def flexion(self, state: ChainState, own: Synergies, joint: str) -> FlexionRow | None:
-        """Of the joint of that name; None where nothing tells it."""
+        """Flexion of the named joint; None where it is neither estimated nor driven."""
         hand = self._layout.hand
         child = next((hand.index[j.child] for j in hand.joints if j.name == joint), None)
         if child is None:
@@ -173,7 +173,7 @@ class DistalSegments:
         return joint_angles3(R_rel, *free)[1], H
 
     def _bend(self, state: ChainState, own: Synergies, k: int) -> FlexionRow:
-        """Of the digit ``k``'s distal joint (eqs. 49 and 51)."""
+        """Flexion of the distal joint of digit ``k`` (eqs. 49 and 51)."""
         q, H_q = self._active_flexion(state, self.digits[k].source)
         ratio, offset, _ = own.value[k]
         H_own = np.zeros(own.value.size)
@@ -186,7 +186,7 @@ class DistalSegments:
         return row in self._layout.row_of or row in self._number
 
     def carrier(self, digit: str) -> int:
-        """The active segment that a digit's distal segment is, or hangs on."""
+        """The active segment that is a digit's distal segment, or carries it."""
         row = self._layout.hand.index[CHAINS[digit][-1]]
         own = self._layout.row_of.get(row)
         return self.digits[self._number[row]].parent if own is None else own
@@ -200,7 +200,7 @@ class DistalSegments:
         return self._driven_point(state, own, self._number[row], x)
 
     def _driven_point(self, state: ChainState, own: Synergies, k: int, x: Array) -> PointRows:
-        """Like a point of the parent, and by what turns it there (eqs. 50 and 51)."""
+        """As a point of the parent, plus the driven rotation (eqs. 50 and 51)."""
         d = self.digits[k]
         segment = self._layout.hand.segments[d.segment]
         bend = self._bend(state, own, k)
@@ -222,7 +222,7 @@ class DistalSegments:
         return np.asarray(state.scale3()[rows].mean(axis=0))
 
     def girth(self, state: ChainState, digit: str) -> float:
-        """Factor of a digit's distal segment."""
+        """Scale of the thickness of a digit's distal segment."""
         row = self._layout.hand.index[CHAINS[digit][-1]]
         if row in self._layout.row_of:
             return float(state.scale[self._layout.row_of[row], 1])

@@ -1,4 +1,4 @@
-"""How sure the far ends are of segments that nothing senses (docs/chain.md, eq. 55)."""
+"""Standard deviations of the far ends of unsensed segments (docs/chain.md, eq. 55)."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ from tracker.kernels.arrays import BoolMatrix, IntVector, Matrix, Stack, Vector,
 from tracker.messages import Array
 
 ONE_WAY = 1.2
-"""A joint that nothing senses moves its tip along one line, not three, so a third of its variance
-an axis is a little too small where that is all of the error."""
+"""The error of an unsensed joint moves its tip along one line, so a third of its variance per axis
+is slightly too small where that is the entire error."""
 
 STEP = 1e-5  # rad, of central differences
-BEYOND = MOST_COLUMNS + 6  # columns that an end adds to its segment's origin
+BEYOND = MOST_COLUMNS + 6  # columns that an end adds to those of its segment's origin
 
 
 class DrivenEnds(NamedTuple):
-    """d distal segments that an estimated joint bends (`Digit`).
+    """d distal segments that an estimated joint drives (`Digit`).
 
-    parent (d,) active segment that it hangs on; source (d,) active segment whose joint drives it,
-    free (d, 2) whether that joint abducts and twists; origin (d, 3) m and before (d, 3, 3) where it
-    stands in its parent's B, lateral included; length (d,) m.
+    parent (d,) active segment that carries it; source (d,) active segment whose joint drives it,
+    free (d, 2) whether that joint abducts and twists; origin (d, 3) m and before (d, 3, 3) position
+    and rotation in its parent's B, lateral included; length (d,) m.
     """
 
     parent: IntVector
@@ -48,8 +48,8 @@ class DrivenEnds(NamedTuple):
 
 
 class OwnBends(NamedTuple):
-    """What is known of how they bend: value (d, 3) and covariance P (3 d, 3 d) of `Synergies`,
-    posture (d,) rad of what each does by itself from posture to posture."""
+    """The bending parameters: value (d, 3) and covariance P (3 d, 3 d) of `Synergies`, posture (d,)
+    rad sd of the individual variation from posture to posture."""
 
     value: Matrix
     P: Matrix
@@ -57,7 +57,7 @@ class OwnBends(NamedTuple):
 
 
 def driven_ends(layout: ChainLayout, distal: DistalSegments, own: Synergies) -> DrivenEnds:
-    """The tables of a hand with a wearer's synergies."""
+    """The tables for a hand with a wearer's synergies."""
     digits, hand = distal.digits, layout.hand
     columns = hand.axis_columns
     free = [[columns[layout.active[d.source]][k] >= 0 for k in (0, 2)] for d in digits]
@@ -74,7 +74,7 @@ def driven_ends(layout: ChainLayout, distal: DistalSegments, own: Synergies) -> 
 
 
 class EndsSureness:
-    """Standard deviations of the ends of all estimated segments, and of those that they drive."""
+    """Standard deviations of the ends of all estimated segments and of the segments they drive."""
 
     def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:
         self._layout, self._distal = layout, distal
@@ -82,12 +82,12 @@ class EndsSureness:
 
     @property
     def driven(self) -> tuple[int, ...]:
-        """Rows of the hand's segments that follow the estimated ones."""
+        """Rows of the hand's segments that are driven by estimated ones."""
         return tuple(d.segment for d in self._distal.digits)
 
     def trust(self, own: Synergies, posture: Array | None = None) -> None:
-        """From now on with what is known of a wearer's synergies, and ``posture`` (d,) rad of what
-        each does by itself, else as people do."""
+        """Sets the wearer's synergies and ``posture`` (d,) rad, the individual variation of each
+        joint; default: the population's."""
         self.driven_ends = driven_ends(self._layout, self._distal, own)
         posture = self._distal.posture_sd if posture is None else posture
         self.own = OwnBends(np.array(own.value), np.array(own.P), posture)
@@ -175,8 +175,8 @@ def _driven_row(
     ends: tuple[DrivenEnds, OwnBends],
     i: int,
 ) -> tuple[int, Vector, Vector]:
-    """Jacobian h (3, n) of a driven segment's end by the error states ``column``, in which one may
-    come twice; n, and what `_bend` and `_turned` give."""
+    """Jacobian h (3, n) of a driven segment's end by the error states ``column``, where an index
+    may occur twice; n, and the results of `_bend` and `_turned`."""
     (skeleton, R_rest), (driven, own) = bones, ends
     bend, gradient = _bend(skeleton, R_rest, body, driven, own, i)
     turned = _turned(skeleton, body, driven, bend, i)
@@ -210,7 +210,7 @@ def _put_covariance(out: Written[Matrix], h: Matrix, column: IntVector, n: int, 
 
 @kernel
 def _girth(skeleton: ChainSkeleton, body: Body, a: int) -> float:
-    """Mean factor of the digit's segments down from ``a``."""
+    """Mean thickness scale of the digit's segments, from ``a`` down to the base."""
     total, many = 0.0, 0
     while a > 0:
         total += body.scale[a, 1]
@@ -230,7 +230,7 @@ def _point_row(
     points: Points,
     k: int,
 ) -> int:
-    """Jacobian h (3, n) of the point ``k`` and which error states its columns are; returns n."""
+    """Jacobian h (3, n) of the point ``k`` and the error states of its columns; returns n."""
     a = points.segment[k]
     n = known.used[a]
     h[:, :n], column[:n] = known.value[a, :, :n], known.column[a, :n]
@@ -239,7 +239,7 @@ def _point_row(
 
 @kernel
 def _trace(h: Matrix, column: IntVector, n: int, P: Matrix) -> float:
-    """Of h P h^T, h (3, n) by the error states ``column``, in which one may come twice."""
+    """Trace of h P h^T, h (3, n) by the error states ``column``, where an index may occur twice."""
     total = 0.0
     for i in range(n):
         for j in range(i + 1):
@@ -257,8 +257,8 @@ def _bend(
     own: OwnBends,
     i: int,
 ) -> tuple[Vector, Matrix]:
-    """(2,) rad: flexion of the digit's driving and of its driven joint (eq. 49); gradient (2, 3) of
-    the latter by the errors of the driving joint's child and parent."""
+    """(2,) rad: flexion of the digit's driving and driven joint (eq. 49); gradient (2, 3) of the
+    latter by the errors of the driving joint's child and parent."""
     c = driven.source[i]
     R_rel = tmul3(R_rest[c], tmul3(body.R_GB[skeleton.parent[c]], body.R_GB[c]))
     by_child, e = np.empty(3), np.zeros((1, 3))
@@ -286,7 +286,7 @@ def _flexion(R_rel: Matrix, driven: DrivenEnds, i: int) -> float:
 def _turned(
     skeleton: ChainSkeleton, body: Body, driven: DrivenEnds, bend: Vector, i: int
 ) -> Vector:
-    """(3,) m from the joint to the end of the driven segment, before it stands in its parent."""
+    """(3,) m from the joint to the end of the driven segment, before its rotation in the parent."""
     length, many, a = 0.0, 0, driven.parent[i]
     while a > 0:
         length += body.scale[a, 0]
@@ -298,9 +298,9 @@ def _turned(
 
 @kernel
 def _own_trace(own: OwnBends, i: int, bend: Vector, turned: Vector) -> float:
-    """m² of the end, all axes, by what is not known of the digit's own bend (eq. 51).
+    """m² of the end, all axes, from the uncertainty of the digit's own bend (eq. 51).
 
-    Along the flexion ratio, offset and posture add up; the lateral angle is about z.
+    Ratio, offset and posture add up along the flexion; the lateral angle is about z.
     """
     first = OWN * i
     P = own.P[first : first + OWN, first : first + OWN]

@@ -1,8 +1,8 @@
-"""The chain engine: one root position, one orientation per segment, joints that hold exactly.
+"""The chain engine: one root position, one orientation per segment, rigidly connected joints.
 
-A `Timeline` puts packets and images in order and drives a `ChainTracker`, whose parts are the
-filter (`filter`), recognition (`recognition`), the judgement of tracking (`tracking`), the
-wearer's calibration (`calibration.wearer`) and what is shown (`shown`).
+A `Timeline` orders packets and images by time and drives a `ChainTracker`, whose parts are the
+filter (`filter`), recognition (`recognition`), the tracking state (`tracking`), the wearer's
+calibration (`calibration.wearer`) and the output (`shown`).
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ from tracker.vision.rig import StereoRig
 @record("chain", sized=True)
 @dataclass(eq=False)
 class ChainKept:
-    """All of a chain engine that changes."""
+    """The complete state of a chain engine."""
 
     timeline: TimelineKept[ChainState]
     tracker: TrackerKept
@@ -77,18 +77,18 @@ class PoseAlignment:
         self._tracker.filter.straighten()
 
     def _align_heading(self, joints_deg: float) -> Notice:
-        """The camera measures the heading."""
+        """Does nothing: the camera measures the heading."""
         return notice("pose_reset.done", side=self._side, joints_deg=joints_deg)
 
 
 class ChainEngine(Engine):
     """Visual-inertial filter on a chain of segments; an `Engine`. One instance per hand.
 
-    docs/chain.md derives it; numbers such as ``eq. 12`` in its parts are that page's. It goes on
-    from Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own filter is `VistEngine`.
+    docs/chain.md derives it; numbers such as ``eq. 12`` in its parts refer to that page. It extends
+    Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own filter is `VistEngine`.
 
-    ``tape``, if any, records all operations of the filter. ``wearer`` is what is known of
-    the wearer, and takes a user's commands about it.
+    ``tape``, if given, records all operations of the filter. ``wearer`` holds the wearer's
+    calibration and executes the user's commands on it.
     """
 
     _tracker_type: type[ChainTracker] = ChainTracker
@@ -113,17 +113,17 @@ class ChainEngine(Engine):
     # ---- messages
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
-        """Take a packet; the hand at the packet's instant."""
+        """Process a packet; returns the hand at the packet's time."""
         state = self._timeline.feed_imu(sample)
         return self._estimate(state, sample.t, self._timeline.packet_at(sample.t))
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen; processed once IMU data cover its exposure."""
+        """Queue an image; it is processed once IMU data cover its exposure."""
         self._timeline.feed_frame(frame)
 
     def reset_pose(self) -> Notice:
-        """The wearer holds the hand flat, the fingers straight ahead: align joints with that, and
-        the heading where no camera measures it. Reports what was done."""
+        """Aligns the joints with a hand that the wearer holds flat, the fingers straight ahead, and
+        the heading where no camera measures it. Returns a notice of the result."""
         if self.tracking == Tracking.SEARCHING:
             return warning("pose_reset.searching", side=self._layout.hand.side)
         refused = self._pose_reset.refusal()
@@ -134,11 +134,11 @@ class ChainEngine(Engine):
         return done
 
     def take_results(self) -> list[FrameResult]:
-        """What was made of images since the last call, oldest first."""
+        """The results of the images since the last call, oldest first."""
         return self._timeline.take_results()
 
     def predict(self, t: float) -> Estimate:
-        """The hand at any instant near now. Moves nothing."""
+        """The hand at any time close to the present. Changes nothing."""
         return self._estimate(self._timeline.head_at(t), t)
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
@@ -148,22 +148,23 @@ class ChainEngine(Engine):
         return self._tracker.shown.markers(self._timeline.head_at(t))
 
     def expected(self, t: float) -> ExpectedHand | None:
-        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
+        """The predicted hand in an image of ``t`` not processed yet; None while its position is
+        unknown."""
         if self.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
         past = self._timeline.past_at(t)
         return ExpectedHand(self._estimate(past, t), *self._tracker.shown.markers(past))
 
     def _estimate(self, state: ChainState, t: float, packet: ImuSample | None = None) -> Estimate:
-        """The hand of a nominal state at ``t``; with motion where there is a packet of ``t``."""
+        """The hand of a nominal state at ``t``; with its motion where ``packet`` is of ``t``."""
         tracker = self._tracker
         return tracker.shown.estimate(state, t, self.tracking, tracker.state, packet)
 
-    # ---- what there is
+    # ---- properties
 
     @property
     def layout(self) -> ChainLayout:
-        """Which row is what in states and profiles."""
+        """The rows of states and profiles."""
         return self._layout
 
     @property
@@ -173,8 +174,8 @@ class ChainEngine(Engine):
 
     @property
     def heading_sd(self) -> float:
-        """rad, of how the hand is turned about the vertical: without images it drifts. NaN while
-        nothing is known of the hand."""
+        """rad, standard deviation of the rotation about the vertical, which drifts without images.
+        NaN while the hand is unknown."""
         if self.tracking == Tracking.SEARCHING:
             return float("nan")
         return self._tracker.confidence.heading_sd(self._tracker.state)
@@ -186,39 +187,38 @@ class ChainEngine(Engine):
 
     @property
     def newest(self) -> float | None:
-        """Instant (s) of the newest packet that was taken."""
+        """Time (s) of the newest accepted packet."""
         return self._timeline.newest
 
     def catch_up(self) -> None:
-        """Move the filter itself to the newest packet: no image will come any more."""
+        """Move the filter itself to the newest packet: no more images will arrive."""
         if self.newest is not None and self.tracking != Tracking.SEARCHING:
             self._timeline.advance(self.newest)
 
     # ---- the wearer's calibration
 
     def calibration(self) -> Calibration:
-        """Estimated parameters with their uncertainty; what one camera looks at is as large as it
-        was taken for at the start, whatever the images said since."""
+        """Estimated parameters with their uncertainty. With one camera, the size and its
+        uncertainty are those assumed at the start: later images do not measure it."""
         found, size_sd = self.wearer.shown(), self._tracker.size_sd
         return found if size_sd == 0.0 else with_unsure_size(found, size_sd)
 
     def profile(self) -> WearerProfile:
-        """What has been learned of the wearer; what one camera looked at is as large as it was
-        taken for at the start."""
+        """The learned wearer profile; with one camera, the size is the one assumed at the start."""
         return as_unsure(self.wearer.profile(), self.layout, self._tracker.size_sd)
 
     def put_on(self, profile: WearerProfile) -> None:
-        """Take what is known of the wearer, now and at each new start."""
+        """Use a wearer profile, now and at each new start."""
         self.wearer.put_on(profile)
 
     # ---- saving
 
     def get_state(self) -> ChainKept:
-        """A copy of everything that changes."""
+        """A copy of the complete state."""
         return copy.deepcopy(ChainKept(self._timeline.kept, self._tracker.kept, self.wearer.holds))
 
     def set_state(self, state: ChainKept) -> None:
-        """Go on from `get_state`."""
+        """Continue from a `get_state`."""
         kept = copy.deepcopy(state)
         self._tracker.restore(kept.tracker)
         self.wearer.holds[:] = kept.holds

@@ -1,6 +1,6 @@
-"""The filter itself: a state with its covariance, moved by packets and corrected by measurements.
+"""The filter itself: a state with its covariance, propagated by packets, corrected by measurements.
 
-What it takes from the accelerometers is in `tilt`, from anatomy in `constraints`. Equation numbers
+The accelerometer measurements are in `tilt`, those from anatomy in `constraints`. Equation numbers
 are those of docs/chain.md.
 """
 
@@ -26,17 +26,17 @@ from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import Array, IntArray
 
 Rows = tuple[Array, Array, Array, Array]
-"""Of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""
+"""Terms of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""
 
 STAY_VARIANCE = np.repeat([2.0**2, 2.0**2], 3)
-"""m² and m²/s² of one use of `ChainFilter.stay`: more than an arm's reach and speed, for the hand
-stays away for a second or so, and thirty uses in it are no thirty measurements."""
+"""m² and m²/s² of one use of `ChainFilter.stay`: more than an arm's reach and speed, since the hand
+may stay away for a second, in which thirty uses are not thirty independent measurements."""
 
 
 @record("chain.filter")
 @dataclass(eq=False)
 class FilterKept:
-    """All of the filter that changes; when tilt and anatomy were used last, s."""
+    """The complete state of the filter, and the times (s) when tilt and anatomy were last used."""
 
     state: ChainState
     last_tilt: float = -np.inf
@@ -44,8 +44,8 @@ class FilterKept:
 
 
 class ChainFilter:
-    """One hand's state. ``tape`` records each step and update; with one, no two intervals are
-    gone through at once."""
+    """The filter of one hand. ``tape`` records each step and update; with a tape, intervals are
+    processed one at a time."""
 
     def __init__(
         self, layout: ChainLayout, params: ChainParams, buffer: ImuBuffer, tape: Tape | None = None
@@ -61,16 +61,17 @@ class ChainFilter:
 
     @property
     def state(self) -> ChainState:
-        """As it is now, with its covariance."""
+        """The present state with its covariance."""
         return self.kept.state
 
-    # ---- the way
+    # ---- propagation
 
     def step(self, way: Intervals, first: int, last_good: float, held: bool) -> int:
-        """Through the interval ``first`` of ``way`` and the next ones, as far as no tilt is due
-        between; the number of the one after.
+        """Processes the interval ``first`` of ``way`` and the next ones until tilt is due; returns
+        the number of the next interval.
 
-        ``last_good`` s is the last image that showed enough; ``held``: the calibration is frozen.
+        ``last_good`` s is the time of the last image with enough matches; ``held``: the calibration
+        is frozen.
         """
         params = self._held_params if held else self._params
         end = self._step_end(way, first)
@@ -83,7 +84,7 @@ class ChainFilter:
         return end
 
     def _step_end(self, way: Intervals, first: int) -> int:
-        """After the first interval at whose end relative tilt is due, or the last one."""
+        """One past the first interval at whose end relative tilt is due, or past the last one."""
         end = first + 1
         while (
             self._tape is None
@@ -94,26 +95,27 @@ class ChainFilter:
         return end
 
     def carry(self, state: ChainState, t: float, coasting: bool) -> None:
-        """Move a nominal state to ``t`` with the packets on the way."""
+        """Propagate a nominal state to ``t`` through the packets in between."""
         carry(state, self._layout, self._buffer, t, coasting)
 
     # ---- another state
 
     def adopt(self, state: ChainState) -> None:
-        """Go on from a state that has nothing to do with the one before."""
+        """Replace the state by an unrelated one."""
         if self._tape is not None:
             self._tape.forgotten(self._layout.blocks.size)
         self.kept.state = state
 
     def moved_to(self, pose: Pose) -> ChainState:
-        """A copy of the state with the hand elsewhere, at rest, and its pose as unsure as new."""
+        """A copy of the state with the hand at another pose, at rest, with the initial
+        uncertainty."""
         trial = self.state.copy()
         trial.R_GB, trial.p, trial.v = pose.R_GB, pose.p, np.zeros(3)
         reset_pose(trial.P, self._layout, self._params.prior)
         return trial
 
     def shifted_by(self, shift: Array, sd: float) -> ChainState:
-        """A copy of the state with the hand shifted by (3,) m, which is known to ``sd`` m."""
+        """A copy of the state with the hand shifted by (3,) m, with standard deviation ``sd`` m."""
         trial = self.state.copy()
         HP = trial.P[:3].copy()
         dx = correct(trial.P, HP, HP[:, :3].copy(), shift, sd**2 * np.eye(3))
@@ -121,19 +123,19 @@ class ChainFilter:
         return trial
 
     def moving(self, moved: ChainState, v: Array) -> None:
-        """Have a state that `moved_to` gave move with v (3,) m/s, as two searches tell it."""
+        """Sets v (3,) m/s of a state from `moved_to`, computed from two searches."""
         moved.v = v
         moved.P[V : V + 3, V : V + 3] = self._params.prior.found_velocity**2 * np.eye(3)
 
     def move(self, moved: ChainState) -> None:
-        """Go on from what `moved_to` gave, or `shifted_by`."""
+        """Continue from a result of `moved_to` or `shifted_by`."""
         if self._tape is not None:
             self._tape.forgotten(self._layout.n_dynamic)
         self.kept.state = moved
 
     def doubt(self, imus: IntArray) -> None:
-        """Segments whose IMUs (k,) were away may stand anywhere: doubt them, their own weight
-        lateral."""
+        """Inflates the orientation covariance of segments whose IMUs (k,) were not valid for a
+        while: their rotation meanwhile is unknown."""
         for j in imus:
             rows = self._layout.blocks.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
             self.state.P[rows, rows] += self._params.prior.returned**2
@@ -141,7 +143,7 @@ class ChainFilter:
     # ---- measurements
 
     def _tilt(self) -> None:
-        """Relative tilt from the accelerometers, at most every ``period``."""
+        """Relative tilt from the accelerometers, at most once per ``period``."""
         t = self.state.t
         around = self._buffer.around(t) if _is_due(self.kept, self._params, t) else None
         if around is None:
@@ -152,7 +154,8 @@ class ChainFilter:
             self._use(*rows)
 
     def constrain(self, t: float) -> bool:
-        """Anatomy alone, where no image comes; at most every ``period``: whether it was now."""
+        """Applies anatomy alone while no image arrives, at most once per ``period``; returns
+        whether it did."""
         if t - self.kept.last_constraint < self._params.constraint.period:
             return False
         self.kept.last_constraint = t
@@ -160,45 +163,47 @@ class ChainFilter:
         return True
 
     def stay(self) -> None:
-        """A wearer whom no image locates stays about where he is, and comes to rest now and then;
+        """Without images: a wearer remains near the same position and comes to rest now and then;
         to be used as often as anatomy (eq. 57)."""
         H = np.eye(6, len(self.state.P))
         self._use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
 
     def straighten(self) -> None:
-        """The wearer holds the hand flat: use that for all joints that an IMU measures.
+        """Corrects all joints with an IMU towards a hand that the wearer holds flat.
 
-        In passes, each linearised at what the one before found: drift may be large.
+        Iterated, each pass linearised at the result of the one before: drift may be large.
         """
         for _ in range(PASSES):
             H, r, variance = flat_rows(self.state, self._layout)
             self._use(H, r, PASSES * variance)
 
     def correct(self, seen: Rows) -> None:
-        """One stacked update: what was seen and anatomy, linearised at the same state."""
+        """One stacked update: matches and anatomy, linearised at the same state."""
         H, r, variance = self._constraints_seen.rows(self.state)
         since = max(self.state.t - self.kept.last_constraint, 1e-3)
-        # at twice the usual rate each use says half as much
+        # at twice the usual rate each use carries half the information
         variance = variance * max(1.0, self._params.constraint.period / since)  # eq. 37
         self._update(*joined(*seen, H, r, variance, self.state.P))
         self.kept.last_constraint = self.state.t
 
     def corrected(self, seen: Rows, state: ChainState | None = None) -> ChainState:
-        """What `correct` without anatomy makes of ``state``, else of its own; moves nothing."""
+        """Returns ``state`` (default: its own) corrected as by `correct` without anatomy; changes
+        nothing."""
         trial = (state or self.state).copy()
         H, HP, r, R = seen
         inject(trial, self._layout, correct(trial.P, HP, H @ HP.T + R, r, np.zeros_like(R)))
         return trial
 
     def learn(self, H: Array, r: Array, R: Array) -> None:
-        """Rows H (m, C) on the calibration alone, with innovation r (m,) and noise R (m, m)."""
+        """Applies rows H (m, C) on the calibration alone, with innovation r (m,) and noise R
+        (m, m)."""
         full = np.zeros((len(H), len(self.state.P)))
         full[:, self._layout.n_dynamic :] = H
         HP = full @ self.state.P
         self._update(full, HP, HP @ full.T, r, R)
 
     def _use(self, H: Array, r: Array, variance: Array) -> None:
-        """Rows H (m, N) that are few, with innovation r (m,) and variance (m,)."""
+        """Applies a few rows H (m, N), with innovation r (m,) and variance (m,)."""
         HP, HPH = products(H, self.state.P)
         self._update(H, HP, HPH, r, np.diag(variance))
 
@@ -211,5 +216,5 @@ class ChainFilter:
 
 
 def _is_due(kept: FilterKept, params: ChainParams, t: float) -> bool:
-    """Whether relative tilt may be used again."""
+    """Whether relative tilt is due."""
     return t - kept.last_tilt >= params.constraint.period

@@ -1,9 +1,9 @@
 """The chain filter for a glove without a camera: orientation and joints by the IMUs, no position.
 
-The same state and covariance as with images. It starts from gravity, with no image to say where
-the hand is. That a wearer stays about where he is keeps the double integral of the root's
-accelerometer bounded, and makes gravity correct tilt and gyro biases, as images do otherwise. The
-heading is not observable: it drifts with the gyro biases about the vertical.
+Uses the same state and covariance as with images. It starts from gravity, without an image of the
+hand's position. The assumption that a wearer stays near the same position bounds the double
+integral of the root's accelerometer, and lets gravity correct tilt and gyro biases, as images do
+otherwise. The heading is not observable: it drifts with the gyro biases about the vertical.
 """
 
 from __future__ import annotations
@@ -24,28 +24,28 @@ from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Tracking
 from tracker.vision.rig import ideal_rig
 
-LAG = 0.03  # s behind the newest packet: angular accelerations need readings on both sides
-SILENCE = 1.0  # s without packets after which the hand may have turned anyhow
-ALWAYS = float("inf")  # the velocity is never damped: it is kept small by a measurement instead
+LAG = 0.03  # s behind the newest packet: angular accelerations need samples on both sides
+SILENCE = 1.0  # s without packets after which the orientation is unknown
+ALWAYS = float("inf")  # disables velocity damping: a pseudo-measurement bounds the velocity instead
 
 
 class InertialTracker(ChainTracker):
-    """A `ChainTracker` that no image corrects."""
+    """A `ChainTracker` without image corrections."""
 
     def begin(self) -> bool:
-        """Start from the last packets, with what is known of the wearer; False where they do not
-        suffice."""
+        """Starts from the last packets, with the known wearer profile; False where they are not
+        sufficient."""
         started = self._starter.by_gravity(self._buffer, self.wearer.calibration.kept.known)
         if started is None:
             return False
         self.filter.adopt(started)
         self.wearer.calibration.begin(started)
         self._judge.started_anywhere()
-        self.confidence.held(started.t)  # its heading is zero by what it is counted from
+        self.confidence.held(started.t)  # the initial heading defines zero
         return True
 
     def forget(self) -> None:
-        """Look for the hand from nothing again."""
+        """Restart the search for the hand."""
         self._judge.forget()
 
     def step(self, way: Intervals, first: int) -> int:
@@ -55,7 +55,7 @@ class InertialTracker(ChainTracker):
         self.filter.carry(state, t, coasting=False)
 
     def no_image(self) -> bool:
-        """Held together by anatomy, and about where it was; what is shown follows."""
+        """Applies anatomy and the position prior; the output follows."""
         if self.filter.constrain(self.state.t):
             self.filter.stay()
         self.wearer.learn()
@@ -64,7 +64,7 @@ class InertialTracker(ChainTracker):
 
 
 class InertialPoseAlignment(PoseAlignment):
-    """Aligns the heading too, and allows for what segments have drifted about the vertical."""
+    """Also aligns the heading, and allows for the drift of segments about the vertical."""
 
     def refusal(self) -> Notice | None:
         if heading(self._tracker.state.R_GB[0]) is None:
@@ -77,7 +77,7 @@ class InertialPoseAlignment(PoseAlignment):
         super()._straighten()
 
     def _align_heading(self, joints_deg: float) -> Notice:
-        """The fingers point straight ahead now."""
+        """Sets the heading to zero: the fingers point straight ahead."""
         state = self._tracker.state
         angle = heading(state.R_GB[0]) or 0.0
         turn(state, -angle)
@@ -87,7 +87,7 @@ class InertialPoseAlignment(PoseAlignment):
 
 
 class InertialEngine(ChainEngine):
-    """An `Engine` that uses no image: its hand is LOST, articulated and turned as the IMUs say.
+    """An `Engine` without images: the hand is LOST, with posture and orientation from the IMUs.
 
     ``segment_p`` of its estimates are relative to the root's IMU; keypoints have no position.
     """
@@ -97,13 +97,13 @@ class InertialEngine(ChainEngine):
 
     def __init__(self, hand: HandModel, glove: GloveModel, params: ChainParams) -> None:
         match = replace(params.match, max_frame_delay=LAG)
-        # the camera that the chain asks for is never looked through
+        # the chain requires a camera, which is not used here
         super().__init__(hand, glove, ideal_rig(), replace(params, match=match))
         self._pose_reset = InertialPoseAlignment(self._tracker, self._layout)
         self._results: list[FrameResult] = []
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
-        """Take a packet; the hand at the packet's instant."""
+        """Process a packet; returns the hand at the packet's time."""
         newest = self.newest
         if newest is not None and sample.t - newest > SILENCE:
             self._tracker.forget()
@@ -114,7 +114,7 @@ class InertialEngine(ChainEngine):
         return self._estimate(state, sample.t, self._timeline.packet_at(sample.t))
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Nothing is made of an image."""
+        """Ignores images."""
         markers = len(self._layout.glove.markers)
         self._results.append(FrameResult.nothing(frame.t, self.tracking, markers))
 

@@ -1,7 +1,7 @@
 """Points of the chain in G and their Jacobians (docs/chain.md, eqs. 4 to 7).
 
-A point of segment s stands at  p_root + sum over the chain of R_GB (scale * nominal + offset). The
-root's own frame hangs on its IMU, whose position is the state: B_0 = p - R_0 (scale_0 * i_0).
+A point of segment s is at  p_root + sum over the chain of R_GB (scale * nominal + offset). The
+root's own frame is defined by its IMU, whose position is the state: B_0 = p - R_0 (scale_0 * i_0).
 Arrays are those of `ChainLayout` and `ChainState`; A active segments, n points.
 """
 
@@ -18,13 +18,13 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array, IntArray
 
-MOST_COLUMNS = 8  # that a segment adds: its orientation, its scales, an offset
+MOST_COLUMNS = 8  # of one segment: its orientation, its scales, an offset
 
 
 class OriginJacobians(NamedTuple):
-    """What each segment's origin depends on, but for the lever of p in the root.
+    """Jacobians of each segment's origin, except for the lever of p in the root.
 
-    Its first ``used`` (A,) columns are not zero: their numbers column (A, K), values (A, 3, K).
+    The first ``used`` (A,) columns are not zero: their numbers column (A, K), values (A, 3, K).
     """
 
     used: IntVector
@@ -69,13 +69,13 @@ def rotated(R: Stack, segment: IntVector, v: Matrix) -> Matrix:
 
 @kernel
 def stretched(scale: Vector, x: Vector) -> Vector:
-    """(3,) x (3,) grown by the factors (2,) of length and girth."""
+    """(3,) x (3,) scaled by the factors (2,) of length and girth."""
     return np.array([scale[0] * x[0], scale[1] * x[1], scale[1] * x[2]])
 
 
 @kernel
 def joint_lever(skeleton: ChainSkeleton, body: Body, child: int, a: int) -> Vector:
-    """(3,) m where the joint of the segment ``child`` stands in the B of its parent ``a``."""
+    """(3,) m, the joint of the segment ``child`` in the B of its parent ``a``."""
     x, base = stretched(body.scale[a], skeleton.origin[child]), skeleton.base_of[child]
     return x + body.joint[base] if base >= 0 else x
 
@@ -88,7 +88,7 @@ def positions(skeleton: ChainSkeleton, body: Body, p: Vector, points: Points) ->
 
 @kernel
 def points_of(p_GB: Matrix, body: Body, points: Points) -> Matrix:
-    """(n, 3) m in G, of segments that stand at p_GB (A, 3)."""
+    """(n, 3) m in G, given the segments' origins p_GB (A, 3)."""
     out = np.empty((len(points.segment), 3))
     for k in range(len(points.segment)):
         a = points.segment[k]
@@ -122,11 +122,11 @@ def put_link(
     scale: int,
     offset: int,
 ) -> int:
-    """Jacobian of R_GB x by the error states of one segment (eq. 6), and where these stand.
+    """Jacobian of R_GB x by the error states of one segment (eq. 6), and their column numbers.
 
-    x (3,) m is what ``nominal`` (3,) has grown to, with an offset that is a state too where its
-    first column ``offset`` >= 0; ``first`` and ``scale`` are those of the orientation and of the
-    scales. Fills value (3, 8) and column (8,); returns how many columns it fills.
+    x (3,) m is the scaled ``nominal`` (3,) plus an offset, which is a state as well where its first
+    column ``offset`` >= 0; ``first`` and ``scale`` are the first columns of the orientation and of
+    the scales. Fills value (3, 8) and column (8,); returns the number of columns.
     """
     for r in range(3):
         value[r, 0] = R[r, 2] * x[1] - R[r, 1] * x[2]
@@ -144,14 +144,14 @@ def put_link(
 
 @kernel
 def from_point(a: int, x: Vector, lever: Vector, scale: Vector) -> Vector:
-    """x (3,) m in the B of segment ``a``, in the root's counted from the point that p is of
+    """x (3,) m in the B of segment ``a``; in the root, relative to the point whose position is p
     (eq. 7)."""
     return x - stretched(scale, lever) if a == 0 else x
 
 
 @kernel
 def origin_jacobians(skeleton: ChainSkeleton, at: Blocks, body: Body) -> OriginJacobians:
-    """Each segment's is its parent's with the link between them added; the root's is by p."""
+    """Each origin has its parent's columns and those of the link between; the root depends on p."""
     parent, lever, base_of = skeleton.parent, skeleton.lever, skeleton.base_of
     n, ones = len(parent), np.ones(2)
     most = 3 + MOST_COLUMNS * n
@@ -187,7 +187,7 @@ def put_own(
     k: int,
     offset_at: int,
 ) -> int:
-    """`put_link` of the point ``k``, whose offset stands at ``offset_at``, -1 where it is none."""
+    """`put_link` of the point ``k``; ``offset_at`` is the column of its offset, -1 for none."""
     a, lever, nominal = points.segment[k], skeleton.lever, points.nominal[k]
     x = stretched(body.scale[a], nominal) + points.offset[k]
     x = from_point(a, x, lever, body.scale[a])
@@ -200,7 +200,7 @@ def put_own(
 def jacobians(
     skeleton: ChainSkeleton, at: Blocks, body: Body, points: Points, offset_at: IntVector
 ) -> Stack:
-    """J_point_error (n, 3, N). ``offset_at`` (n,) is where a point's own offset stands, or -1."""
+    """J_point_error (n, 3, N). ``offset_at`` (n,) is the column of a point's own offset, or -1."""
     used, column, value = origin_jacobians(skeleton, at, body)
     H = np.zeros((len(points.segment), 3, at.size))
     own, own_column = np.empty((3, MOST_COLUMNS)), np.empty(MOST_COLUMNS, np.int64)

@@ -1,4 +1,4 @@
-"""What a chain filter knows of the wearer: by images, by guided poses, by a profile."""
+"""A chain filter's knowledge of the wearer: from images, guided poses and a profile."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tracker.vision.rig import StereoRig
 
 @dataclass(frozen=True, eq=False)
 class Remembered:
-    """All that is known of the wearer at one instant, by which it can be taken back."""
+    """The knowledge of the wearer at one time, which can be restored."""
 
     profile: WearerProfile
     wearer: WearerKept
@@ -35,7 +35,7 @@ class Remembered:
 
 
 class Shows(NamedTuple):
-    """What goes by the wearer's own synergies."""
+    """Components that depend on the wearer's own synergies."""
 
     hand: ShownHand
     recognition: Recognition
@@ -43,10 +43,10 @@ class Shows(NamedTuple):
 
 
 class KnownWearer:
-    """``shows`` follows what is known; ``changed`` is called after each change that a user has
-    asked for.
+    """``shows`` is updated with the synergies; ``changed`` is called after each change that a user
+    requested.
 
-    ``calibration`` is of what the filter estimates, ``guided`` of what only poses tell.
+    ``calibration`` is what the filter estimates, ``guided`` what only guided poses determine.
     """
 
     def __init__(
@@ -77,7 +77,7 @@ class KnownWearer:
             holds.append(Hold(said.pose, t))
 
     def learn(self) -> bool:
-        """What guided poses show of the wearer; whether it was something now."""
+        """Learns from guided poses; returns whether something was learned in this call."""
         if self.calibration.is_frozen or not self._listens:
             return False
         learned = self.guided.step(self._filter)
@@ -86,23 +86,23 @@ class KnownWearer:
         return learned
 
     def begun(self, known: WearerProfile | None) -> None:
-        """The filter has started from nothing but what was ``known`` of the wearer."""
+        """The filter was initialized, with ``known`` as its only knowledge of the wearer."""
         self.calibration.begin(self._filter.state)
         if not self.calibration.is_frozen and known is self.calibration.kept.known:
             self.guided.again(self._filter)
 
-    # ---- what is known
+    # ---- knowledge
 
     @property
     def synergies(self) -> tuple[Array, Array]:
-        """The wearer's: gains (k, 2) and lateral (S,) rad, as `Completion.wear` takes them."""
+        """The wearer's synergies: gains (k, 2) and lateral (S,) rad, as for `Completion.wear`."""
         own = self.guided.synergies
         return self._distal.gains(own), self._distal.lateral(own)
 
     @property
     def end_joints(self) -> dict[str, Array]:
-        """By the names of the digits whose end joint is not sensed, and whose way to bend is known
-        or may be given: covariance (3, 3) of its ratio, offset (rad) and lateral (rad)."""
+        """By the names of the digits whose end joint is not sensed but has an estimated or
+        adjustable synergy: covariance (3, 3) of its ratio, offset (rad) and lateral (rad)."""
         P, digits = self.guided.synergies.P, self._distal.digits
         return {
             d.name: P[OWN * k : OWN * (k + 1), OWN * k : OWN * (k + 1)]
@@ -111,11 +111,11 @@ class KnownWearer:
 
     @property
     def is_learning(self) -> bool:
-        """Whether a pose was held of which it is not decided yet what it tells."""
+        """Whether a held pose is still being evaluated."""
         return self._listens and self.guided.kept.over < len(self.holds)
 
     def show(self) -> None:
-        """Show the hand with the wearer's own synergies, end joints as images show them."""
+        """Update the output with the wearer's own synergies, end joints as measured in images."""
         tips = self._shows.tips
         gains, lateral = tips.worn(*self.synergies)
         self._shows.hand.wear(gains, lateral)
@@ -127,14 +127,14 @@ class KnownWearer:
         return self.calibration.shown(self._filter.state)
 
     def profile(self) -> WearerProfile:
-        """What has been learned, synergies too."""
+        """The learned profile, including synergies."""
         known = self.calibration.profile(self._filter.state)
         return replace(known, synergies=self.guided.kept.synergies)
 
     # ---- a user's commands
 
     def put_on(self, profile: WearerProfile) -> None:
-        """Take what is known of the wearer, now and at each new start."""
+        """Use a wearer profile, now and at each new start."""
         self.guided.put_on(profile.synergies)
         self.calibration.put_on(self._filter.state, profile)
         if not self.calibration.is_frozen:
@@ -143,7 +143,7 @@ class KnownWearer:
         self.changed()
 
     def reset(self, segments: Sequence[str] | None = None) -> None:
-        """Forget what was learned of some segments, or (None) of all of them. Raises ConfigError
+        """Discard the calibration of some segments, or (None) of all of them. Raises ConfigError
         for a segment that is not estimated."""
         self.calibration.reset(self._filter.state, segments)
         if segments is None:
@@ -152,19 +152,19 @@ class KnownWearer:
         self.changed()
 
     def freeze(self, on: bool) -> None:
-        """Hold the calibration as it is now, or go on estimating it from there."""
+        """Hold the present calibration, or resume estimating from it."""
         self.calibration.freeze(self._filter.state, on)
         self.changed()
 
     def remembered(self) -> Remembered:
-        """A copy of all that is known now, for `take_back`."""
+        """A copy of the present knowledge, for `take_back`."""
         calibration = self.calibration
         profile = calibration.profile(self._filter.state)
         return copy.deepcopy(Remembered(profile, calibration.kept, self.guided.kept))
 
     def take_back(self, before: Remembered) -> None:
-        """Know what was known ``before``; the pose stays. Poses held since count no more, one that
-        goes on neither."""
+        """Restores the knowledge ``before``; the pose is unchanged. Poses held since, including one
+        in progress, are ignored."""
         before = copy.deepcopy(before)
         self.calibration.kept = before.wearer
         wear(self._filter.state, self._layout, before.profile)

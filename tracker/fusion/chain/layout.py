@@ -1,14 +1,14 @@
-"""Where each error state of the chain filter stands in the covariance.
+"""The positions of the chain filter's error states in the covariance.
 
-Equation numbers here and beside are those of docs/chain.md (this is eq. 2).
+Equation numbers here and in the neighbouring modules are those of docs/chain.md (this is eq. 2).
 
-Which segments are estimated is `tracker.fusion.segments`. Error state, in this order (blocks of 3
-unless said):
+Which segments are estimated is defined in `tracker.fusion.segments`. Error state, in this order
+(blocks of 3 unless noted):
 
     p, v | theta per active segment | bg, phi, ba per IMU | scale (length, girth) per active segment
     | joint offset per finger base | offset per marker
 
-The first ``n_dynamic`` rows move with the IMU data, the rest only by slow random walks.
+The first ``n_dynamic`` rows are propagated with the IMU data, the rest only by slow random walks.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ P, V, THETA = 0, 3, 6  # first rows of position, velocity and rotations
 
 
 class Blocks(NamedTuple):
-    """First row of each block of the error state but p (0) and v (3); ``size`` is all rows."""
+    """First row of each block of the error state except p (0) and v (3); ``size``: number of
+    rows."""
 
     theta: int
     bg: int
@@ -40,7 +41,8 @@ class Blocks(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """What turns each of the A active segments: its IMU, else its parent and a synergy.
+    """The source of rotation of each of the A active segments: its IMU, else its parent and a
+    synergy.
 
     parent (A,) active row, -1 for the root; imu_of (A,) the IMU on it, -1 for none; source (A,)
     active segment whose flexion drives its own by synergy, -1 for none (always with an IMU); gain
@@ -54,7 +56,7 @@ class Drive(NamedTuple):
 
 
 class ChainSkeleton(NamedTuple):
-    """Where the joints of the A active segments stand.
+    """Joint positions of the A active segments.
 
     parent (A,) active row, -1 for the root; origin (A, 3) m joint in the parent's B; base_of (A,)
     number among the joint offsets, -1 for none; lever (3,) m in the root's B, of the point whose
@@ -75,8 +77,8 @@ class MountedImus(NamedTuple):
 
 
 class Points(NamedTuple):
-    """Points fixed to active segments (n,), m in their B: nominal (n, 3), which grows with the
-    segment's scale, and offset (n, 3), which does not."""
+    """Points fixed to active segments (n,), m in their B: nominal (n, 3), which is scaled with the
+    segment, and offset (n, 3), which is not."""
 
     segment: IntVector
     nominal: Matrix
@@ -85,7 +87,7 @@ class Points(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ChainLayout(EstimatedSegments):
-    """Where the error state of one hand with one glove stands, and what its kernels read."""
+    """Layout of the error state of one hand with one glove, and the tables for its kernels."""
 
     @cached_property
     def root_lever(self) -> Array:
@@ -103,7 +105,7 @@ class ChainLayout(EstimatedSegments):
 
     @cached_property
     def drive(self) -> Drive:
-        """What turns each active segment."""
+        """The source of rotation of each active segment."""
         hand = self.hand
         source = np.full(len(self.active), -1, np.int64)
         gain = np.zeros((len(self.active), 2))
@@ -116,7 +118,7 @@ class ChainLayout(EstimatedSegments):
 
     @cached_property
     def skeleton(self) -> ChainSkeleton:
-        """Where the joints of the active segments stand."""
+        """The joint positions of the active segments."""
         return ChainSkeleton(self.parent, self.origin, self.base_of, self.root_lever)
 
     @cached_property
@@ -133,12 +135,12 @@ class ChainLayout(EstimatedSegments):
 
     @cached_property
     def n_dynamic(self) -> int:
-        """Rows that move with the IMU data: p, v and theta."""
+        """Number of rows propagated with the IMU data: p, v and theta."""
         return THETA + 3 * len(self.active)
 
     @cached_property
     def blocks(self) -> Blocks:
-        """Where the blocks of the error state start."""
+        """The first rows of the blocks of the error state."""
         bg = self.n_dynamic
         phi = bg + 3 * len(self.glove.imus)
         ba = phi + 3 * len(self.glove.imus)

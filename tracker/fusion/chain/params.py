@@ -1,4 +1,4 @@
-"""What a user may tune in the chain filter; values tuned on simulated people."""
+"""Parameters of the chain filter; defaults tuned on simulated people."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tracker.glove.model import GloveModel
 
 
 class RandomWalks(NamedTuple):
-    """Densities per √s of what moves the state by itself, each as `NoiseParams` has it."""
+    """Densities per √s of the random walks in the state, as in `NoiseParams`."""
 
     accel: float
     free_accel: float
@@ -27,7 +27,7 @@ class RandomWalks(NamedTuple):
 
 
 class PixelNoise(NamedTuple):
-    """Standard deviations of a marker in an image, each as `NoiseParams` has it."""
+    """Standard deviations of a marker in an image, as in `NoiseParams`."""
 
     marker: float
     pixel_px: float
@@ -38,19 +38,19 @@ class PixelNoise(NamedTuple):
 class NoiseParams:
     """Continuous noises (per √s) and measurement standard deviations."""
 
-    gyro: float = 0.01  # rad/√s: far above the data sheet, it covers scale error and cloth
+    gyro: float = 0.01  # rad/√s: far above the data sheet, covers scale error and cloth
     accel: float = 0.1  # m/s²·√s
     gyro_bias: float = 2e-4  # rad/s/√s
     accel_bias: float = 2e-3  # m/s²/√s
     scale: float = 1e-4  # 1/√s
-    mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
-    free_rotation: float = 0.3  # rad/√s: a segment without an IMU, against its parent
-    free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is silent
-    free_accel: float = 1.0  # m/s²·√s: the same for its position
+    mounting: float = 4e-3  # rad/√s: not zero, because cloth moves
+    free_rotation: float = 0.3  # rad/√s: a segment without an IMU, relative to its parent
+    free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is invalid
+    free_accel: float = 1.0  # m/s²·√s: its position, likewise
     offset: float = 1e-4  # m/√s: joints
     slip: float = 4e-4  # m/√s: markers, with the cloth
-    slip_most: float = 0.0011  # m: a marker that is known no better does not slip
-    marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
+    slip_most: float = 0.0011  # m: markers whose sd exceeds this do not slip
+    marker: float = 0.0025  # m, placement and cloth beyond the offset states
     pixel_px: float = 1.0
     huber: float = 2.0
 
@@ -69,38 +69,38 @@ class PriorParams:
 
     position: float = 0.020  # m
     velocity: float = 1.0  # m/s: a hand that comes back into the image is fast
-    first_velocity: float = 0.3  # m/s: one that is shown to the camera at a start is not
-    found_velocity: float = 0.3  # m/s, by two searches one after the other
-    returned: float = 0.4  # rad, added when an IMU answers again
+    first_velocity: float = 0.3  # m/s: a hand that re-enters the image is fast
+    found_velocity: float = 0.3  # m/s: a hand shown to the camera at a start is slower
+    returned: float = 0.4  # m/s, from two successive searches
     rotation: float = 0.12  # rad
-    mounting: float = 0.0873  # rad, 5° an axis
+    mounting: float = 0.0873  # rad, 5° per axis
     gyro_bias: float = 0.03  # rad/s
     accel_bias: float = 0.3  # m/s²
     common_length: float = 0.07
     common_girth: float = 0.07
-    alike: float = 0.6  # correlation of these two: long hands are mostly broad ones
+    alike: float = 0.6  # correlation of these two: long hands tend to be broad
     own_length: float = 0.015
     own_girth: float = 0.02
     joint: float = 0.001  # m
     marker: float = 0.0011  # m, along the cloth
-    marker_normal: float = 0.0004  # m, off it
+    marker_normal: float = 0.0004  # m, normal to it
 
 
 @dataclass(frozen=True)
 class ConstraintParams:
     """Anatomy as pseudo-measurements, applied once per image.
 
-    Standard deviations are those of one use every ``period``.
+    The standard deviations are for one use per ``period``.
     """
 
-    rotation: float = 0.15  # rad: no twist, no abduction of a hinge, while no image comes
+    rotation: float = 0.15  # rad: no twist, no abduction of a hinge, without images
     rotation_seen: float = 0.30  # rad: the same with an image
     stiff_abduction: float = 0.12  # rad, of a joint that hardly abducts
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit
     tilt: float = 0.3  # m/s², a finger's accelerometer against the chain's
-    tilt_kinematic: float = 0.15  # share of the kinematic part
-    period: float = 0.03  # s between two uses of tilt, or of anatomy while no image comes
+    tilt_kinematic: float = 0.15  # relative to the kinematic part
+    period: float = 0.03  # s between two uses of tilt, or of anatomy without images
 
 
 @dataclass(frozen=True)
@@ -109,11 +109,11 @@ class MatchParams:
 
     lost_after: float = 0.2  # s without enough matches before images are searched again
     min_markers: int = 4
-    least_markers: int = 2  # enough where no more can be seen
-    coast_limit: float = 1.0  # s of useful inertial position
-    max_frame_delay: float = 0.12  # s, then the filter goes on without an image
+    least_markers: int = 2  # enough where no more are visible
+    coast_limit: float = 1.0  # s for which the inertial position is usable
+    max_frame_delay: float = 0.12  # s, after which the filter continues without the image
     search_period: float = 0.10  # s between two searches
-    misfit_px: float = 3.0  # median, of a hand that comes back into sight
+    misfit_px: float = 3.0  # median, of a hand that re-enters the image
 
 
 @dataclass(frozen=True)
@@ -127,17 +127,17 @@ class BundleParams:
     apart: float = 0.35  # rad, all joints together, between two keyframes
     first_after: float = 12.0  # s of tracking; the next after twice as long, and so on
     sweeps: int = 5
-    slip: float = 0.0015  # m, of a marker's cloth
+    slip: float = 0.0015  # m, of the cloth under a marker
     rotation: float = 0.10  # rad: no twist, no abduction of a hinge
-    orientation: float = 0.15  # rad, of a keyframe's segments about the filter's
+    orientation: float = 0.15  # rad, of a keyframe's segments about the filter's estimate
     wobble: float = 0.02  # rad, of an IMU on soft tissue
 
 
 @dataclass(frozen=True)
 class SynergyParams:
-    """Standard deviations over people, but for ``posture``; angles in degrees.
+    """Standard deviations of the population, except ``posture``; angles in degrees.
 
-    ``posture`` is what a distal joint does by itself from posture to posture.
+    ``posture`` is the individual variation of a distal joint from posture to posture.
     """
 
     ratio: float = 0.08
@@ -152,18 +152,18 @@ class SynergyParams:
 
 @dataclass(frozen=True)
 class GuidedParams:
-    """Standard deviations of what is true while a pose is held; lengths in m.
+    """Standard deviations of the relations that hold during a pose; lengths in m.
 
     Those of joints come with the pose (`tracker.hand.poses`).
     """
 
     enabled: bool = True
-    gap: float = 0.010  # between two pads that touch: skin gives way, some keep them apart, and
-    pad: float = 0.010  # where on the pads: a stranger's thumb is no better known than that
-    table: float = 0.003  # fingertips and palm about one plane
-    gate: float = 0.997  # share of poses rightly held that pass
-    flexion: float = 2.0  # times the pose's own: free motion tells mountings better than that
-    by_will: float = 0.2  # rad, of a joint that is held other than it would be by itself
+    gap: float = 0.010  # between two touching pads: skin is soft, some people leave a gap, and
+    pad: float = 0.010  # on the pads: without a profile, a thumb is known no better
+    table: float = 0.003  # distance of fingertips and palm from one plane
+    gate: float = 0.997  # share of correctly held poses that pass
+    flexion: float = 2.0  # times the pose's own: free motion determines mountings better
+    by_will: float = 0.2  # rad, of a joint held differently from its natural position
     sample_period: float = 0.2  # s
     moving: float = 0.12  # rad, all joints together, from the posture held longest
 
@@ -184,10 +184,10 @@ class ChainParams:
 
 
 def with_measured_noise(params: ChainParams, glove: GloveModel) -> ChainParams:
-    """At least the noise that was measured of the glove's IMUs (the worst of them).
+    """Raises the noise to at least that measured for the glove's IMUs (the worst of them).
 
     The defaults are above an MPU-9250's data sheet, since they also cover scale errors and cloth:
-    only IMUs that are worse change the filter. A glove file without noise changes nothing.
+    only worse IMUs change the filter. A glove file without noise changes nothing.
     """
     measured = [imu.noise for imu in glove.imus if imu.noise is not None]
     if not measured:
@@ -200,7 +200,7 @@ def with_measured_noise(params: ChainParams, glove: GloveModel) -> ChainParams:
 
 
 def without_random_walks(params: ChainParams) -> ChainParams:
-    """The same filter whose calibration does not drift, so that what is held stays held."""
+    """The same filter with a constant calibration, so that a frozen one does not drift."""
     noise = replace(
         params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0, slip=0.0
     )

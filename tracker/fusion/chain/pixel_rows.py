@@ -1,8 +1,8 @@
-"""Rows of the update that matched markers give.
+"""Measurement rows of matched markers.
 
-A marker's placement error is common to both images: the noise of a stereo pair is
-A A^T s_m² + I s_px² with A = [Pi_L; Pi_R] R_CG (docs/chain.md, eq. 25). Treating it as independent
-pixel noise would throw the depth away.
+A marker's placement error is common to both images: the noise of a stereo pair is A A^T s_m² + I
+s_px² with A = [Pi_L; Pi_R] R_CG (docs/chain.md, eq. 25). Treating it as independent pixel noise
+would discard the depth information.
 """
 
 from __future__ import annotations
@@ -21,13 +21,14 @@ def point_rows(
     prediction: Prediction, match: IntMatrix, left: Matrix, right: Matrix, noise: PixelNoise
 ) -> tuple[Matrix, Matrix, Vector, Matrix]:
     """`stack_rows` of the markers that may be seen, with three rows in place of four where both
-    cameras see one: what they say of its position in G. The fourth says nothing of the state.
+    cameras see one: the measurement of its position in G. The fourth has no information on the
+    state.
 
     With J (4, 3) of both cameras' A, the residual is (JᵀJ)⁻¹ Jᵀ r (m) and its noise
     I sd_marker² + (JᵀJ)⁻¹ sd_pixel² (m²). match (2, M) rows of left and right (k, 2) px.
     """
     rows, H, HP = prediction.rows, prediction.H, prediction.HP
-    # 1. how many rows there will be
+    # 1. count the rows
     m = 0
     for k in range(len(rows)):
         seen = int(match[0, rows[k]] >= 0) + int(match[1, rows[k]] >= 0)
@@ -37,7 +38,7 @@ def point_rows(
     J, r = np.empty((4, 3)), np.empty(4)
     at = 0
     for k in range(len(rows)):
-        # 2. the marker's pixels, and how far they lie from where they should be
+        # 2. the marker's pixels, and their residuals
         end = _put_pixels(J, r, rows[k], prediction, match, left, right)
         if end == 0:
             continue
@@ -73,7 +74,7 @@ def _put_pixels(
     right: Matrix,
 ) -> int:
     """Jacobians J (4, 3) and residuals r (4,) px of a marker in the cameras that show it, left
-    before right; how many of the rows these are."""
+    before right; returns the number of rows."""
     end = 0
     for c in range(2):
         row = match[c, marker]
@@ -88,7 +89,7 @@ def _put_pixels(
 
 @kernel
 def _put_product(out: Written[Matrix], J: Matrix, H: Matrix) -> None:
-    """out (k, N) = J H of the first k rows of J, for H (3, N)."""
+    """out (k, N) = J H for the first k rows of J and H (3, N)."""
     for a in range(len(out)):
         x, y, z = J[a]
         for i in range(H.shape[1]):
@@ -112,14 +113,14 @@ def _solved(J: Matrix, r: Vector) -> tuple[Matrix, Vector]:
 def stack_rows(
     H: Stack, HP: Stack, A: Stack4, residual: Stack, noise: PixelNoise
 ) -> tuple[Matrix, Matrix, Vector, Matrix]:
-    """H, HP (m, N), r (m,) and noise (m, m) of the markers that are matched.
+    """H, HP (m, N), r (m,) and noise (m, m) of the matched markers.
 
     H, HP (n, 3, N) of n markers in G and their product with P; A (2, n, 2, 3) d uv / d p_G;
-    residual (2, n, 2) px, NaN where a camera has no match. A marker's rows stand together, left
+    residual (2, n, 2) px, NaN where a camera has no match. A marker's rows are adjacent, left
     before right. Its placement error (m) is common to both images, that of a pixel is not; beyond
     ``noise.huber`` standard deviations the noise grows with the distance.
     """
-    # 1. how many rows there will be
+    # 1. count the rows
     matched = 0
     for c in range(2):
         for k in range(H.shape[0]):
@@ -142,7 +143,7 @@ def stack_rows(
                     rows_H[end, i] = x * H[k, 0, i] + y * H[k, 1, i] + z * H[k, 2, i]
                     rows_HP[end, i] = x * HP[k, 0, i] + y * HP[k, 1, i] + z * HP[k, 2, i]
                 end += 1
-        # 3. their noise, common to both images by the placement (eq. 25)
+        # 3. their noise; the placement error is common to both images (eq. 25)
         if end > start:
             R_k = J[start:end] @ J[start:end].T * noise.marker**2
             for i in range(end - start):

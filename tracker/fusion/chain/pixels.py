@@ -1,6 +1,6 @@
 """Markers in the two images: prediction, correspondence, and the stacked pixel update.
 
-A marker that one camera sees gives two rows, one that both see gives three (`pixel_rows`). Equation
+A marker seen by one camera contributes two rows, one seen by both three (`pixel_rows`). Equation
 numbers are those of docs/chain.md.
 """
 
@@ -30,12 +30,12 @@ from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibili
 GATE = GateParams()
 GATE_SQUARED, GATE_PX = GATE.gate, GATE.gate_px
 ALONE, LEAST_PRIOR = GATE.dummy_cost, GATE.min_prior
-RIVAL, DISPUTED = 0.01, 2.0  # least prior of another marker, and how much worse the blob suits it
-USUAL_LN_DET = 10.0  # of an innovation covariance in px⁴ that the default gate is made for
+RIVAL, DISPUTED = 0.01, 2.0  # minimum prior of another marker, and limit on its larger cost
+USUAL_LN_DET = 10.0  # of an innovation covariance in px⁴, for which the default gate is designed
 
 
 class SeenBlobs(NamedTuple):
-    """Blobs of one image in rectified pixels uv (n, 2), hue (n,) numbered as the glove's."""
+    """Blobs of one image in rectified pixels uv (n, 2), hue (n,) numbered as in the glove."""
 
     uv: Matrix
     hue: IntVector
@@ -48,7 +48,7 @@ class SeenBlobs(NamedTuple):
         hues: tuple[str, ...],
         rectify: Callable[[Array], Array],
     ) -> SeenBlobs:
-        """Those of hues that the glove wears."""
+        """Keeps the blobs whose hue is in the glove."""
         if blobs is None or len(blobs) == 0:
             return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
         number = hue_rows(hue_names, hues).copy()
@@ -57,7 +57,7 @@ class SeenBlobs(NamedTuple):
 
 
 def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple[SeenBlobs, ...]:
-    """Left and right."""
+    """The left and right image."""
     return (
         SeenBlobs.of(frame.left, frame.hue_names, hues, rig.left.rectify),
         SeenBlobs.of(frame.right, frame.hue_names, hues, rig.right.rectify),
@@ -65,7 +65,8 @@ def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple
 
 
 class Tally(NamedTuple):
-    """How many markers are ``matched`` in at least one camera; ``expected`` is the priors' sum."""
+    """Number of markers ``matched`` in at least one camera; ``expected`` is the sum of the
+    priors."""
 
     matched: int
     expected: float
@@ -86,13 +87,13 @@ class PixelModel:
         self._complete = Completion(layout)
 
     def wear(self, gains: Array, lateral: Array) -> None:
-        """From now on with a wearer's own synergies, as `Completion.wear`."""
+        """Sets a wearer's own synergies, as `Completion.wear`."""
         self._complete.wear(gains, lateral)
 
     def predict(
         self, state: ChainState, pose: CameraPose, unhidden: Array | None = None
     ) -> Prediction:
-        """Where markers should be; ``unhidden`` as a `BlobFrame` has it."""
+        """Predicts the markers in the images; ``unhidden`` as in a `BlobFrame`."""
         lay, rig, noise = self._layout, self._rig, self._noise.pixel
         view, markers, body = PosedRig.of(rig, pose), marker_points(state, lay), state.body
         p_GB, p_G, normal_G, p_C, uv = viewed(
@@ -126,7 +127,7 @@ class PixelModel:
 def worn(uv: Matrix, hue: IntVector, number: IntVector) -> tuple[Matrix, IntVector, IntVector]:
     """uv, hue and row of the blobs uv (n, 2) px, hue (n,) that are finite and have a number >= 0.
 
-    ``number`` (k,) is what the glove calls each hue.
+    ``number`` (k,) is the glove's number for each hue.
     """
     keep, count = np.empty(len(uv), np.int64), 0
     for i in range(len(uv)):
@@ -140,7 +141,8 @@ def worn(uv: Matrix, hue: IntVector, number: IntVector) -> tuple[Matrix, IntVect
 
 @kernel(nogil=False)
 def counted(match: IntMatrix, prior: Matrix) -> tuple[int, float]:
-    """Markers of match (2, M) that any camera shows; the sum of the larger of its priors (2, M)."""
+    """Number of markers of match (2, M) seen by any camera; the sum of the larger of its priors
+    (2, M)."""
     either, expected = 0, 0.0
     for j in range(match.shape[1]):
         either += match[0, j] >= 0 or match[1, j] >= 0
@@ -158,9 +160,10 @@ def matched(
 ) -> IntMatrix:
     """(2, M) row of the blobs of left and right for each marker, -1 for none; marker_digit (M,).
 
-    Limits as in `tracker.vision.correspondence.GateParams`; costs as in eq. 23. The cost of no
-    match grows with the innovation covariance, or an unsure filter would match nothing. A blob that
-    is equally close to another digit's marker is not used, except for an uncertain hand.
+    Limits as in `tracker.vision.correspondence.GateParams`; costs as in eq. 23. The cost of leaving
+    a marker unmatched grows with the innovation covariance, or a filter with a large covariance
+    would match nothing. A blob that is equally close to another digit's marker is not used, except
+    with a large covariance.
     """
     rows, S = prediction.rows, prediction.S
     digit = marker_digit[rows]
@@ -184,8 +187,8 @@ def matched(
 def _is_disputed(
     i: int, found: IntVector, uv: Matrix, markers: ExpectedPixels, digit: IntVector
 ) -> bool:
-    """Whether the blob of marker ``i`` would suit another digit's that has none as well, were both
-    in sight: the occlusion order of a bent hand is not observable at this scale."""
+    """Whether the blob of marker ``i`` would fit an unmatched marker of another digit equally well,
+    if both were visible: the occlusion order of a bent hand is not observable at this scale."""
     if found[i] < 0:
         return False
     own = _distance(uv[found[i]], markers.uv[i], markers.S[i])

@@ -1,8 +1,8 @@
-"""A pose reset: the wearer holds the hand flat, and what has drifted is aligned with that pose.
+"""A pose reset: the wearer holds the hand flat, which corrects drift.
 
-Without a camera nothing measures how the hand is turned about the vertical, and little measures it
-of each finger: both drift with the gyroscopes' biases. A wearer who holds the hand level, the
-fingers straight ahead, shows both. Tilt needs no reset: gravity measures it.
+Without a camera no sensor measures the rotation of the hand about the vertical, and that of each
+finger is hardly observable: both drift with the gyroscopes' biases. A hand held level, the fingers
+straight ahead, determines both. Tilt needs no reset: gravity measures it.
 """
 
 from __future__ import annotations
@@ -18,26 +18,27 @@ from tracker.messages import Array, Event
 
 KIND = "pose_reset"
 FINGER_SD, THUMB_SD = np.deg2rad(6.0), np.deg2rad(15.0)
-"""rad an axis by which the joints of a hand that a person holds flat differ from straight."""
+"""rad per axis by which the joints of a hand held flat deviate from straight."""
 DRIFT_SD = np.deg2rad(25.0)  # rad about the vertical that a finger may have drifted unnoticed
-SLIP_SD = np.deg2rad(5.0)  # rad an axis that an IMU may have slipped with the glove's cloth
-PASSES = 3  # the rows are used so often, each time with that many times the variance
-MOST_BENT = np.deg2rad(60.0)  # rad: no drift bends a finger so far, a fist does
-STEEPEST = np.sin(np.deg2rad(60.0))  # of the fingers' direction: steeper than this has no heading
+SLIP_SD = np.deg2rad(5.0)  # rad per axis that an IMU may have slipped with the glove's cloth
+PASSES = 3  # the rows are applied this many times, each with the variance multiplied by it
+MOST_BENT = np.deg2rad(60.0)  # rad: drift cannot bend a finger this far, a fist does
+STEEPEST = np.sin(np.deg2rad(60.0))  # of the fingers: the heading is undefined beyond it
 
 
 def reset_event(t: float) -> Event:
-    """The wearer holds the pose at ``t`` (s)."""
+    """Event: the wearer holds the pose at ``t`` (s)."""
     return Event.of(t, KIND, notice("pose_reset.asked"))
 
 
 def is_reset(event: Event) -> bool:
-    """Whether the engine is to be aligned with the pose."""
+    """Whether the event requests an alignment with the pose."""
     return event.kind == KIND
 
 
 def bends(state: ChainState, layout: ChainLayout) -> Array:
-    """(A, 3) rad: rotation vectors by which segments differ from straight; zero for the root."""
+    """(A, 3) rad: rotation vectors of the deviation of segments from straight; zero for the
+    root."""
     out = np.zeros((len(layout.active), 3))
     for c, a in enumerate(layout.parent):
         if a >= 0:
@@ -46,7 +47,7 @@ def bends(state: ChainState, layout: ChainLayout) -> Array:
 
 
 def is_flat(state: ChainState, layout: ChainLayout) -> bool:
-    """Whether the fingers are as straight as drift can leave a flat hand's."""
+    """Whether the fingers are as straight as those of a flat hand after drift."""
     flexion = np.abs(bends(state, layout)[:, 1])
     return bool(flexion[~_is_thumb(layout)].max(initial=0.0) < MOST_BENT)
 
@@ -69,10 +70,11 @@ def flat_rows(state: ChainState, layout: ChainLayout) -> tuple[Array, Array, Arr
 
 
 def doubt_drift(state: ChainState, layout: ChainLayout, frozen: bool) -> None:
-    """Before the rows are used where no image is: segments may have drifted about the vertical, and
-    IMUs slipped, by more than the covariance says. Gravity still determines tilt.
+    """Prepares the covariance for the rows where no image is available: segments may have drifted
+    about the vertical, and IMUs slipped, by more than the covariance predicts. Gravity still
+    determines tilt.
 
-    ``frozen``: the calibration is held, so mountings are.
+    ``frozen``: the calibration is frozen, so mountings are.
     """
     for c, a in enumerate(layout.parent):
         j = int(layout.imu_of[c])
@@ -92,14 +94,15 @@ def _phi(layout: ChainLayout, imu: int) -> int:
 
 
 def heading(R_GB: Array) -> float | None:
-    """rad about the vertical from straight ahead (x of G) to the fingers of a dorsum turned by
+    """rad about the vertical from straight ahead (x of G) to the fingers of a dorsum rotated by
     R_GB (3, 3), positive to the left; None where they point up or down."""
     x, y, z = R_GB[:, 0]
     return None if abs(z) > STEEPEST else float(np.arctan2(y, x))
 
 
 def turn(state: ChainState, angle: float) -> None:
-    """Turn all of the hand about the vertical by ``angle`` rad; errors in G turn with it."""
+    """Rotates the whole hand about the vertical by ``angle`` rad; errors in G are rotated with
+    it."""
     Rz = so3.rz(angle)
     state.p, state.v = Rz @ state.p, Rz @ state.v
     state.R_GB = np.einsum("ij,ajk->aik", Rz, state.R_GB)

@@ -1,4 +1,4 @@
-"""What the filter expects of markers in the two images, with its Jacobians and covariances.
+"""Prediction of the markers in the two images, with Jacobians and covariances.
 
 Equation numbers are those of docs/chain.md.
 """
@@ -27,7 +27,7 @@ from tracker.kernels.arrays import IntVector, Matrix, Stack, Stack4, Vector, Wri
 from tracker.messages import CameraPose
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig, projected
 
-MIN_PRIOR = 0.01  # of being seen, below which a marker is not looked for
+MIN_PRIOR = 0.01  # of visibility, below which a marker is ignored
 
 
 @record(
@@ -44,11 +44,11 @@ MIN_PRIOR = 0.01  # of being seen, below which a marker is not looked for
     },
 )
 class Prediction(NamedTuple):
-    """Markers as the filter expects them; n of them may be seen.
+    """Predicted markers; n of them may be seen.
 
     rows (n,) marker ids; uv (2, M, 2) rectified; prior (2, M); A (2, M, 2, 3) = d uv / d p_G; and
-    of the n rows H, HP (n, 3, N), cov (n, 3, 3) m² in G with the placement's, and the innovation
-    covariance S (2, n, 2, 2) px².
+    for the n rows H, HP (n, 3, N), cov (n, 3, 3) m² in G including the placement's, and the
+    innovation covariance S (2, n, 2, 2) px².
     """
 
     rows: IntVector
@@ -62,7 +62,7 @@ class Prediction(NamedTuple):
 
 
 class PosedRig(NamedTuple):
-    """A stereo camera where it stands: R_GC (3, 3), p_GC (3,) m of the left one."""
+    """A stereo camera with its pose: R_GC (3, 3), p_GC (3,) m of the left one."""
 
     R_GC: Matrix
     p_GC: Vector
@@ -122,8 +122,8 @@ def expected(
 ) -> tuple[IntVector, Stack, Stack, Stack, Stack4]:
     """The markers that may be seen: rows, H, H P, cov and S of a `Prediction`.
 
-    They are those whose ``prior`` (2, M) is above `MIN_PRIOR` in a camera. What markers of one
-    segment share of H P, the share of the segment's origin, is computed once.
+    They are those whose ``prior`` (2, M) exceeds `MIN_PRIOR` in a camera. The product H P of a
+    segment's origin, which its markers share, is computed once.
     """
     # 1. which markers, and the origins of their segments (eq. 6)
     rows = np.flatnonzero(np.maximum(prior[0], prior[1]) > MIN_PRIOR)
@@ -135,13 +135,13 @@ def expected(
     for i in range(n):
         m = rows[i]
         a = markers.segment[m]
-        # 2. H of the marker: its origin's columns and its own after them
+        # 2. H of the marker: its origin's columns, then its own
         k, h, column = origins.used[a], origins.value[a], origins.column[a]
         end = k + put_own(h[:, k:], column[k:], skeleton, at, body, markers, m, at.marker + 3 * m)
         # 3. H P
         HP[i] = of_origin[a]
         add_product(HP[i], h[:, k:end], column[k:end], P)
-        # 4. H P Hᵀ and the placement's noise; H written out
+        # 4. H P Hᵀ and the placement's noise; H expanded
         for r in range(3):
             for c in range(end):
                 H[i, r, column[c]] = h[r, c]

@@ -1,4 +1,4 @@
-"""The covariance that a filter starts with."""
+"""The initial covariance of a filter."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tracker.messages import Array
 
 
 def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
-    """(N, N). Hands differ as wholes: lengths share a common factor, girths another one like it."""
+    """(N, N). Hand size varies as a whole: lengths share a common factor, girths another."""
     P = np.zeros((layout.blocks.size, layout.blocks.size))
     d = np.zeros(layout.blocks.size)
     d[0:3] = prior.position**2
@@ -33,7 +33,7 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
 
 
 def _put_markers(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
-    """Patches are misplaced along the cloth, hardly off it (eq. 19)."""
+    """Patches are misplaced along the cloth, hardly normal to it (eq. 19)."""
     for k, normal in enumerate(layout.glove.marker_normal):
         rows = slice(layout.blocks.marker + 3 * k, layout.blocks.marker + 3 * k + 3)
         off = np.outer(normal, normal) / (normal @ normal)
@@ -41,7 +41,7 @@ def _put_markers(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
 
 
 def reset_pose(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
-    """Forget the pose (p, v, theta) and what it was correlated with; calibration stays."""
+    """Resets the pose (p, v, theta) and its correlations; the calibration is unchanged."""
     n = layout.n_dynamic
     P[:n, :] = 0.0
     P[:, :n] = 0.0

@@ -1,4 +1,4 @@
-"""What a chain filter has learned of a wearer, to be kept and given to another run."""
+"""The wearer's calibration as learned by a chain filter, for storage and reuse."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ class WearerProfile:
     synergies: Synergies | None = None
 
     def reversed_in_time(self, layout: ChainLayout) -> WearerProfile:
-        """For data played backwards: a gyro's readings change sign, and so does its bias."""
+        """For data in reverse order: gyro readings change sign, and so does their bias."""
         sign = np.ones(len(self.P))
         sign[: layout.blocks.phi - layout.blocks.bg] = -1.0
         return replace(self, bg=-self.bg, P=self.P * np.outer(sign, sign))
 
 
 def profile_of(state: ChainState, layout: ChainLayout) -> WearerProfile:
-    """What ``state`` knows, whatever its pose."""
+    """The calibration of ``state``, independent of its pose."""
     block = slice(layout.n_dynamic, layout.blocks.size)
     return WearerProfile(
         state.bg.copy(),
@@ -61,7 +61,8 @@ def profile_of(state: ChainState, layout: ChainLayout) -> WearerProfile:
 
 
 def wear(state: ChainState, layout: ChainLayout, profile: WearerProfile) -> None:
-    """Put a profile on: the pose stays, correlations between pose and calibration are forgotten."""
+    """Applies a profile: the pose is unchanged, correlations of pose and calibration are
+    discarded."""
     n = layout.n_dynamic
     for name in ("bg", "R_IB", "ba", "scale", "joint", "marker"):
         setattr(state, name, getattr(profile, name).copy())

@@ -1,9 +1,8 @@
-"""Moving the chain's state with IMU data, nominal state and covariance (docs/chain.md).
+"""Propagates the chain's nominal state and covariance with IMU data (docs/chain.md).
 
-A segment with an IMU turns as its gyroscope says; one without turns with its parent and bends as
-its synergy says. The root's accelerometer moves the hand as a whole. Phi differs from the identity
-in a handful of columns a row, so products with it go through a list of those columns. Shapes are
-those of `ChainState`.
+A segment with an IMU rotates by its gyroscope; one without rotates with its parent and bends by its
+synergy. The root's accelerometer moves the hand as a whole. Phi differs from the identity in a few
+columns per row, so products with it use a list of those columns. Shapes are those of `ChainState`.
 """
 
 from __future__ import annotations
@@ -33,8 +32,8 @@ from tracker.kernels.arrays import (
 
 
 class Coasting(NamedTuple):
-    """Velocity is damped from ``patience`` s after ``last_good`` (s) on: without images a double
-    integral flies away."""
+    """Velocity is damped from ``patience`` s after ``last_good`` (s) on: without images the double
+    integral diverges."""
 
     last_good: float
     patience: float
@@ -44,8 +43,8 @@ NEVER_COASTING = Coasting(float("inf"), 0.0)
 
 
 class SensedMotion(NamedTuple):
-    """What the IMUs say of the motion: w (A, 3) rad/s of each active segment in its own B, f (3,)
-    m/s² specific force of the root's IMU in its B, and whether it is ``felt``."""
+    """Motion measured by the IMUs: w (A, 3) rad/s of each active segment in its own B, f (3,) m/s²
+    specific force of the root's IMU in its B, and whether it is ``felt`` (valid)."""
 
     w: Matrix
     f: Vector
@@ -59,7 +58,7 @@ def propagate(
     way: Intervals,
     coasting: Coasting = NEVER_COASTING,
 ) -> None:
-    """Move ``state`` in place through the intervals of ``way``."""
+    """Propagate ``state`` in place through the intervals of ``way``."""
     random_walks = params.noise.random_walks
     state.p, state.v, state.R_GB = steps(
         layout.drive, layout.blocks, random_walks, way, coasting, state.dynamic, state.imus, state.P
@@ -70,7 +69,7 @@ def propagate(
 def carry(
     state: ChainState, layout: ChainLayout, buffer: ImuBuffer, t: float, coasting: bool = False
 ) -> None:
-    """Move the nominal state, its covariance left behind, to ``t`` with the packets on the way."""
+    """Propagate the nominal state alone, without its covariance, to ``t`` through the packets."""
     if t <= state.t:
         return
     state.p, state.v, state.R_GB, state.t = carried(
@@ -94,13 +93,13 @@ def steps(
     imus: ImuErrors,
     P: Written[Matrix],
 ) -> tuple[Vector, Vector, Stack]:
-    """Through all intervals of ``way``: P in place, and p, v, R_GB at the end."""
+    """Through all intervals of ``way``: P in place; returns p, v, R_GB at the end."""
     p, v, R_GB = dynamic
     for k in range(len(way.stop)):
         dt, valid = way.stop[k] - way.start[k], way.valid[k]
         # 1. rates and force by the mean readings
         motion = motion_by(drive, R_GB, imus, way.accel[k], way.gyro[k], valid)
-        # 2. P <- Phi P Phi^T + Q, linearised where the interval begins (eq. 16)
+        # 2. P <- Phi P Phi^T + Q, linearised at the start of the interval (eq. 16)
         move_covariance(P, phi_of(drive, at, R_GB, imus.R_IB, valid, motion, dt))
         add_random_walks(P, at, random_walks, motion.felt, dt)
         add_rotation_noise(P, at, drive, R_GB, valid, random_walks, dt)
@@ -120,7 +119,8 @@ def carried(
     end: float,
     coasting: bool,
 ) -> tuple[Vector, Vector, Stack, float]:
-    """p, v, R_GB after the way from ``start`` to ``end`` past the packets, and when that is."""
+    """p, v, R_GB after propagation from ``start`` to ``end`` through the packets, and the time
+    reached."""
     p, v, R_GB = dynamic
     starts, stops, accel, gyro, valid = cut(packets, start, end)
     for k in range(len(stops)):
@@ -172,9 +172,9 @@ def rates_now(
     valid: BoolVector,
     gyro_sd: float,
 ) -> tuple[Matrix, Vector, Vector]:
-    """(A, 3) rad/s of each active segment in its own B by readings gyro (n, 3), and (A,) rad/s how
-    sure they are on each axis: by ``gyro_sd`` (rad/s) and, in P (N, N), bias and mounting; (A,) rad
-    how sure each rotation against the parent is, of the root the whole one."""
+    """(A, 3) rad/s of each active segment in its own B by readings gyro (n, 3); (A,) rad/s, their
+    sd per axis: from ``gyro_sd`` (rad/s) and, in P (N, N), bias and mounting; (A,) rad, sd of each
+    rotation relative to the parent, for the root of the whole rotation."""
     w = body_rates(drive, R_GB, imus, gyro, valid)
     sd, turn_sd = np.empty(len(w)), np.empty(len(w))
     for i in range(len(w)):
@@ -191,7 +191,7 @@ def rates_now(
 
 @kernel
 def _turn_variance(P: Matrix, theta: int, R_GB: Stack, i: int, a: int) -> float:
-    """rad², mean of three axes, of the rotation of segment ``i`` against ``a``, -1 for none."""
+    """rad², mean of three axes, of the rotation of segment ``i`` relative to ``a``, -1 for none."""
     c = theta + 3 * i
     own = _mean_variance(P, c)
     if a < 0:
@@ -207,7 +207,7 @@ def _turn_variance(P: Matrix, theta: int, R_GB: Stack, i: int, a: int) -> float:
 
 @kernel
 def _mean_variance(P: Matrix, first: int) -> float:
-    """Of three error states in P (N, N)."""
+    """Mean variance of three error states in P (N, N)."""
     return (P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
 
 
@@ -215,7 +215,7 @@ def _mean_variance(P: Matrix, first: int) -> float:
 def root_force(
     drive: Drive, imus: ImuErrors, accel: Matrix, valid: BoolVector
 ) -> tuple[Vector, bool]:
-    """(3,) m/s² specific force of the root's IMU in its B, and whether it answers."""
+    """(3,) m/s² specific force of the root's IMU in its B, and whether it is valid."""
     j = drive.imu_of[0]
     if j < 0 or not valid[j]:
         return np.zeros(3), False
@@ -281,14 +281,14 @@ def phi_of(
             Phi[k : k + 3, at.phi + 3 * j : at.phi + 3 * j + 3] = skew3(w[i]) * dt
             Phi[k : k + 3, at.bg + 3 * j : at.bg + 3 * j + 3] = -R_IB[j].T * dt
         elif parent[i] >= 0:
-            # eq. 14. R_rel stays: theta_c moves by R_ca times what theta_parent moved by
+            # eq. 14. R_rel is constant: theta_c moves by R_ca times the change of theta_parent
             a = at.theta + 3 * parent[i]
             R_ca = tmul3(R_GB[i], R_GB[parent[i]])
             moved = Phi[a : a + 3].copy()
             for r in range(3):
                 moved[r, a + r] -= 1.0
             Phi[k : k + 3] += R_ca @ moved
-    # 3. velocity and position by what the specific force depends on (eq. 15)
+    # 3. velocity and position by the variables in the specific force (eq. 15)
     if motion.felt:
         j = drive.imu_of[0]
         _put_root_rows(Phi, at, j, R_GB[0], R_IB[j], motion.f, dt)
@@ -307,7 +307,7 @@ def _put_root_rows(
         for r in range(3):
             for c in range(3):
                 Phi[first + r, theta + c] = J_a_theta[r, c] * gain
-                # a turn of the mounting turns f the other way
+                # a rotation of the mounting rotates f by its inverse
                 Phi[first + r, phi + c] = -J_a_theta[r, c] * gain
                 Phi[first + r, ba + c] = J_a_ba[r, c] * gain
 
@@ -342,7 +342,7 @@ def move_covariance(P: Written[Matrix], Phi: Matrix) -> None:
 
 @kernel
 def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
-    """How many entries of each row are not zero, and their columns (D, most)."""
+    """Number of non-zero entries of each row, and their columns (D, most)."""
     D, width = Phi.shape
     count, column = np.zeros(D, np.int64), np.empty((D, width), np.int64)
     for r in range(D):
@@ -357,7 +357,7 @@ def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
 def add_random_walks(
     P: Written[Matrix], at: Blocks, random_walks: RandomWalks, felt: bool, dt: float
 ) -> None:
-    """The noise of all but the orientations over ``dt``, on the diagonal (eq. 17)."""
+    """Adds the noise of all states except orientations over ``dt``, on the diagonal (eq. 17)."""
     accel = random_walks.accel if felt else random_walks.free_accel
     for r in range(3):
         P[r, r] += accel**2 * dt**3 / 3
@@ -387,11 +387,11 @@ def add_rotation_noise(
     random_walks: RandomWalks,
     dt: float,
 ) -> None:
-    """Noise of the orientations, in place: a segment without an IMU takes its parent's along
+    """Adds the noise of the orientations in place; a segment without an IMU shares its parent's
     (eq. 18).
 
-    A rotation that is felt, one against the parent that is not, and the root's that is not have
-    variances of their own.
+    The variances differ for a sensed rotation, an unsensed one relative to the parent, and an
+    unsensed root.
     """
     felt, free = random_walks.gyro**2 * dt, random_walks.free_rotation**2 * dt
     free_root = random_walks.free_root_rotation**2 * dt

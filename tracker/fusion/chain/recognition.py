@@ -1,6 +1,6 @@
-"""Which blob is which marker, near where the filter expects them or anywhere in the image.
+"""Matches blobs to markers, near the prediction or anywhere in the image.
 
-What markers say of the state is in `pixels`; how a hand is found from nothing, in `start`.
+The measurement rows are in `pixels`; how a hand is found without a prior, in `start`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from tracker.vision.stereo import StereoMatches, all_pairs
 
 
 class LooseRows:
-    """Rows of an update for one glove seen by one rig."""
+    """Update rows of loose coupling for one glove seen by one rig."""
 
     def __init__(self, layout: ChainLayout, rig: StereoRig, noise: NoiseParams) -> None:
         self._layout, self._rig, self._noise = layout, rig, noise
@@ -45,7 +45,7 @@ class LooseRows:
         pose: CameraPose,
     ) -> tuple[Array, Array, Array, Array]:
         """H (6 s, N), HP (6 s, N), innovation (6 s,) m and rad, noise (6 s, 6 s) of the s segments
-        whose pose the markers (M,) matched in both images tell."""
+        whose pose is determined by the markers (M,) matched in both images."""
         lay, N = self._layout, self._layout.blocks.size
         H, HP, r, R = [np.zeros((0, N))], [np.zeros((0, N))], [np.zeros(0)], [np.zeros((0, 0))]
         both = np.flatnonzero(np.all(match[:, prediction.rows] >= 0, axis=0))
@@ -77,35 +77,35 @@ class LooseRows:
         good = np.isfinite(p_C[:, 2])
         p_C[~good] = (0.0, 0.0, 1.0)
         cov = stereo_covariance(self._rig, p_C, pose.R_GC, self._noise.pixel_px, self._noise.marker)
-        cov[~good] = np.eye(3)  # behind the camera: a metre of doubt
+        cov[~good] = np.eye(3)  # behind the camera: sd of 1 m
         return p_C @ pose.R_GC.T + pose.p_GC, cov
 
 
 @record("chain.previous")
 @dataclass(frozen=True, eq=False)
 class PreviousPrediction:
-    """Markers after the image at ``t`` (s) as the filter then had them."""
+    """Markers as estimated after the image at ``t`` (s)."""
 
     t: float
     markers: Prediction
 
     def at(self, t: float, speed: float) -> Prediction:
-        """The same positions, less certain by what a hand of ``speed`` m/s (sd) goes meanwhile."""
+        """The same positions, with the variance of a hand's motion since, at ``speed`` m/s (sd)."""
         gone = (speed * (t - self.t)) ** 2
         A = self.markers.A[:, self.markers.rows]
         S = self.markers.S + gone * A @ np.swapaxes(A, -1, -2)
         return self.markers._replace(S=np.ascontiguousarray(S))
 
 
-FOLLOWED_PX = 4.0  # median, of one camera's blobs from where they were expected
-EXPLAINED_SHARE = 0.4  # of one camera's blobs, that are the hand's where it is called measured
-STRANGE_PX = 5.0  # the same of two cameras' blobs
-STRANGE_SHARE = 0.2  # of blobs on a hand, that are no marker's, to those that are
-NOBODY = -2  # whose blob one is that no marker is matched with
+FOLLOWED_PX = 4.0  # median residual of one camera's blobs
+EXPLAINED_SHARE = 0.4  # of one camera's blobs matched, for a measured hand
+STRANGE_PX = 5.0  # the same for the blobs of two cameras
+STRANGE_SHARE = 0.2  # ratio of unmatched blobs on a hand to matched ones
+NOBODY = -2  # owner of a blob without a marker
 
 
 class SeenImage(NamedTuple):
-    """An exposure: blobs of both sides in rectified pixels, and where the camera was."""
+    """An exposure: blobs of both sides in rectified pixels, and the camera pose."""
 
     frame: BlobFrame
     blobs: tuple[SeenBlobs, ...]
@@ -113,42 +113,42 @@ class SeenImage(NamedTuple):
 
     @property
     def most_blobs(self) -> int:
-        """In one of its sides."""
+        """Number of blobs in the side with more of them."""
         return max(len(s.uv) for s in self.blobs)
 
     @property
     def is_mono(self) -> bool:
-        """Only one camera sees anything."""
+        """Whether only one camera sees any blobs."""
         return any(len(s.uv) == 0 for s in self.blobs)
 
 
 class Recognised(NamedTuple):
-    """Markers as they are expected, and match (2, M) the row of each one's blob, -1 for none."""
+    """The predicted markers, and match (2, M) the row of each marker's blob, -1 for none."""
 
     prediction: Prediction
     match: IntArray
 
     @property
     def tally(self) -> Tally:
-        """How many of how many."""
+        """Matched and expected markers."""
         return Tally.of(self.prediction, self.match)
 
     def nothing(self) -> Recognised:
-        """The same expectation, with no blob recognised."""
+        """The same prediction, with no matches."""
         return self._replace(match=np.full_like(self.match, -1))
 
     @property
     def in_both(self) -> bool:
-        """Whether some marker is seen by both cameras."""
+        """Whether any marker is matched in both cameras."""
         return bool(np.all(self.match >= 0, axis=0).any())
 
 
 @record("chain.recognition")
 @dataclass(eq=False)
 class RecognitionKept:
-    """All of the recognition that changes."""
+    """The part of the recognition that changes."""
 
-    previous: PreviousPrediction | None = None  # only where correspondence is made from it
+    previous: PreviousPrediction | None = None  # only where correspondence is based on it
 
 
 class Recognition:
@@ -162,16 +162,17 @@ class Recognition:
         self.kept = RecognitionKept()
 
     def wear(self, gains: Array, lateral: Array) -> None:
-        """From now on with a wearer's own synergies, as `Completion.wear`."""
+        """Sets a wearer's own synergies, as `Completion.wear`."""
         self._pixels.wear(gains, lateral)
 
     def image(self, frame: BlobFrame) -> SeenImage:
-        """What of a frame can be the glove's."""
+        """The blobs of a frame whose hue is in the glove."""
         blobs = seen_blobs(frame, self._rig, self._layout.glove.hues)
         return SeenImage(frame, blobs, frame.pose or self._rig.pose)
 
     def follow(self, state: ChainState, image: SeenImage) -> Recognised:
-        """Blobs near where ``state`` expects markers, or where the last image left them."""
+        """Matches blobs near the markers predicted by ``state``, or near those of the previous
+        image."""
         prediction = self._pixels.predict(state, image.pose, image.frame.unhidden)
         compared, previous = prediction, self.kept.previous
         if previous is not None:
@@ -179,12 +180,12 @@ class Recognition:
         return Recognised(prediction, self._pixels.match(compared, image.blobs))
 
     def look(self, state: ChainState, image: SeenImage) -> Recognised:
-        """Blobs near where ``state`` expects markers, whatever was before."""
+        """Matches blobs near the markers predicted by ``state``, independent of earlier images."""
         prediction = self._pixels.predict(state, image.pose, image.frame.unhidden)
         return Recognised(prediction, self._pixels.match(prediction, image.blobs))
 
     def evidence(self, image: SeenImage, found: Recognised) -> Evidence:
-        """How well the image supports what was expected."""
+        """How well the image supports the prediction."""
         left, right = image.blobs
         lay, digit = self._layout, self.digit
         of_marker, hue = digit[lay.marker_segment], lay.glove.marker_hue
@@ -194,15 +195,15 @@ class Recognition:
         )
 
     def pairs(self, image: SeenImage) -> StereoMatches:
-        """All stereo points that its blobs may be."""
+        """All stereo points that blob pairs may form."""
         left, right = image.blobs
         return all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
 
     def free_points(
         self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int
     ) -> SeenPoints:
-        """Those ``pairs`` of an image of whose blobs no marker but those of ``digit`` is matched
-        with."""
+        """Those ``pairs`` of an image whose blobs are not matched with a marker outside
+        ``digit``."""
         left, right = self._owners(image, found)
         ends = left[pairs.left_index], right[pairs.right_index]
         free = np.ones(len(pairs), bool)
@@ -214,7 +215,7 @@ class Recognition:
         return SeenPoints(p_G, hue, fresh, image.pose.p_GC)
 
     def _owners(self, image: SeenImage, found: Recognised) -> list[IntArray]:
-        """Of each side's blobs the digit whose marker it is matched with, -1 for the root's."""
+        """For each side's blobs, the digit of the matched marker, -1 for the root's."""
         digit, out = self.digit[self._layout.marker_segment], []
         for seen, match in zip(image.blobs, found.match, strict=True):
             owner = np.full(len(seen.uv), NOBODY)
@@ -223,29 +224,29 @@ class Recognition:
         return out
 
     def is_all_known(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether every blob is a marker's."""
+        """Whether every blob is matched."""
         return not any(np.any(owner == NOBODY) for owner in self._owners(image, found))
 
     def misfit_px(self, image: SeenImage, found: Recognised) -> float:
-        """Median distance of the recognised blobs from where they were expected."""
+        """Median distance of the matched blobs from their predictions."""
         left, right = image.blobs
         return misfit(left.uv, right.uv, found.match, found.prediction.uv)
 
     def is_unsure(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether markers were expected less surely than gates are made for, by the camera that
-        sees something."""
+        """Whether the innovation covariance exceeds the one the gates are designed for, in the
+        camera that sees anything."""
         S = found.prediction.S[1 if len(image.blobs[0].uv) == 0 else 0]
         return len(S) > 0 and float(np.median(np.log(np.linalg.det(S)))) > USUAL_LN_DET
 
     def is_likely(self, image: SeenImage, found: Recognised, seen: Evidence, is_sure: bool) -> bool:
-        """Whether an image supports the hand so well that it may be called measured; ``is_sure``:
-        whether it is already. Two cameras are asked no more than a part of the markers.
+        """Whether an image supports the hand well enough for the state MEASURED; ``is_sure``:
+        whether it has that state already. With two cameras, only a share of the markers is
+        required.
 
-        One camera tells distance by how far markers are apart, posture and size taken for granted:
-        while these do not fit, distance and its speed are wrong by more than the filter believes,
-        so its blobs must be where they were expected. And a hand that leaves most of the image's
-        blobs to no marker, and finds fewer of its markers than a start asks for, is there by
-        chance.
+        One camera measures distance by the spacing of markers, given posture and size: while these
+        are wrong, the errors of distance and its rate exceed the covariance, so its residuals must
+        be small. And a hand that leaves most of the image's blobs unmatched, and has fewer matches
+        than a start requires, is a chance match.
         """
         if not image.is_mono:
             return seen.is_likely
@@ -253,17 +254,17 @@ class Recognition:
         return seen.is_likely and explains and self.misfit_px(image, found) <= FOLLOWED_PX
 
     def is_followed(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether two cameras' recognised blobs are where they were expected, or the blobs on the
-        hand are recognised.
+        """Whether two cameras' matched blobs are near their predictions, or the blobs on the hand
+        are matched.
 
-        A hand that is another than it seems, as where hues are exchanged, is dragged along by some
-        of its blobs, and does not explain the others.
+        A wrong hand, for instance with exchanged hues, is pulled along by some of its blobs, and
+        leaves the others unmatched.
         """
         misfit_px = self.misfit_px(image, found)
         return misfit_px <= STRANGE_PX or self._strangers(image, found) <= STRANGE_SHARE
 
     def _strangers(self, image: SeenImage, found: Recognised) -> float:
-        """Blobs on the hand that are no marker's, for each that is one."""
+        """Ratio of unmatched blobs on the hand to matched ones."""
         own = others = 0
         prediction = found.prediction
         for c, (side, match) in enumerate(zip(image.blobs, found.match, strict=True)):
@@ -277,7 +278,7 @@ class Recognition:
         return others / max(own, 1)
 
     def rows(self, state: ChainState, image: SeenImage, found: Recognised) -> Rows:
-        """What the recognised blobs say of ``state``."""
+        """Measurement rows of the matched blobs for ``state``."""
         if self._params.coupling == "loose":
             return self._loose(state, found.prediction, image.blobs, found.match, image.pose)
         return self._pixels.rows(found.prediction, image.blobs, found.match)
@@ -285,7 +286,7 @@ class Recognition:
     def finish(
         self, state: ChainState, image: SeenImage, found: Recognised, tracking: Tracking
     ) -> FrameResult:
-        """After the image has corrected ``state``: remember it if need be, and report it."""
+        """After the image has corrected ``state``: store it if required, and report it."""
         frame = image.frame
         if self._params.guide == "previous":
             self.kept.previous = PreviousPrediction(

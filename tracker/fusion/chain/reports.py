@@ -1,4 +1,4 @@
-"""Messages made of a chain filter's state: calibration, frame results."""
+"""Messages built from a chain filter's state: calibration, frame results."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
 
 
 def with_unsure_size(found: Calibration, size_sd: float) -> Calibration:
-    """With sizes at least as unsure as that of all together, a share; those of girths too."""
+    """With the uncertainty of sizes at least that of the common size, a share; girths too."""
     return replace(
         found,
         scale_sd=np.maximum(found.scale_sd, size_sd),
@@ -67,7 +67,7 @@ def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
 
 
 def length_gain(layout: ChainLayout) -> Array:
-    """(A,) m of the hand's length for each segment's length scale."""
+    """(A,) m by which each segment's length scale contributes to the hand's length."""
     hand, last = layout.hand, 0
     gain = np.zeros(len(layout.active))
     for row in hand.length_path:
@@ -84,7 +84,7 @@ def frame_result(
     seen: tuple[SeenBlobs, ...],
     match: IntArray,
 ) -> FrameResult:
-    """What was made of an image, in raw pixels."""
+    """The result of an image, in raw pixels."""
     residual, source, cov, visible, stereo_points = _details(prediction, match, *seen)
     return FrameResult(
         t=frame.t,
@@ -105,7 +105,7 @@ def _details(
     prediction: Prediction, match: IntMatrix, left: SeenBlobs, right: SeenBlobs
 ) -> tuple[Matrix, IntMatrix, Stack, Vector, int]:
     """residual (M, 4) px, source (2, M) rows of the message, cov (M, 2, 2) px² of the left image,
-    visible (M,), and how many markers are matched (2, M) in both."""
+    visible (M,), and the number of markers matched (2, M) in both."""
     uv, prior = prediction.uv, prediction.prior
     m = uv.shape[1]
     residual, source = np.full((m, 4), np.nan), np.full((2, m), -1, np.int64)
@@ -127,7 +127,7 @@ def _details(
 
 def _raw(camera: Camera, uv: Array) -> Array:
     if camera.is_rectified:
-        return uv.copy()  # a message's arrays are its own
+        return uv.copy()  # a message owns its arrays
     out = np.full_like(uv, np.nan)
     ok = np.isfinite(uv[:, 0])
     out[ok] = camera.unrectify(uv[ok])

@@ -1,7 +1,7 @@
-"""What is tried where an image does not speak clearly for the pose that was expected.
+"""Alternatives that are tried where an image does not clearly support the predicted pose.
 
-Four doubts, each settled by trying: correct the hand on a copy, look at the image again from
-there, and believe it only if the image then supports it. Nothing moves before.
+Four kinds of doubt, each resolved by trial: correct a copy of the state, match the image again from
+there, and accept it only if the image then supports it. The state itself is not changed before.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
 from tracker.vision.stereo import StereoMatches
 
-SHIFT_SD = 0.008  # m, of a shift that all markers have voted for
-FITTED = 2  # corrections of a copy before it is judged
-CLOSER = 0.8  # markers, of support by stereo points, for a posture that finds as many as before
+SHIFT_SD = 0.008  # m, of a shift for which all markers have voted
+FITTED = 2  # corrections of a copy before it is evaluated
+CLOSER = 0.8  # markers, gain in stereo support required of a posture with as many matches as before
 
 
 class ImageFit(NamedTuple):
-    """A state that an image has corrected, and what the image shows of it."""
+    """A state corrected by an image, and the matches of that image."""
 
     state: ChainState
     found: Recognised
 
     @property
     def matched(self) -> int:
-        """Markers."""
+        """Number of matched markers."""
         return self.found.tally.matched
 
 
@@ -51,8 +51,8 @@ class SecondLook:
         self._digits = DigitSearch(layout)
 
     def likeliest(self, image: SeenImage, candidates: list[ChainState]) -> ChainState | None:
-        """Of the states that a search proposes the one that most markers support; None where that
-        is what chance would find, too."""
+        """Of the states that a search proposes, the one that most markers support; None where a
+        chance match would reach as many."""
         best, most = None, 0
         for state in candidates:
             _, seen = self._fitted(image, state)
@@ -61,10 +61,10 @@ class SecondLook:
         return best
 
     def through_the_crowd(self, image: SeenImage, found: Recognised) -> tuple[Recognised, Evidence]:
-        """Blobs of markers, and how far they can be believed.
+        """The matched blobs, and how credible they are.
 
-        Where chance fills the gates as well as the hand would, all markers together say how it has
-        moved, and near where that puts them few blobs are left to choose from.
+        Where chance matches fill the gates as well as the hand would, all markers together vote for
+        the shift of the hand, and near the shifted prediction few blobs remain as candidates.
         """
         seen = self._recognition.evidence(image, found)
         if image.is_mono:
@@ -85,10 +85,11 @@ class SecondLook:
     def _by_one_camera(
         self, image: SeenImage, found: Recognised, seen: Evidence
     ) -> tuple[Recognised, Evidence]:
-        """Where gates are wide, markers once more from where all of them together put the hand.
+        """Where gates are wide, matches the markers again after all of them have voted for a shift.
 
-        Just found, the hand may have moved far by the next image: each marker by itself then takes
-        its neighbour's blob for its own as gladly, and a finger that seems longer is a hand nearer.
+        A hand just found may have moved far by the next image: each marker alone then matches its
+        neighbour's blob equally well, and a finger that appears longer is mistaken for a nearer
+        hand.
         """
         if not self._recognition.is_unsure(image, found):
             return found, seen
@@ -96,7 +97,7 @@ class SecondLook:
         return Recognised(found.prediction, there.match), fitted
 
     def after_a_while(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether the hand that the blobs correct fits them: after a while out of sight gates are
+        """Whether a hand corrected by the blobs fits them: after some time out of view gates are
         wide, and a few blobs within them may be anything."""
         trial = self._filter.corrected(self._recognition.rows(self._filter.state, image, found))
         there = self._recognition.look(trial, image)
@@ -104,11 +105,11 @@ class SecondLook:
         return still and self._recognition.misfit_px(image, there) <= self._params.misfit_px
 
     def with_digits(self, image: SeenImage, found: Recognised) -> Recognised:
-        """Put digits whose markers are not where they should be where they are.
+        """Moves misplaced digits to where their markers are.
 
-        Each is asked: one that has taken its neighbour's markers for its own hides the rest from
-        itself, and lacks none. Only unassigned blobs can show that it does: where there are
-        none nothing is asked.
+        All digits are checked: one that has matched its neighbour's markers keeps the remaining
+        ones from itself, and lacks none. Only unmatched blobs can reveal that: where there are
+        none, no digit is checked.
         """
         if self._recognition.is_all_known(image, found):
             return found
@@ -120,7 +121,7 @@ class SecondLook:
     def _with_digit(
         self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int
     ) -> Recognised:
-        """Move a digit to where the image supports it better, if it does anywhere."""
+        """Move a digit to a posture that the image supports better, if there is one."""
         state = self._filter.state
         points = self._recognition.free_points(image, pairs, found, digit)
         R = self._digits.other(state, digit, points)
@@ -143,17 +144,17 @@ class SecondLook:
         return Recognised(self._recognition.look(moved, image).prediction, there.found.match)
 
     def _support(self, image: SeenImage, pairs: StereoMatches, fit: ImageFit, digit: int) -> float:
-        """Markers of a digit that stereo points support."""
+        """Number of a digit's markers that stereo points support."""
         points = self._recognition.free_points(image, pairs, fit.found, digit)
         return self._digits.support(fit.state, digit, points)
 
     def _fitted(self, image: SeenImage, state: ChainState) -> tuple[Recognised, Evidence]:
-        """What the image shows of a state that it has corrected, and how far that speaks for it."""
+        """The matches for a state corrected by the image, and the evidence for it."""
         there = self._fit(image, state).found
         return there, self._recognition.evidence(image, there)
 
     def _fit(self, image: SeenImage, state: ChainState) -> ImageFit:
-        """A copy of ``state`` that the image has corrected, and what it shows of it."""
+        """A copy of ``state`` corrected by the image, and its matches."""
         trial = state
         for _ in range(FITTED):
             there = self._recognition.look(trial, image)

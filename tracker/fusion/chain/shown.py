@@ -21,7 +21,7 @@ from tracker.fusion.time.timeline import HAND_SPEED, behind_variance
 from tracker.geometry.kernels import cross3
 from tracker.messages import Array, Estimate, ImuSample, IntArray, Tracking
 
-RATE_LASTS = 0.1  # s for which a gyroscope's error persists: mostly scale and moving cloth
+RATE_LASTS = 0.1  # s for which a gyroscope's error persists: mainly scale and moving cloth
 
 
 class ShownHand:
@@ -34,15 +34,15 @@ class ShownHand:
 
     @property
     def complete(self) -> Completion:
-        """The whole hand from the segments that are estimated, as it is shown."""
+        """Completes the whole hand from the estimated segments, as it is displayed."""
         return self._output.complete
 
     def wear(self, gains: Array, lateral: Array) -> None:
-        """From now on with a wearer's own synergies, as `Completion.wear`."""
+        """Sets a wearer's own synergies, as `Completion.wear`."""
         self._output.complete.wear(gains, lateral)
 
     def trust(self, own: Synergies, posture: Array) -> None:
-        """From now on as sure of end joints as of these synergies and (d,) rad beside them."""
+        """Sets the covariance of the end joints to that of these synergies plus (d,) rad."""
         self.confidence.ends.trust(own, posture)
 
     # ---- messages
@@ -55,8 +55,8 @@ class ShownHand:
         past: ChainState,
         packet: ImuSample | None = None,
     ) -> Estimate:
-        """The hand of a nominal state at ``t``, which was carried there from ``past``; with its
-        motion where ``packet`` is what the IMUs read at ``t``."""
+        """The hand of a nominal state at ``t``, propagated from ``past``; with its motion where
+        ``packet`` contains the IMU readings at ``t``."""
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
         sure = self.confidence
         variance = sure.tip_sd**2 + ahead + behind_variance(state.t, t) + sure.doubt_variance(t)
@@ -65,7 +65,7 @@ class ShownHand:
         return estimate if packet is None else self._moving(estimate, state, past, packet)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
-        """The hand of a nominal state whose segments' ends are as sure as sd (A,) m."""
+        """The hand of a nominal state; sd (A,) m are those of the segments' ends."""
         active = self._active(state)
         return self._output.estimate(t, *active, sensed, sd)
 
@@ -75,7 +75,7 @@ class ShownHand:
     def _moving(
         self, estimate: Estimate, state: ChainState, past: ChainState, packet: ImuSample
     ) -> Estimate:
-        """The estimate with the motion that the IMUs and the state's velocity give."""
+        """The estimate with the motion from the IMUs and the state's velocity."""
         if estimate.tracking == Tracking.SEARCHING:
             return estimate
         lay, active = self._layout, self._active(state)
@@ -89,7 +89,7 @@ class ShownHand:
         return moving(self._output, estimate, active, rates)
 
     def _velocity_sd(self, past: ChainState, t: float) -> float:
-        """m/s an axis, of the root's IMU at ``t``, carried there from ``past``."""
+        """m/s per axis, of the root's IMU at ``t``, propagated from ``past``."""
         variance = velocity_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
         if self.confidence.is_doubted:
             variance += HAND_SPEED**2
@@ -102,11 +102,11 @@ class ShownHand:
 
 
 def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float) -> float:
-    """m² an axis that the root's position gains while its nominal state alone is carried on for
+    """m² per axis that the root's position gains while its nominal state alone is propagated for
     ``tau`` s (docs/chain.md, eq. 56).
 
-    Velocity's error grows with time; a tilt's error takes gravity for motion, and so does an
-    accelerometer's bias, both with its square.
+    The velocity error contributes linearly in time; a tilt error is mistaken for acceleration, as
+    is an accelerometer bias, both quadratically.
     """
     at = layout.blocks
     velocity, tilt = _mean_variance(state.P, V), _mean_variance(state.P, at.theta)
@@ -118,7 +118,7 @@ def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, t
 def velocity_variance(
     state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float
 ) -> float:
-    """m²/s² an axis of the root's velocity after its nominal state alone was carried on for
+    """m²/s² per axis of the root's velocity after its nominal state alone was propagated for
     ``tau`` s, as `ahead_variance`."""
     at = layout.blocks
     bias = _mean_variance(state.P, at.ba) if layout.imu_of[0] >= 0 else 0.0
@@ -127,12 +127,12 @@ def velocity_variance(
 
 
 def _mean_variance(P: Array, first: int) -> float:
-    """Of three error states in P (N, N)."""
+    """Mean variance of three error states in P (N, N)."""
     return float(P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
 
 
 def called_measured(estimate: Estimate, most_sd: float = MEASURED_SD) -> Estimate:
-    """What is less sure than ``most_sd`` (m) is inferred, whatever saw it lately."""
+    """Marks points with an sd above ``most_sd`` (m) as inferred, even if sensed recently."""
     state = estimate.keypoint_state
     unsure = (estimate.keypoint_sd > most_sd) & (state == MEASURED)
     if not unsure.any():

@@ -1,4 +1,4 @@
-"""The chain filter's state (docs/chain.md, eq. 2), and how an error vector is added (eq. 3)."""
+"""The chain filter's state (docs/chain.md, eq. 2), and the addition of an error vector (eq. 3)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SCALE_LIMITS = (0.6, 1.5)
 
 
 class Dynamic(NamedTuple):
-    """What moves: p, v (3,) m, m/s of the root's IMU in G, R_GB (A, 3, 3)."""
+    """The dynamic part: p, v (3,) m, m/s of the root's IMU in G, R_GB (A, 3, 3)."""
 
     p: Vector
     v: Vector
@@ -34,8 +34,8 @@ class ImuErrors(NamedTuple):
 
 
 class Body(NamedTuple):
-    """What the position of a point against p depends on: R_GB (A, 3, 3), scale (A, 2) length and
-    girth, joint (B, 3) m."""
+    """Variables on which the position of a point relative to p depends: R_GB (A, 3, 3), scale
+    (A, 2) length and girth, joint (B, 3) m."""
 
     R_GB: Stack
     scale: Matrix
@@ -63,7 +63,7 @@ class ChainState:
 
     p, v (3,) of the root's IMU in G; R_GB (A, 3, 3); bg, ba (n, 3); R_IB (n, 3, 3); scale (A, 2)
     length and girth; joint (B, 3) m in the root's B; marker (M, 3) m in each marker's B;
-    P (N, N) in the order of `ChainLayout`, or (0, 0) where a calibration alone is solved for.
+    P (N, N) in the order of `ChainLayout`, or (0, 0) where only a calibration is solved for.
     """
 
     t: float
@@ -110,7 +110,7 @@ class ChainState:
 
 
 def initial_state(layout: ChainLayout) -> ChainState:
-    """A flat hand at the origin with nominal geometry and no certainty (P is zero)."""
+    """A flat hand at the origin with nominal geometry and zero covariance."""
     n, a = len(layout.glove.imus), len(layout.active)
     R = np.empty((a, 3, 3))
     for i in range(a):

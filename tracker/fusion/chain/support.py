@@ -1,8 +1,8 @@
-"""How well an image supports a pose: markers that are there, and how many chance would put there.
+"""How well an image supports a pose: matched markers compared with chance matches.
 
-Among many blobs of the room a wrong pose finds company too. What it finds by chance is known from
-how dense the blobs are and how wide the gates: only what goes beyond that speaks for the pose. Each
-digit is judged by itself, for a hand may stand right with its thumb elsewhere.
+Among many blobs of the background a wrong pose finds matches too. Their expected number follows
+from the density of the blobs and the size of the gates: only the excess supports the pose. Each
+digit is evaluated separately, since a hand may be correct except for its thumb.
 """
 
 from __future__ import annotations
@@ -17,22 +17,22 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntMatrix, IntVector, Vector
 from tracker.messages import IntArray
 
-AROUND_PX = 60.0  # beyond the expected markers, where blobs are counted
-LIKELY = 0.3  # prior of a marker that has a say in where the hand is
-LEAST_CHANCE = 0.5  # markers: sd² of what chance finds where there is next to nothing
-SURELY = 3.0  # standard deviations beyond chance
-CROWDED = 2.0  # blobs in an image for each expected marker
-CROWDED_SHARE = 0.4  # of the expected markers, among many blobs
-START_SHARE, CROWDED_START_SHARE = 0.45, 0.62  # the same for a hand found from nothing
+AROUND_PX = 60.0  # beyond the expected markers, area in which blobs are counted
+LIKELY = 0.3  # prior of a marker that counts as evidence for the position
+LEAST_CHANCE = 0.5  # markers: sd² of chance matches where there are hardly any blobs
+SURELY = 3.0  # standard deviations above chance
+CROWDED = 2.0  # blobs in an image per expected marker
+CROWDED_SHARE = 0.4  # of the expected markers, where there are many blobs
+START_SHARE, CROWDED_START_SHARE = 0.45, 0.62  # likewise for a hand found without a prior
 DIGIT_SHARE = 0.34  # of a digit's expected markers
-LIKELY_SHARE = 0.25  # of the expected markers, for a hand that is called measured
-LEAST_DIGIT = 1.5  # expected markers of a digit, to judge it at all
+LIKELY_SHARE = 0.25  # of the expected markers, for the state MEASURED
+LEAST_DIGIT = 1.5  # expected markers of a digit required to evaluate it
 
 
 class Evidence(NamedTuple):
-    """What an image says of a pose: markers ``matched`` in at least one camera and ``expected``
-    (the priors' sum); ``chance``: how many blobs would match anywhere else; ``crowd``: blobs of an
-    image for each expected marker. Per digit (D,) matched and expected."""
+    """Evidence of an image for a pose: markers ``matched`` in at least one camera and ``expected``
+    (the priors' sum); ``chance``: expected number of chance matches; ``crowd``: blobs of an image
+    per expected marker. Per digit (D,) matched and expected."""
 
     matched: int
     expected: float
@@ -43,13 +43,12 @@ class Evidence(NamedTuple):
 
     @property
     def share(self) -> float:
-        """Of the expected markers."""
+        """Matched share of the expected markers."""
         return self.matched / max(self.expected, 1.0)
 
     @property
     def is_credible(self) -> bool:
-        """Whether more markers are there than chance explains; where blobs are few, it is asked
-        nothing."""
+        """Whether more markers match than chance explains; always true where blobs are few."""
         if self.crowd < CROWDED:
             return True
         beyond = SURELY * float(np.sqrt(max(self.chance, LEAST_CHANCE)))
@@ -57,29 +56,29 @@ class Evidence(NamedTuple):
 
     @property
     def is_start(self) -> bool:
-        """Whether a pose that was searched for, and so finds the best that chance offers, is it."""
+        """Whether a pose found by a search, which maximises chance matches, is accepted."""
         crowded = min(max(self.crowd - 1.0, 0.0), 1.0)
         return self.share >= START_SHARE + crowded * (CROWDED_START_SHARE - START_SHARE)
 
     @property
     def tally(self) -> Tally:
-        """How many of how many."""
+        """Matched and expected markers."""
         return Tally(self.matched, self.expected)
 
     @property
     def is_likely(self) -> bool:
-        """Whether a good part of the markers that should be seen are."""
+        """Whether enough of the expected markers are matched."""
         return self.share >= LIKELY_SHARE
 
     @property
     def unsupported(self) -> IntArray:
-        """Digits that should be seen and are not."""
+        """Digits that should be visible but are not matched."""
         poor = self.digit_matched < DIGIT_SHARE * self.digit_expected
         return np.flatnonzero(poor & (self.digit_expected >= LEAST_DIGIT))
 
     @property
     def supported(self) -> IntArray:
-        """Digits of which markers are seen as they should be."""
+        """Digits whose markers are matched as expected."""
         rich = self.digit_matched >= DIGIT_SHARE * self.digit_expected
         return np.flatnonzero(rich & (self.digit_matched > 0))
 
@@ -122,7 +121,7 @@ def evidence(
 
 @kernel
 def _densities(prediction: Prediction, c: int, seen: SeenBlobs, marker_hue: IntVector) -> Vector:
-    """(hues,) blobs per px² around the hand, beyond half of the markers expected there."""
+    """(hues,) blobs per px² around the hand, not counting half of the expected markers."""
     prior, uv = prediction.prior[c], prediction.uv[c]
     out = np.zeros(marker_hue.max() + 1)
     u0, v0, u1, v1 = np.inf, np.inf, -np.inf, -np.inf

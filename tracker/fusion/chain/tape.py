@@ -1,4 +1,4 @@
-"""What a chain filter tells while it works, to one that goes back over it later."""
+"""The record of a chain filter's operations, for a smoother."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from tracker.messages import Array
 
 
 class Tape(Protocol):
-    """Receives operations in order. Arrays and states are the filter's own: to be copied
-    where they are kept, unless it says otherwise."""
+    """Receives operations in order. Arrays and states belong to the filter: copy them to store
+    them, unless stated otherwise."""
 
     def step(self, state: ChainState, readings: Moment, dt: float) -> None:
-        """``state`` is about to move by ``dt`` s with these mean readings."""
+        """``state`` is about to be propagated by ``dt`` s with these mean readings."""
 
     def update(self, H: Array, HP: Array, S: Array, r: Array) -> None:
-        """The state is about to be corrected: H (m, N), H P (m, N), the innovation's covariance
-        S (m, m) and the innovation r (m,), all to keep."""
+        """The state is about to be corrected: H (m, N), H P (m, N), the innovation's covariance S
+        (m, m) and the innovation r (m,), all of which may be stored."""
 
     def forgotten(self, rows: int) -> None:
         """The first ``rows`` error states are reset: later ones are independent of earlier ones."""
 
     def shown(self, state: ChainState, sensed: Sensed, tip_sd: Array) -> None:
-        """``state`` is at the instant of a packet; tip_sd (A,) m of each segment's end, to keep."""
+        """``state`` is at the time of a packet; tip_sd (A,) m of each segment's end may be
+        stored."""

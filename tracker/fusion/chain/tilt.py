@@ -1,11 +1,11 @@
 """Finger accelerometers as relative tilt.
 
-All IMUs of a hand feel the same gravity and the same motion of the dorsum; what differs is where
-they stand on the chain. With f_0 the dorsum's specific force, the specific force at finger IMU j is
-predicted as  h_j = R_IB_j R_GB_j^T sum_a R_GB_a c_a + b_a,  c_a = alpha x l + w x (w x l) along the
-chain and f_0 added at the root. Gravity itself cancels, so the camera's tilt does not matter. This
-is the compensation of Lemak et al. 2020 (doi:10.3390/computers9020040, eqs. 2 and 3) carried to
-three dimensions; equation numbers below are those of docs/chain.md.
+All IMUs of a hand measure the same gravity and the same motion of the dorsum; their readings differ
+by their positions on the chain. With f_0 the dorsum's specific force, the specific force at finger
+IMU j is predicted as  h_j = R_IB_j R_GB_j^T sum_a R_GB_a c_a + b_a,  c_a = alpha x l + w x (w x l)
+along the chain and f_0 added at the root. Gravity itself cancels, so the camera's tilt does not
+matter. This is the compensation of Lemak et al. 2020 (doi:10.3390/computers9020040, eqs. 2 and 3)
+extended to three dimensions; equation numbers below are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from tracker.messages import Array
 
 
 class _Noise(NamedTuple):
-    """sd m/s², and the share of the kinematic part that is added to it."""
+    """sd m/s², and the share of the kinematic part added to it."""
 
     sd: float
     kinematic: float
@@ -35,7 +35,7 @@ class _Noise(NamedTuple):
 
 class _Rigid(NamedTuple):
     """w (A, 3) rad/s, alpha (A, 3) rad/s² of the active segments, f_0 (3,) m/s² of the root, each
-    in its B; the IMU that felt f_0."""
+    in its B; the IMU that measured f_0."""
 
     w: Matrix
     alpha: Matrix
@@ -46,10 +46,10 @@ class _Rigid(NamedTuple):
 def tilt_rows(
     state: ChainState, layout: ChainLayout, params: ConstraintParams, around: Around
 ) -> tuple[Array, Array, Array] | None:
-    """Rows at the instant of ``around.now``.
+    """Rows at the time of ``around.now``.
 
-    Returns H (3k, N), innovation (3k,), variances (3k,) for the k finger IMUs that answer; None
-    where the root's IMU does not.
+    Returns H (3k, N), innovation (3k,), variances (3k,) for the k valid finger IMUs; None where the
+    root's IMU is invalid.
     """
     noise = _Noise(params.tilt, params.tilt_kinematic)
     H, r, var = stacked_rows(
@@ -70,18 +70,18 @@ def stacked_rows(
     around: Around,
     noise: _Noise,
 ) -> tuple[Matrix, Vector, Vector]:
-    """H (3k, N), innovation (3k,) and variances (3k,) of the k finger IMUs that answer; nothing
-    where the root's IMU does not."""
+    """H (3k, N), innovation (3k,) and variances (3k,) of the k valid finger IMUs; empty where the
+    root's IMU is invalid."""
     n = len(mounted.segment)
     H, r, var = np.zeros((3 * n, at.size)), np.empty(3 * n), np.empty(3 * n)
     before, now, after = around
-    # 1. how the hand moves
+    # 1. the motion of the hand
     f_0, felt = root_force(drive, imus, now.accel, now.valid)
     w = body_rates(drive, body.R_GB, imus, now.gyro, now.valid)
     w_1 = body_rates(drive, body.R_GB, imus, after.gyro, after.valid)
     w_0 = body_rates(drive, body.R_GB, imus, before.gyro, before.valid)
     rigid = _Rigid(w, (w_1 - w_0) / (after.t - before.t), f_0, drive.imu_of[0])
-    # 2. what each finger's IMU reads, beside what it should by that
+    # 2. the reading of each finger's IMU, and its prediction
     end = 0
     for j in range(n):
         if not felt or mounted.segment[j] == 0 or not now.valid[j]:
@@ -113,7 +113,8 @@ def _put_row(
     w, alpha, f_0, root_imu = rigid
     kinematic_G = np.zeros(3)
     M = mul3(R_IB[j], R_GB[segment].T)
-    # 1. down the chain: what each link adds, and its derivative by the link's orientation (eq. 30)
+    # 1. along the chain: the contribution of each link, and its derivative by the link's
+    # orientation (eq. 30)
     a, lever = segment, stretched(body.scale[segment], mounted.position[j])
     while True:
         c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))  # eq. 28

@@ -1,8 +1,7 @@
-"""Fingertips in the glove's cloth: how end joints bend that nothing senses (docs/chain.md,
-"Fingertips in the cloth").
+"""Unsensed end joints, measured by the fingertips (docs/chain.md, "Fingertips in the cloth").
 
-A few numbers beside the filter. What it is corrected by does not depend on them, and their
-correlation with it is given up, as with the wearer's synergies.
+A few parameters in addition to the filter. The filter's corrections do not depend on them, and
+their correlation with it is neglected, as for the wearer's synergies.
 """
 
 from __future__ import annotations
@@ -28,23 +27,23 @@ from tracker.vision.rig import NEAREST, Camera, StereoRig
 from tracker.vision.tip_scan import ExpectedTip, scan_tip
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
 
-LASTS = 1.0  # s for which an end joint stays as it was seen
-APART = 0.15  # s between two images that are looked at: where a glove ends is no news in each
+LASTS = 1.0  # s for which a measured end joint is assumed constant
+APART = 0.15  # s between two evaluated images: successive outlines are not independent
 CLOTH = 0.001  # m, of the glove's cloth on the skin
-LEAST_VISIBLE = 0.5  # probability that a camera sees a tip which is looked for
-END = 0.005  # m along the finger: gloves end a little before a fingertip or beyond it
-PIXEL_PX = 1.5  # of a place in the image
+LEAST_VISIBLE = 0.5  # probability that a camera sees a tip, required to evaluate it
+END = 0.005  # m along the finger: gloves end slightly before a fingertip or beyond it
+PIXEL_PX = 1.5  # of a position in the image
 GATE = 9.0  # innovation squared over its variance, for each of its numbers
-STEP_PX = 1.0  # of the difference that tells how rectified pixels are turned into raw ones
+STEP_PX = 1.0  # of the difference quotient from rectified to raw pixels
 BEND, SIDE = 0, 1
 
 
 @record("chain.tip_bends", shapes={"bend": "d 2", "drive": "d", "P": "d 2 2"})
 @dataclass(eq=False)
 class TipBendsKept:
-    """All of it that changes: of d digits flexion and lateral (d, 2) rad beyond what the joints
-    before tell, whose flexions were drive (d,) rad; their covariance P (d, 2, 2) rad²; and when
-    that was, s. Empty before a tip was looked for."""
+    """The part that changes: for d digits, flexion and lateral (d, 2) rad in addition to the
+    prediction from the joints before, at their flexions drive (d,) rad; the covariance P (d, 2, 2)
+    rad²; and the time, s. Empty before the first measurement."""
 
     bend: Array = field(default_factory=lambda: np.zeros((0, 2)))
     drive: Array = field(default_factory=lambda: np.zeros(0))
@@ -53,7 +52,7 @@ class TipBendsKept:
 
 
 class TipBends:
-    """For one hand with one glove; ``shown`` has the wearer's synergies as they are worn now."""
+    """For one hand with one glove; ``shown`` has the wearer's synergies presently in use."""
 
     def __init__(
         self, layout: ChainLayout, rig: StereoRig, distal: DistalSegments, shown: ShownHand
@@ -69,10 +68,11 @@ class TipBends:
         """Reset, because the hand was found again."""
         self.kept = TipBendsKept()
 
-    # ---- what is known
+    # ---- estimates
 
     def worn(self, gains: Array, lateral: Array) -> tuple[Array, Array]:
-        """gains (k, 2) and lateral (S,) of `Completion.wear` as the end joints were seen."""
+        """gains (k, 2) and lateral (S,) of `Completion.wear`, corrected by the measured end
+        joints."""
         if not len(self.kept.bend):
             return gains, lateral
         gains, lateral = gains.copy(), lateral.copy()
@@ -82,7 +82,8 @@ class TipBends:
         return gains, lateral
 
     def trusted(self, own: Synergies) -> tuple[Synergies, Array]:
-        """The wearer's synergies as the end joints were seen, and (d,) rad of what else they do."""
+        """The wearer's synergies corrected by the measured end joints, and (d,) rad of remaining
+        sd."""
         posture = self._distal.posture_sd
         if not len(self.kept.bend):
             return own, posture
@@ -99,7 +100,7 @@ class TipBends:
         return Synergies(value, P), posture
 
     def _prior(self, own: Synergies, drive: Array) -> Array:
-        """(d, 2, 2) rad² of flexion and lateral where no tip was seen, for the flexions ``drive``
+        """(d, 2, 2) rad² of flexion and lateral without measurements, for the flexions ``drive``
         (d,) rad of the joints before."""
         P = np.zeros((len(drive), 2, 2))
         for k, q in enumerate(drive):
@@ -109,11 +110,11 @@ class TipBends:
             P[k, SIDE, SIDE] = of[ASIDE, ASIDE]
         return P
 
-    # ---- what an image shows
+    # ---- measurement
 
     def image(self, state: ChainState, frame: BlobFrame, pose: CameraPose, own: Synergies) -> bool:
-        """Look for the tips of a hand that was just corrected; whether anything may have changed
-        what `worn` gives. ``own`` are the wearer's synergies without what was seen of tips."""
+        """Locates the tips of a hand that was just corrected; returns whether the result of `worn`
+        may have changed. ``own`` are the wearer's synergies without tip measurements."""
         if 0.0 <= state.t - self.kept.t < APART:
             return False
         sides = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
@@ -142,8 +143,8 @@ class TipBends:
         return True
 
     def in_sight(self, state: ChainState, middle: Array, pose: CameraPose) -> NDArray[np.bool_]:
-        """(2, d) whether a camera sees the tips whose middles are (d, 3) m in G: nothing of the
-        hand, as it is shown, stands before them."""
+        """(2, d) whether a camera sees the tips whose middles are (d, 3) m in G: no part of the
+        displayed hand occludes them."""
         p_GB = segment_positions(state, self._layout)
         R_all, p_all, *_ = self._shown.complete(state.R_GB, p_GB, state.scale3())
         to_camera = pose.p_GC - middle
@@ -154,8 +155,8 @@ class TipBends:
         return prior >= LEAST_VISIBLE
 
     def _age(self, t: float, own: Synergies, drive: Array) -> None:
-        """What was seen of an end joint holds for a while, then the joint before it tells again
-        (eq. 61)."""
+        """Ageing: a measured end joint remains valid for a while, then its driving joint determines
+        it again (eq. 61)."""
         kept, prior = self.kept, self._prior(own, drive)
         if not len(kept.bend):
             self.kept = TipBendsKept(np.zeros((len(drive), 2)), drive, prior, t)
@@ -165,7 +166,7 @@ class TipBends:
         self.kept = TipBendsKept(left * kept.bend, drive, P, t)
 
     def _correct(self, k: int, tip: _Tip, maps: list[ClothMap | None]) -> None:
-        """The digit ``k`` by what the images show of its tip (eq. 60)."""
+        """Corrects the digit ``k`` by its tip in the images (eq. 60)."""
         x, P = self.kept.bend, self.kept.P
         r, R, A = [], [], []
         for c, (camera, cloth) in enumerate(
@@ -194,8 +195,8 @@ class TipBends:
 
 class _Tip(NamedTuple):
     """Of a digit: joint and middle of the tip p_C (2, 3) m, A (2, 2, 3) of the latter in both
-    images, radius px, J (3, 2) and C (3, 3) of `driven_points`, shift (2,) rad of what was worn
-    from what is held now."""
+    images, radius px, J (3, 2) and C (3, 3) of `driven_points`, shift (2,) rad from the present
+    estimate to the values in use."""
 
     p_C: Array
     A: Array
@@ -208,10 +209,10 @@ class _Tip(NamedTuple):
 def _seen(
     cloth: ClothMap, camera: Camera, uv: Array, radius: float, S: Array
 ) -> tuple[Array, Array] | None:
-    """Where a tip is from where it was expected (2,), and the variance (2, 2) of that, rectified
-    px; None where the image does not tell (eq. 59).
+    """The offset (2,) of a tip from its prediction, and its variance (2, 2), in rectified px; None
+    where the image does not show the tip (eq. 59).
 
-    uv (2, 2) rectified px of joint and middle; an image is looked at as it was recorded.
+    uv (2, 2) rectified px of joint and middle; the image is evaluated as it was recorded.
     """
     joint, middle = uv
     steps = np.array([joint, middle, middle + (STEP_PX, 0.0), middle + (0.0, STEP_PX)])

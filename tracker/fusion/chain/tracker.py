@@ -1,4 +1,4 @@
-"""The chain filter at work: what a packet does to it, what an image does, and what none does."""
+"""The chain filter in operation: processing of packets, of images, and of missing images."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from tracker.vision.rig import StereoRig
 @record("chain.tracker")
 @dataclass(eq=False)
 class TrackerKept:
-    """All of a tracker that changes, part by part."""
+    """The complete state of a tracker, by part."""
 
     filter: FilterKept
     tracking: TrackingKept
@@ -43,7 +43,7 @@ class TrackerKept:
 
 
 class ChainTracker:
-    """The parts of the chain engine joined; a `Filter` that a `Timeline` drives."""
+    """Connects the parts of the chain engine; a `Filter` that a `Timeline` drives."""
 
     def __init__(
         self,
@@ -97,7 +97,7 @@ class ChainTracker:
         self.filter.carry(state, t, self._judge.is_coasting(self.state.t))
 
     def no_image(self) -> bool:
-        """Held together by anatomy."""
+        """Applies anatomy alone."""
         self._judge.judge(self.state.t, enough=False)
         self.filter.constrain(self.state.t)
         learned = self.wearer.learn()
@@ -108,11 +108,11 @@ class ChainTracker:
     # ---- images
 
     def image(self, frame: BlobFrame) -> FrameResult:
-        # 1. A hand that is lost in full view is looked for as at the start.
+        # 1. A hand lost while markers are in view is searched for as at the start.
         begun = self._restart(frame)
         if begun is not None:
             return begun
-        # 2. Which blob is which marker: near the prediction, else anywhere.
+        # 2. Match blobs and markers: near the prediction, else anywhere.
         image = self._recognition.image(frame)
         found = self._recognition.follow(self.state, image)
         found, seen = self._second.through_the_crowd(image, found)
@@ -123,7 +123,7 @@ class ChainTracker:
             found = found.nothing()
         elif not image.is_mono and self._judge.should_search_digits(frame.t):
             found = self._second.with_digits(image, found)
-        # 3. What was seen corrects the state, together with anatomy.
+        # 3. The matches correct the state, together with anatomy.
         self._correct(image, found)
         self.wearer.learn()
         enough = self._judge.is_enough(found.tally)
@@ -145,7 +145,8 @@ class ChainTracker:
         return result
 
     def _is_back(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether a hand that was out of sight is what is seen now; true where it was not."""
+        """Whether a hand that was out of view is the one seen now; true where it was not out of
+        view."""
         if not self._judge.is_coasting(image.frame.t):
             return True
         there = self._judge.is_believable(found.tally)
@@ -155,13 +156,13 @@ class ChainTracker:
         self.filter.correct(self._recognition.rows(self.state, image, found))
 
     def _look_for_tips(self, image: SeenImage) -> None:
-        """End joints bend as the glove's outline shows."""
+        """Measure the end joints in the outline of the glove."""
         own = self.wearer.guided.synergies
         if self._tips.image(self.state, image.frame, image.pose, own):
             self.wearer.show()
 
     def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
-        """Move to a better pose where the images show one; else all stays as it is."""
+        """Move to a better pose where the images show one; otherwise change nothing."""
         count = found.tally.matched
         pose = self._starter.again(self.state, image.blobs, image.pose, count)
         if pose is None:
@@ -179,9 +180,10 @@ class ChainTracker:
         return there
 
     def _restart(self, frame: BlobFrame) -> FrameResult | None:
-        """Look for the lost hand as at the start: by now it may be turned and bent in any way.
+        """Search for the lost hand as at the start: by now its pose may be arbitrary.
 
-        What is known of the wearer is kept, unless it is so long that it may be what is wrong.
+        The wearer's calibration is used, unless the hand has been lost for so long that it may be
+        the cause.
         """
         if not self._judge.is_in_vain(frame.t):
             return None
@@ -192,7 +194,7 @@ class ChainTracker:
         return self._start(frame, self.wearer.calibration.kept.known)
 
     def _start(self, frame: BlobFrame, known: WearerProfile | None) -> FrameResult | None:
-        # 1. Postures that gravity allows, voted for in the image.
+        # 1. Postures that agree with gravity, voted for in the image.
         if frame.search < Search.ANEW or not self._judge.should_start(frame.t):
             return None
         image = self._recognition.image(frame)
@@ -203,7 +205,7 @@ class ChainTracker:
         started = self._second.likeliest(image, candidates)
         if started is None:
             return None
-        # 2. Go on from there, with what is frozen.
+        # 2. Continue from there, with the frozen calibration if any.
         self.filter.adopt(started)
         self._tips.forget()
         self.wearer.begun(known)
@@ -217,7 +219,7 @@ class ChainTracker:
         for _ in range(2):
             found = self._recognition.look(self.state, image)
             self._correct(image, found)
-        # 4. Digits that are elsewhere are put there.
+        # 4. Move misplaced digits.
         there = self._recognition.look(self.state, image)
         seen = self._recognition.evidence(image, there)
         if not image.is_mono:
@@ -227,7 +229,7 @@ class ChainTracker:
         return self._finish(image, found)
 
     def _finish(self, image: SeenImage, found: Recognised) -> FrameResult:
-        """What is shown follows the state that the image has corrected."""
+        """Update the output with the corrected state."""
         self.confidence.image(image.frame.t, found.match)
         second_camera = self.confidence.kept.one_camera and found.in_both
         if second_camera:
@@ -239,14 +241,14 @@ class ChainTracker:
 
     @property
     def size_sd(self) -> float:
-        """Share by which the hand's size is unknown for want of a second camera; 0 with one."""
+        """Relative uncertainty of the hand's size for lack of a second camera; 0 with two."""
         return self.confidence.size_sd(self.wearer.calibration.known_size_sd)
 
     # ---- saving
 
     @property
     def kept(self) -> TrackerKept:
-        """All that changes, as it is: for a copy."""
+        """The complete state, not copied."""
         return TrackerKept(
             self.filter.kept,
             self._judge.kept,
@@ -258,7 +260,7 @@ class ChainTracker:
         )
 
     def restore(self, kept: TrackerKept) -> None:
-        """Go on from what was `kept`, which is taken over."""
+        """Restore a `kept` state, which is not copied."""
         self.filter.kept, self._judge.kept = kept.filter, kept.tracking
         self._recognition.kept = kept.recognition
         self.wearer.calibration.kept, self.wearer.guided.kept = kept.wearer, kept.guided

@@ -1,1 +1,1 @@
-"""What every filter shows: the whole hand with states and standard deviations."""
+"""The output of all filters: the whole hand with validity states and standard deviations."""

@@ -1,6 +1,6 @@
-"""The whole hand from the segments that a filter estimates: the rest by synergy or rest pose.
+"""Completes the hand from the segments that a filter estimates: the rest by synergy or rest pose.
 
-`HandModel` says the same in plain Python; this is the form that runs a hundred times a second.
+`HandModel` implements the same in plain Python; this form is for a hundred calls per second.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ class HandTables(NamedTuple):
     """Of the S segments of a hand: parent (S,), origin (S, 3) m, R_rest (S, 3, 3), columns (S, 3)
     of a joint's abduction, flexion and twist among the angles, -1 for none; limits (J, 2) rad of
     the angles; of the synergies links (k, 2), an angle and the one that drives it, and gains (k, 2)
-    ratio and offset (rad); row (S,) among the active segments, -1 for none; lateral (S,) rad of
-    abduction that a segment without one stands at."""
+    ratio and offset (rad); row (S,) among the active segments, -1 for none; lateral (S,) rad, fixed
+    abduction of a segment that has no such joint axis."""
 
     parent: IntVector
     origin: Matrix
@@ -35,7 +35,7 @@ class HandTables(NamedTuple):
 
 
 class ActiveSegments(NamedTuple):
-    """What a filter estimates: R_GB (A, 3, 3), p_GB (A, 3) m, scale (A, 3) along B."""
+    """The segments a filter estimates: R_GB (A, 3, 3), p_GB (A, 3) m, scale (A, 3) along B."""
 
     R: Stack
     p: Matrix
@@ -43,7 +43,7 @@ class ActiveSegments(NamedTuple):
 
 
 class Completion:
-    """Index arrays of one hand with one glove and the kernel over them."""
+    """Index arrays of one hand with one glove and the kernel that uses them."""
 
     def __init__(self, segments: EstimatedSegments) -> None:
         hand = segments.hand
@@ -63,13 +63,13 @@ class Completion:
         )
 
     def wear(self, gains: Array, lateral: Array) -> None:
-        """From now on with a wearer's own synergies (k, 2) and ``lateral`` (S,)."""
+        """Sets a wearer's own synergies (k, 2) and ``lateral`` (S,)."""
         self.tables = self.tables._replace(gains=gains, lateral=lateral)
 
     def __call__(
         self, R: Array, p: Array, scale3: Array
     ) -> tuple[Array, Array, Array, Array, BoolVector]:
-        """From active R_GB (A, 3, 3), p_GB (A, 3), scale3 (A, 3).
+        """Completes active R_GB (A, 3, 3), p_GB (A, 3), scale3 (A, 3).
 
         Returns R_GB (S, 3, 3), p_GB (S, 3), scale (S, 3), angles (J,) rad, known (J,) bool: the
         angle comes from estimated segments or by synergy from them.
@@ -100,7 +100,7 @@ def complete(
     n, n_angles = len(parent), len(limits)
     R_all, p_all, scale = np.empty((n, 3, 3)), np.empty((n, 3)), np.empty((n, 3))
     angles, known = np.zeros(n_angles), np.zeros(n_angles, np.bool_)
-    for i in range(n):  # 1. what the filter estimates, and the angles between
+    for i in range(n):  # 1. estimated segments, and the angles between them
         if row[i] < 0:
             continue
         R_all[i], p_all[i], scale[i] = R[row[i]], p[row[i]], scale3[row[i]]
@@ -111,7 +111,7 @@ def complete(
                 if columns[i, k] >= 0:
                     angles[columns[i, k]] = values[k]
                     known[columns[i, k]] = True
-    for _ in range(len(links)):  # 2. synergies, which may chain
+    for _ in range(len(links)):  # 2. synergies, which may be chained
         for k in range(len(links)):
             i, j = links[k, 0], links[k, 1]
             if not known[i] and known[j]:
@@ -121,7 +121,7 @@ def complete(
     mean = np.zeros(3)
     for k in range(len(scale3)):
         mean += scale3[k] / len(scale3)
-    for i in range(n):  # 3. unseen segments, parents first
+    for i in range(n):  # 3. unsensed segments, parents first
         if row[i] >= 0:
             continue
         a = parent[i]
@@ -134,7 +134,7 @@ def complete(
         )
         p_all[i] = p_all[a] + rotate(R_all[a], scale[a] * origin[i])
         total, count = np.zeros(3), 0
-        while a > 0:  # a finger's own scale where it has one, else the hand's
+        while a > 0:  # a finger's own scale if it has one, else the hand's
             total += scale[a]
             count += 1
             a = parent[a]

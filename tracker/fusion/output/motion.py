@@ -1,4 +1,4 @@
-"""How fast the whole hand moves, from how fast the segments of a filter move."""
+"""The motion of the whole hand from the motion of a filter's segments."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Estimate, Motion, Tracking
 
-STEP = 1e-5  # s over which the completed hand is differentiated
+STEP = 1e-5  # s, step of the difference quotient of the completed hand
 JOINT_RATE_SD = 0.8
-"""rad/s: standard deviation of the rate of a joint that no IMU senses, about what its synergy or
-its parent gives: the 22° of `INFERRED_DEG` within a movement of half a second."""
+"""rad/s: standard deviation of the rate of an unsensed joint about that given by its synergy or its
+parent: corresponds to the 22° of `INFERRED_DEG` within a movement of half a second."""
 
 
 class Rates(NamedTuple):
-    """How A active segments move: v (A, 3) m/s of p_GB in G, w (A, 3) rad/s in B, and their
-    standard deviations on each axis, v_sd (A,) m/s and w_sd (A,) rad/s; turn_sd (A,) rad, of each
-    one's rotation against its parent."""
+    """Motion of A active segments: v (A, 3) m/s of p_GB in G, w (A, 3) rad/s in B, and their
+    standard deviations per axis, v_sd (A,) m/s and w_sd (A,) rad/s; turn_sd (A,) rad, of the
+    rotation relative to the parent."""
 
     v: Matrix
     w: Matrix
@@ -33,8 +33,8 @@ class Rates(NamedTuple):
 
 
 class WholeHand(NamedTuple):
-    """What `hand_motion` differentiates: R_GB (S, 3, 3), p_GB (S, 3) m, points (K, 3) m in G and
-    angles (J,) rad, as in an `Estimate`."""
+    """The input of `hand_motion`: R_GB (S, 3, 3), p_GB (S, 3) m, points (K, 3) m in G and angles
+    (J,) rad, as in an `Estimate`."""
 
     R: Stack
     p: Matrix
@@ -45,7 +45,7 @@ class WholeHand(NamedTuple):
 def moving(
     output: HandOutput, estimate: Estimate, active: ActiveSegments, rates: Rates
 ) -> Estimate:
-    """The estimate that ``output`` made of ``active``, with how it moves."""
+    """The estimate by ``output`` for ``active``, with its motion."""
     if estimate.tracking == Tracking.SEARCHING:
         return estimate
     e = estimate
@@ -64,9 +64,9 @@ def linked_rates(
     w_sd: Vector,
     turn_sd: Vector,
 ) -> tuple[Matrix, Matrix, Vector, Vector, Vector]:
-    """The fields of `Rates`, in their order, of segments that hang together, parent (A,): the
-    root's origin moves with v (3,) m/s, as surely as ``v_sd``; the other arguments are fields of
-    the result."""
+    """The fields of `Rates`, in their order, of connected segments, parent (A,): the root's origin
+    moves with v (3,) m/s, with standard deviation ``v_sd``; the other arguments are fields of the
+    result."""
     n = len(parent)
     v_all, sd = np.empty((n, 3)), np.empty(n)
     v_all[0], sd[0] = v, v_sd
@@ -94,7 +94,7 @@ def hand_motion(
     R, p, scale, angles, _ = complete(hand, ActiveSegments(R_next, p_next, active.scale))
     points, _ = keypoint_positions(keypoints, R, p, scale)
     linear, angle_rate = (points - now.points) / STEP, (angles - now.angles) / STEP
-    # 2. variances on each axis
+    # 2. variances per axis
     v_var, w_var = _variances(hand, rates, now.p)
     angular, linear_sd = np.empty_like(linear), np.empty(len(linear))
     angular_sd, rate_sd, angle_sd = (
@@ -117,7 +117,7 @@ def hand_motion(
 
 @kernel
 def _variances(hand: HandTables, rates: Rates, p: Matrix) -> tuple[Vector, Vector]:
-    """(S,) m²/s² of each segment's origin and (S,) rad²/s² of its rotation, on each axis."""
+    """(S,) m²/s² of each segment's origin and (S,) rad²/s² of its rotation, per axis."""
     parent, row = hand.parent, hand.row
     v, w = np.empty(len(parent)), np.empty(len(parent))
     for i in range(len(parent)):
@@ -132,6 +132,6 @@ def _variances(hand: HandTables, rates: Rates, p: Matrix) -> tuple[Vector, Vecto
 
 @kernel
 def _lever_variance(lever: Vector, w_var: float) -> float:
-    """m²/s², mean of three axes, of w x lever for an angular velocity of variance ``w_var`` on each
+    """m²/s², mean of three axes, of w x lever for an angular velocity of variance ``w_var`` per
     axis."""
     return 2.0 / 3.0 * w_var * (lever[0] ** 2 + lever[1] ** 2 + lever[2] ** 2)

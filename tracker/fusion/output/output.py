@@ -1,4 +1,4 @@
-"""From a filter's segments to the estimate of the whole hand, with its validity."""
+"""The estimate of the whole hand from a filter's segments, with its validity states."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ INFERRED_DEG = {
     "intermediate": 22.0,
     "distal": 22.0,
 }
-"""Standard deviation of a joint that nothing senses about what its synergy says, flexion and
-abduction together: of a segment, else of a finger's segments of that kind."""
-BASE_SD = 0.0022  # m an axis, of a knuckle that nothing senses
-REACH = 0.85  # of a bent finger, as a share of its bones'
+"""Standard deviation of an unsensed joint about its synergy, flexion and abduction together: of a
+segment, else of a finger's segments of that kind."""
+BASE_SD = 0.0022  # m per axis, of an unsensed knuckle
+REACH = 0.85  # of a bent finger, relative to the length of its bones
 WITHIN_LIMITS = tuple(product(np.linspace(0.0, 1.0, 5), repeat=2))
-"""Where a digit without sensors may be, whatever its neighbour does: shares of their ranges by
-which its first joint is bent, and its other joints together."""
-FLEXION = 1  # among a joint's axes
+"""Possible postures of a digit without sensors, independent of its neighbours: relative to their
+ranges, the flexion of its first joint, and of its other joints together."""
+FLEXION = 1  # index among a joint's axes
 LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
 
 
 class Keypoints(NamedTuple):
     """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
-    in its nominal B, end_of (K,) the segment that it is the far end of, -1 for none; ancestor (K,)
-    the row of the nearest segment whose end's standard deviation is given, beyond (K,) the variance
-    (m², an axis) that the keypoint has beyond that one's; base (K,) the first segment of the digit
-    without sensors that the keypoint is on, -1 for none, and reached (K, C, 3) m where it is for
-    each of `WITHIN_LIMITS`, from that digit's joint in the nominal B of the digit's parent."""
+    in its nominal B, end_of (K,) the segment whose far end it is, -1 for none; ancestor (K,) the
+    row of the nearest segment whose end's standard deviation is given, beyond (K,) the variance
+    (m², per axis) added to that one's; base (K,) the first segment of the keypoint's digit if that
+    has no sensors, else -1, and reached (K, C, 3) m its position for each of `WITHIN_LIMITS`, from
+    that digit's joint in the nominal B of the digit's parent."""
 
     segment: IntVector
     offset: Matrix
@@ -53,7 +53,7 @@ class Keypoints(NamedTuple):
 
 class Angles(NamedTuple):
     """(k,) joint axes: child and parent segment of the joint, column among the hand's angles, and
-    the standard deviation (rad) of the angle where nothing senses the child."""
+    the standard deviation (rad) of the angle where the child is unsensed."""
 
     child: IntVector
     parent: IntVector
@@ -63,19 +63,19 @@ class Angles(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Sensed:
-    """What is known to be seen: per active segment, whether an IMU or a marker saw it lately."""
+    """The sensing state: per active segment, whether an IMU or a marker measured it recently."""
 
     segments: IntArray  # (A,) bool
     tracking: Tracking
 
 
 class HandOutput:
-    """Builds estimates for one hand with one glove; `moving` adds to them how
-    the hand moves, by the same tables ``complete``, ``keypoints`` and ``angles``."""
+    """Builds estimates for one hand with one glove; `moving` adds the motion of the hand, from the
+    same tables ``complete``, ``keypoints`` and ``angles``."""
 
     def __init__(self, segments: EstimatedSegments, driven: Sequence[int] = ()) -> None:
-        """``driven`` are segments of the hand that are not estimated, but whose ends' standard
-        deviations are known too."""
+        """``driven`` are segments of the hand that are not estimated, but have standard deviations
+        of their ends."""
         self._segments = segments
         rows = {s: len(segments.active) + k for k, s in enumerate(driven)}
         self._sd_row = segments.row_of | rows
@@ -119,7 +119,8 @@ class HandOutput:
         return Estimate(t, sensed.tracking, points, q, state, sd, angles, angle_state, R_all, p_all)
 
     def _far_ends(self) -> IntArray:
-        """(K,) parent of the segment whose base a keypoint is: measured if either is. -1: none."""
+        """(K,) parent of the segment whose base is the keypoint: measured if either is. -1:
+        none."""
         hand = self._segments.hand
         out = np.full(self._keypoint_count, -1, np.int64)
         for k, s in enumerate(hand.keypoint_segment):
@@ -128,8 +129,8 @@ class HandOutput:
         return out
 
     def _ancestors(self, moves_with: IntArray, end_of: IntArray) -> tuple[IntArray, Array]:
-        """Per keypoint: row in ``active_sd`` of the nearest segment there, and the variance beyond
-        that one's end (m², eq. 55)."""
+        """Per keypoint: row in ``active_sd`` of the nearest segment there, and the variance added
+        to that one's end (m², eq. 55)."""
         hand, row_of = self._segments.hand, self._sd_row
         row, beyond = np.zeros(len(end_of), np.int64), np.zeros(len(end_of))
         for k, s in enumerate(moves_with):
@@ -145,8 +146,8 @@ class HandOutput:
         return row, beyond
 
     def _unsensed_digits(self, moves_with: IntArray, offset: Array) -> tuple[IntArray, Array]:
-        """Per keypoint: the first segment of the digit without sensors that it is on, -1 for none,
-        and where it is for each of `WITHIN_LIMITS`."""
+        """Per keypoint: the first segment of its digit if that has no sensors, else -1, and its
+        position for each of `WITHIN_LIMITS`."""
         hand, row_of = self._segments.hand, self._segments.row_of
         base = np.full(len(moves_with), -1, np.int64)
         for k, s in enumerate(moves_with):
@@ -201,10 +202,10 @@ def whole_hand(
     coasting: bool,
     lost: bool,
 ) -> tuple[Matrix, Matrix, IntVector, Vector, Vector, IntVector, Stack, Matrix]:
-    """The fields of an `Estimate` but for its time and tracking, in their order.
+    """The fields of an `Estimate` except its time and tracking, in their order.
 
-    sensed (A,) as in `sensed_lately`, active_sd (A + d,) m. While the hand is ``lost``
-    no keypoint has a position.
+    sensed (A,) as in `sensed_lately`, active_sd (A + d,) m. While the hand is ``lost`` no keypoint
+    has a position.
     """
     R, p, scale, angles, known = complete(hand, active)
     points, q = keypoint_positions(keypoints, R, p, scale)
@@ -227,8 +228,8 @@ def sensed_lately(
     t: float,
     lately: float,
 ) -> IntVector:
-    """(A,) 1 for each of the active ``segments`` with an IMU that answered, or a marker that was
-    seen, less than ``lately`` s before ``t``; felt (n,) and seen (M,) s say when each was last."""
+    """(A,) 1 for each of the active ``segments`` with a valid IMU, or a matched marker, less than
+    ``lately`` s before ``t``; felt (n,) and seen (M,) s are the last times of each."""
     out = np.zeros(segments, np.int64)
     for j in range(len(felt)):
         if t - felt[j] < lately:
@@ -282,9 +283,9 @@ def angle_states(segment_state: IntVector, angles: Angles, known: BoolVector) ->
 
 @kernel
 def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bool) -> IntVector:
-    """(K,) as the segment it moves with, or the one it is the far end of.
+    """(K,) the state of the segment each moves with, or whose far end it is.
 
-    While coasting nothing of a hand's position is measured.
+    While coasting no position of a hand is measured.
     """
     segment, end_of = keypoints.segment, keypoints.end_of
     out = np.empty(len(segment), np.int64)
@@ -300,8 +301,8 @@ def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bo
 def farthest(
     keypoints: Keypoints, parent: IntVector, points: Matrix, R: Stack, p: Matrix, scale: Matrix
 ) -> Vector:
-    """(K,) m from each of the ``points`` (K, 3) on a digit without sensors to where that digit's
-    joints let it be; 0 on other digits."""
+    """(K,) m from each of the ``points`` (K, 3) on a digit without sensors to the farthest position
+    that digit's joints allow; 0 on other digits."""
     out = np.zeros(len(points))
     for k in range(len(points)):
         base = keypoints.base[k]
@@ -318,8 +319,8 @@ def farthest(
 
 @kernel
 def keypoint_sds(keypoints: Keypoints, active_sd: Vector, away: Vector) -> Vector:
-    """(K,) m: by the sd (A + d,) of the nearest ancestor that has one, and by what lies beyond it
-    (docs/chain.md, eq. 55), and a third of how far ``away`` (K,) m the point may be (eq. 62)."""
+    """(K,) m: from the sd (A + d,) of the nearest ancestor that has one, the variance added to it
+    (docs/chain.md, eq. 55), and a third of the maximum deviation ``away`` (K,) m (eq. 62)."""
     ancestor, beyond = keypoints.ancestor, keypoints.beyond
     out = np.empty(len(ancestor))
     for k in range(len(ancestor)):

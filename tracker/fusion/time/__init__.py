@@ -1,1 +1,1 @@
-"""Delay: IMU packets kept, images that come late."""
+"""Delay compensation: buffered IMU packets, late images."""

@@ -1,4 +1,5 @@
-"""A short memory of glove packets, so that a late image meets the motion of its own instant."""
+"""A buffer of recent glove packets, so that a late image is combined with the motion at its
+time."""
 
 from __future__ import annotations
 
@@ -13,14 +14,14 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, BoolVector, Matrix, Stack, Vector
 from tracker.messages import ImuSample
 
-LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
+LONGEST_STEP = 0.25  # s between packets, beyond which the data count as interrupted
 SHORTEST_STEP = 1e-9  # s
-AROUND = 0.01  # s: neighbours that give an angular acceleration
+AROUND = 0.01  # s to both sides, for the difference quotient of the angular velocity
 
 
 @record("imu_moment", shapes={"accel": "n 3", "gyro": "n 3", "valid": "bool n"})
 class Moment(NamedTuple):
-    """What all n IMUs read at one instant, or on average about it, as in an `ImuSample`.
+    """Readings of all n IMUs at one time, or averaged about it, as in an `ImuSample`.
 
     t s; accel (n, 3) m/s²; gyro (n, 3) rad/s; valid (n,).
     """
@@ -32,7 +33,7 @@ class Moment(NamedTuple):
 
     @staticmethod
     def of(sample: ImuSample) -> Moment:
-        """The same in arrays that kernels take."""
+        """Converts a packet to arrays for kernels."""
         return Moment(
             sample.t, sample.accel.copy(), sample.gyro.copy(), np.array(sample.valid, np.bool_)
         )
@@ -40,7 +41,7 @@ class Moment(NamedTuple):
 
 @record("imu_around")
 class Around(NamedTuple):
-    """Three moments in a row; the outer two give the angular acceleration ``now``."""
+    """Three successive moments; the outer two give the angular acceleration at ``now``."""
 
     before: Moment
     now: Moment
@@ -60,10 +61,10 @@ class Packets(NamedTuple):
 
 
 class Intervals(NamedTuple):
-    """A way from one instant to another, cut at every packet: mean readings of each piece.
+    """A time span, divided at every packet: mean readings of each interval.
 
-    start, stop (k,) s; accel (k, n, 3) m/s², gyro (k, n, 3) rad/s, valid (k, n). While the glove is
-    silent no IMU is valid.
+    start, stop (k,) s; accel (k, n, 3) m/s², gyro (k, n, 3) rad/s, valid (k, n). While no packets
+    arrive no IMU is valid.
     """
 
     start: Vector
@@ -91,7 +92,7 @@ class Intervals(NamedTuple):
 
 
 class ImuBuffer:
-    """The packets of the last ``span`` seconds of ``imus`` IMUs, in order of sampling instant."""
+    """The packets of the last ``span`` seconds of ``imus`` IMUs, in order of sampling time."""
 
     def __init__(self, imus: int, span: float = 1.0) -> None:
         self._imus, self._span = imus, span
@@ -111,7 +112,7 @@ class ImuBuffer:
 
     @property
     def imus(self) -> int:
-        """IMUs in a packet."""
+        """Number of IMUs in a packet."""
         return self._imus
 
     def __len__(self) -> int:
@@ -125,7 +126,7 @@ class ImuBuffer:
         return self._samples[-1] if self._samples else None
 
     def add(self, sample: ImuSample) -> bool:
-        """Keep a packet; False (and nothing kept) where it is not later than the newest."""
+        """Store a packet; returns False (and stores nothing) unless it is later than the newest."""
         if self._samples and sample.t <= self._samples[-1].t:
             return False
         if self._end == len(self._table.t):
@@ -141,7 +142,7 @@ class ImuBuffer:
         return True
 
     def _move_to_front(self) -> None:
-        """Move the rows in use to the front of a table with at least as many to spare."""
+        """Move the rows in use to the front of a table at least half of which is free."""
         live = self.table
         count = len(live.t)
         self._table = self._rows(max(len(self._table.t), 2 * count))
@@ -151,21 +152,21 @@ class ImuBuffer:
 
     @property
     def table(self) -> Packets:
-        """The packets that are kept."""
+        """The stored packets."""
         table, used = self._table, slice(self._first, self._end)
         return Packets(table.t[used], table.accel[used], table.gyro[used], table.valid[used])
 
     def covers(self, t: float) -> bool:
-        """Whether a packet at or after ``t`` has come."""
+        """Whether a packet at or after ``t`` has arrived."""
         return bool(self._samples) and self._samples[-1].t >= t
 
     def intervals(self, start: float, end: float) -> Intervals:
-        """The way from ``start`` to ``end``; nothing where they are the same."""
+        """The intervals from ``start`` to ``end``; none where these are equal."""
         return Intervals(*cut(self.table, start, end))
 
     def at(self, t: float) -> Moment | None:
-        """What was read at ``t``, between packets; the nearest one outside the memory; None if
-        empty.
+        """Readings at ``t``, interpolated between packets; the nearest packet outside the buffer;
+        None if empty.
 
         An IMU is valid where both neighbours are.
         """
@@ -178,20 +179,20 @@ class ImuBuffer:
         return Moment(t, *_between(self.table, t))
 
     def around(self, t: float) -> Around | None:
-        """What was read at ``t`` and `AROUND` s before and after; None without packets there."""
+        """Readings at ``t`` and `AROUND` s before and after; None without packets there."""
         before, now, after = self.at(t - AROUND), self.at(t), self.at(t + AROUND)
         if before is None or now is None or after is None or not before.t < now.t < after.t:
             return None
         return Around(before, now, after)
 
     def is_packet(self, t: float) -> bool:
-        """Whether a packet of just this instant is kept."""
+        """Whether a packet of exactly this time is stored."""
         times = self.table.t
         k = int(np.searchsorted(times, t))
         return k < len(times) and bool(times[k] == t)
 
     def restore(self, samples: list[ImuSample]) -> None:
-        """Forget all packets, and take these."""
+        """Replace all packets by these."""
         self._samples.clear()
         self._first = self._end = 0
         for sample in samples:
@@ -200,7 +201,7 @@ class ImuBuffer:
 
 @kernel(nogil=False)
 def _between(packets: Packets, at: float) -> tuple[Matrix, Matrix, BoolVector]:
-    """accel, gyro (n, 3) and valid (n,) at an instant between two of the packets, linearly."""
+    """accel, gyro (n, 3) and valid (n,), interpolated linearly between two of the packets."""
     t, accel, gyro, valid = packets
     k = np.searchsorted(t, at)
     w = (at - t[k - 1]) / (t[k] - t[k - 1])
@@ -212,10 +213,10 @@ def _between(packets: Packets, at: float) -> tuple[Matrix, Matrix, BoolVector]:
 def cut(
     packets: Packets, start: float, end: float
 ) -> tuple[Vector, Vector, Stack, Stack, BoolMatrix]:
-    """The fields of `Intervals` on the way from ``start`` to ``end`` (s) past the packets."""
+    """The fields of `Intervals` from ``start`` to ``end`` (s), divided at the packets."""
     t, accel, gyro, valid = packets
     m, n = valid.shape
-    # 1. how many intervals there may be
+    # 1. upper limit of the number of intervals
     k = int(np.searchsorted(t, start, side="right"))
     most = np.searchsorted(t, end) - k + 1 if end > start else 0
     starts, stops = np.empty(most), np.empty(most)
@@ -223,7 +224,7 @@ def cut(
     both = np.zeros((most, n), np.bool_)
     at, count = start, 0
     while end - at > SHORTEST_STEP:
-        # 2. the next one ends at a packet, or at the end of the way
+        # 2. the next one ends at a packet, or at ``end``
         stop = min(t[k], end) if k < m else end
         starts[count], stops[count] = at, stop
         # 3. mean readings: those at its middle, between the packets before and after

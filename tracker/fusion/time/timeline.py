@@ -1,14 +1,14 @@
-"""What all filters share: time.
+"""Time handling shared by all filters.
 
-A filter lives at the exposure of the last image, or a fixed lag behind the newest packet when no
-image comes. What it shows is a copy of its nominal state (the head), carried on with the packets
-since. Late images therefore need no rolling back: an image waits until packets cover its
-exposure, and one that comes after the filter went on without it makes the lag longer
+A filter's state is at the exposure of the last image, or a fixed lag behind the newest packet when
+no image arrives. The displayed state is a copy of its nominal state (the head), propagated with the
+packets since. Late images therefore need no rollback: an image waits until packets cover its
+exposure, and one that arrives after the filter has continued without it increases the lag
 (docs/chain.md, "Delay").
 
-While the glove is silent, images are used without packets. On a busy machine packets may come after
-all, late and in bunches: then the filter goes back to where it stood before, and those images wait
-for their packets as others do.
+While no packets arrive, images are used without them. On a loaded computer packets may arrive late
+and in bursts after all: then the filter returns to its earlier state, and those images wait for
+their packets like others.
 """
 
 from __future__ import annotations
@@ -24,16 +24,17 @@ from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
 
-LATE_MARGIN = 0.03  # s beyond the latest image so far
+LATE_MARGIN = 0.03  # s in addition to the largest image delay so far
 LONGEST_LAG = 0.5  # s
-LONGEST_AHEAD = 20.0  # s of images used without packets, beyond which there is no way back
-HAND_SPEED = 0.5  # m/s an axis, sd: what a hand does while it is shown where it will be only later
+LONGEST_AHEAD = 20.0  # s of images used without packets, beyond which the filter does not return
+HAND_SPEED = 0.5  # m/s per axis, sd of a hand whose displayed position is that of a later time
 
 
 def behind_variance(shown: float, t: float) -> float:
-    """m² an axis of a state of instant ``shown`` (s) that is given out as that of ``t``, before it.
+    """m² per axis, added for a state of time ``shown`` (s) that is returned for ``t``, before it.
 
-    Packets that came too late for the way back tell of instants that the filter has left.
+    Packets that arrive too late for a return to the earlier state are older than the filter's
+    state.
     """
     return (HAND_SPEED * max(shown - t, 0.0)) ** 2
 
@@ -44,54 +45,56 @@ class TimedState(Protocol):
     t: float
 
     def copy_nominal(self) -> Self:
-        """A copy without its own covariance, to be carried on."""
+        """A copy without its own covariance, to be propagated."""
 
 
 S = TypeVar("S", bound=TimedState)
 
 
 class Filter(Protocol[S]):
-    """What a `Timeline` drives: a filter that lives in the past, and looks for the hand."""
+    """The object that a `Timeline` drives: a filter with a delayed state, and the search for the
+    hand."""
 
     @property
     def state(self) -> S:
-        """Of the past, with its covariance."""
+        """The delayed state, with its covariance."""
 
     @property
     def tracking(self) -> Tracking:
-        """The state of tracking."""
+        """The tracking state."""
 
     def packet(self, sample: ImuSample) -> None:
-        """A believable packet has come."""
+        """A plausible packet has arrived."""
 
     def step(self, way: Intervals, first: int) -> int:
-        """Move the state, with its covariance, through the interval ``first`` of ``way`` and, as
-        far as there is nothing to do between, the next ones; the number of the one after."""
+        """Propagate the state, with its covariance, through the interval ``first`` of ``way`` and
+        the next ones until an action is due in between; returns the number of the next interval."""
 
     def carry(self, state: S, t: float) -> None:
-        """Move a nominal state to ``t`` with the packets on the way."""
+        """Propagate a nominal state to ``t`` through the packets in between."""
 
     def image(self, frame: BlobFrame) -> FrameResult:
-        """Use an image of the state's own instant."""
+        """Process an image of the state's own time."""
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
-        """Look for the hand from nothing; None where it is not found, or was not looked for."""
+        """Search for the hand without a prior; None where it is not found, or no search is due."""
 
     def no_image(self) -> bool:
-        """The state has moved on and no image has come. True where what is shown has to follow."""
+        """The state has moved on without an image. Returns True where the output must be
+        updated."""
 
     @property
     def kept(self) -> Any:
-        """All that changes, as it is: for a copy."""
+        """The complete state, not copied."""
 
     def restore(self, kept: Any) -> None:
-        """Go on from what was `kept`, which is taken over."""
+        """Restore a `kept` state, which is not copied."""
 
 
 @record("timeline.ahead")
 @dataclass(eq=False)
 class ImagesWithoutPackets:
-    """What a filter knew before it used images without packets, and these images."""
+    """The filter's state before it used images without packets, and these images."""
 
     filter: Any  # its `Filter.kept`
     last_frame: float
@@ -101,7 +104,7 @@ class ImagesWithoutPackets:
 @record("timeline")
 @dataclass(eq=False)
 class TimelineKept(Generic[S]):
-    """All of a timeline that changes: images that wait, what was made of others, packets."""
+    """The complete state of a timeline: images that wait, results of others, packets."""
 
     head: S
     lag: float
@@ -111,14 +114,14 @@ class TimelineKept(Generic[S]):
     packets: list[ImuSample]
     health: ImuHealthKept
     ahead: ImagesWithoutPackets | None = None
-    reported: float = -np.inf  # s of the newest image that has a result
+    reported: float = -np.inf  # s of the newest image with a result
 
 
 class Timeline(Generic[S]):
-    """Feeds packets and images to a filter in the order of their instants.
+    """Feeds packets and images to a filter in the order of their times.
 
-    ``buffer`` is empty, and what the filter reads packets from; ``silence`` s without packets let
-    an image be used without them; ``lag`` s is how far the filter stays behind at first.
+    ``buffer`` is empty, and the filter reads packets from it; after ``silence`` s without packets
+    an image is used without them; ``lag`` s is the filter's initial delay.
     """
 
     def __init__(self, target: Filter[S], buffer: ImuBuffer, silence: float, lag: float) -> None:
@@ -134,7 +137,7 @@ class Timeline(Generic[S]):
     # ---- messages
 
     def feed_imu(self, sample: ImuSample) -> S:
-        """Take a packet; the nominal state at its instant."""
+        """Process a packet; returns the nominal state at its time."""
         sample = self._health.check(sample)
         if not self._buffer.add(sample):
             return self.head_at(sample.t)
@@ -147,24 +150,24 @@ class Timeline(Generic[S]):
         return self._head
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen; it is used once packets cover its exposure."""
+        """Queue an image; it is used once packets cover its exposure."""
         self._waiting.append(frame)
         self._use_waiting()
 
     def take_results(self) -> list[FrameResult]:
-        """What was made of images since the last call, oldest first."""
+        """The results of the images since the last call, oldest first."""
         out, self._results = self._results, []
         return out
 
     def head_at(self, t: float) -> S:
-        """A copy of the newest nominal state, carried to ``t``."""
+        """A copy of the newest nominal state, propagated to ``t``."""
         state: S = self._head.copy_nominal()
         if not self._searching:
             self._filter.carry(state, t)
         return state
 
     def past_at(self, t: float) -> S:
-        """A copy of the filter's own nominal state, which lives in the past, carried to ``t``."""
+        """A copy of the filter's own delayed nominal state, propagated to ``t``."""
         state: S = self._filter.state.copy_nominal()
         if not self._searching and t > state.t:
             self._filter.carry(state, t)
@@ -172,12 +175,12 @@ class Timeline(Generic[S]):
 
     @property
     def newest(self) -> float | None:
-        """Instant (s) of the newest packet that was taken."""
+        """Time (s) of the newest accepted packet."""
         newest = self._buffer.newest
         return None if newest is None else newest.t
 
     def packet_at(self, t: float) -> ImuSample | None:
-        """Returns the newest packet that was taken, if it is of the instant ``t`` (s)."""
+        """Returns the newest accepted packet, if its time is ``t`` (s)."""
         newest = self._buffer.newest
         return newest if newest is not None and newest.t == t else None
 
@@ -204,19 +207,19 @@ class Timeline(Generic[S]):
             self._last_frame = frame.t
         else:
             self._wait_longer(frame.t)
-        if result is not None and result.t > self._reported:  # of one image, one result
+        if result is not None and result.t > self._reported:  # one result per image
             self._results.append(result)
             self._reported = result.t
 
     def _ready(self, frame: BlobFrame) -> bool:
-        """Covered by packets, or the glove has been silent for too long to wait for them."""
+        """Whether packets cover the image, or none have arrived for too long to wait for them."""
         if self._buffer.covers(frame.t):
             return True
         newest, now = self._buffer.newest, self._waiting[-1].t_arrival
         return newest is not None and now - newest.t_arrival > self._silence
 
     def _note_ahead(self, frame: BlobFrame) -> None:
-        """Before an image is used: without packets, remember how to come back."""
+        """Before an image is used without packets: save the state to return to."""
         if self._buffer.covers(frame.t) or self._searching:
             return
         if self._ahead is None:
@@ -237,7 +240,7 @@ class Timeline(Generic[S]):
         self.rebuild_head()
 
     def _wait_longer(self, t: float) -> None:
-        """An image came after the filter had gone on without it: the next ones are waited for."""
+        """An image arrived after the filter had continued without it: increase the lag."""
         newest = self._buffer.newest
         if newest is not None and t > self._last_frame:
             self._lag = min(max(self._lag, newest.t - t + LATE_MARGIN), LONGEST_LAG)
@@ -251,7 +254,7 @@ class Timeline(Generic[S]):
             self.rebuild_head()
 
     def advance(self, t: float) -> None:
-        """Move the filter, with its covariance, to ``t`` through every packet on the way."""
+        """Propagate the filter, with its covariance, to ``t`` through every packet in between."""
         way = self._buffer.intervals(self._filter.state.t, t)
         k = 0
         while k < len(way.stop):
@@ -259,7 +262,7 @@ class Timeline(Generic[S]):
         self._filter.state.t = t
 
     def rebuild_head(self) -> None:
-        """Show what the filter has become: its nominal state at the newest packet (eq. 39)."""
+        """Recompute the head: the filter's nominal state at the newest packet (eq. 39)."""
         self._head = self._filter.state.copy_nominal()
         newest = self._buffer.newest
         if newest is not None and not self._searching:
@@ -269,7 +272,7 @@ class Timeline(Generic[S]):
 
     @property
     def kept(self) -> TimelineKept[S]:
-        """All that changes, as it is: for a copy."""
+        """The complete state, not copied."""
         return TimelineKept(
             self._head,
             self._lag,
@@ -283,7 +286,7 @@ class Timeline(Generic[S]):
         )
 
     def restore(self, kept: TimelineKept[S]) -> None:
-        """Go on from what was `kept`, which is taken over."""
+        """Restore a `kept` state, which is not copied."""
         self._head, self._lag, self._last_frame = kept.head, kept.lag, kept.last_frame
         self._waiting, self._results = kept.waiting, kept.results
         self._buffer.restore(kept.packets)

@@ -1,1 +1,1 @@
-"""The paper's engine: one free IMU body per segment, tied by anatomy (Lee et al. 2021)."""
+"""The paper's engine: one free IMU body per segment, connected by anatomy (Lee et al. 2021)."""

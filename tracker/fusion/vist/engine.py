@@ -1,6 +1,6 @@
-"""The vist engine: Lee et al. 2021 on packets and images, with an automatic start.
+"""The vist engine: Lee et al. 2021 on packets and images, with automatic initialization.
 
-What brings late images and the present together: `tracker.fusion.time.timeline`.
+Delay compensation: `tracker.fusion.time.timeline`.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ from tracker.vision.rig import StereoRig
 @record("vist", sized=True)
 @dataclass(eq=False)
 class VistKept:
-    """All of a vist engine that changes."""
+    """The complete state of a vist engine."""
 
     timeline: TimelineKept[VistState]
     tracker: VistTrackerKept
@@ -54,8 +54,8 @@ class VistEngine(Engine):
     interference, and contact. Science Robotics 6 (58), eabe1315, 2021.
     doi:10.1126/scirobotics.abe1315
 
-    Raises ConfigError for a glove that leaves a segment of a chain without IMU, and for settings
-    without meaning.
+    Raises ConfigError for a glove with a segment without IMU within a chain, and for invalid
+    settings.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class VistEngine(Engine):
     # ---- messages
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
-        """Take a packet; the hand at the packet's instant."""
+        """Process a packet; returns the hand at the packet's time."""
         state = self._timeline.feed_imu(sample)
         estimate, newest = self._estimate(state, sample.t), self._buffer.newest
         if estimate.tracking == Tracking.SEARCHING or newest is None or newest.t != sample.t:
@@ -82,15 +82,15 @@ class VistEngine(Engine):
         return moving(self._output, estimate, active, rates)
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen; processed once IMU data cover its exposure."""
+        """Queue an image; it is processed once IMU data cover its exposure."""
         self._timeline.feed_frame(frame)
 
     def take_results(self) -> list[FrameResult]:
-        """What was made of images since the last call, oldest first."""
+        """The results of the images since the last call, oldest first."""
         return self._timeline.take_results()
 
     def predict(self, t: float) -> Estimate:
-        """The hand at any instant near now. Moves nothing."""
+        """The hand at any time close to the present. Changes nothing."""
         return self._estimate(self._timeline.head_at(t), t)
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
@@ -105,7 +105,8 @@ class VistEngine(Engine):
         return p_G, self._tracker.kept.track.tip_sd[segment], self._layout.kept.copy()
 
     def expected(self, t: float) -> ExpectedHand | None:
-        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
+        """The predicted hand in an image of ``t`` not processed yet; None while its position is
+        unknown."""
         if self._tracker.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
         past = self._timeline.past_at(t)
@@ -123,11 +124,11 @@ class VistEngine(Engine):
     # ---- saving
 
     def get_state(self) -> VistKept:
-        """A copy of everything that changes."""
+        """A copy of the complete state."""
         return copy.deepcopy(VistKept(self._timeline.kept, self._tracker.kept))
 
     def set_state(self, state: VistKept) -> None:
-        """Go on from `get_state`."""
+        """Continue from a `get_state`."""
         kept = copy.deepcopy(state)
         self._tracker.kept = kept.tracker
         self._timeline.restore(kept.timeline)

@@ -6,9 +6,9 @@ Position: a child's proximal joint is the same point of its parent (six with sev
 Rotation: joints turn about their free axes only (seven: no twist at the thumb's MCP and at the
 index's and middle's MCP and PIP, no abduction at the two PIP), as smooth rows e^T R_rel f = 0.
 
-Loose coupling: poses of segments instead of markers correct the filter. The markers' mean is at
-p_GI + R_GB (lambda∘d)  with the mean nominal lever d, so its
-derivatives are those of `points`; the orientation's error is  beta = R_IB^T dth + dphi.
+Loose coupling: poses of segments instead of markers correct the filter. The mean of the markers is
+at p_GI + R_GB (lambda∘d)  with the mean nominal lever d, so its derivatives are those of `points`;
+the error of the orientation is  beta = R_IB^T dth + dphi.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ from tracker.messages import Array
 def loose_rows(
     state: VistState, layout: VistLayout, matched: Matched, huber: float
 ) -> tuple[Array, Array, Array]:
-    """H (6 s, 21 n), innovation (6 s,) m and rad, noise (6 s, 6 s) of the s segments whose pose the
-    matched markers tell."""
+    """H (6 s, 21 n), innovation (6 s,) m and rad, noise (6 s, 6 s) of the s segments whose pose is
+    determined by the matched markers."""
     H, r, R = [np.zeros((0, layout.size))], [np.zeros(0)], [np.zeros((0, 0))]
     for segment, rows in by_segment(layout.chain.marker_segment[matched.marker]):
         lever = layout.marker_lever[matched.marker[rows]]
@@ -64,7 +64,7 @@ def pose_rows(
     return H, positions(state, one, lever[None])[0], state.R_GB[segment]
 
 
-SOFT = -1.0  # marks rows that the paper does not have
+SOFT = -1.0  # marks rows that are not in the paper
 
 
 class Anatomy:
@@ -129,7 +129,7 @@ class Anatomy:
 
 
 class VistFilter:
-    """Updates a `VistState`; holds nothing that changes.
+    """Updates a `VistState`; itself immutable.
 
     Lee et al. 2021, doi:10.1126/scirobotics.abe1315, "Correction with visual information" (eq. 10)
     and "Correction with anatomical constraints".
@@ -140,12 +140,12 @@ class VistFilter:
         self._anatomy = Anatomy(layout, params.constraint)
 
     def constrain(self, state: VistState) -> None:
-        """Anatomy alone, while no image comes."""
+        """Applies anatomy alone, while no image arrives."""
         H, r, variance = self._anatomy.rows(state)
         self._update(state, H, r, np.diag(variance))
 
     def rest(self, state: VistState) -> None:
-        """The hand is known to keep still."""
+        """Applies the rows of a hand at rest."""
         self._update(state, *rest_rows(state, self._layout))
 
     def correct(
@@ -153,10 +153,10 @@ class VistFilter:
     ) -> None:
         """Eq. 10 and the constraints in one stacked update, linearised at one state.
 
-        ``often`` multiplies all noise: what is wrong with a marker's position or a joint's axis is
-        the same in the next image, so more images a second tell no more. The innovation uses
-        the predicted markers themselves; the shift that correspondence found only served the
-        assignment.
+        ``often`` multiplies all noise: errors of a marker's position or a joint's axis are the same
+        in the next image, so more images per second contain no more information. The innovation
+        uses the predicted markers themselves; the shift found by correspondence is used only for
+        the assignment.
         """
         H, r, variance = self._anatomy.rows(state)
         R = np.diag(variance * often)
@@ -192,7 +192,7 @@ class VistFilter:
 
     def _update(self, state: VistState, H: Array, r: Array, R: Array) -> None:
         HP = H @ state.P
-        if state.held_back.any():  # a known error of the nominal state: the update takes it back
+        if state.held_back.any():  # a known error of the nominal state, which the update removes
             back = np.zeros((self._layout.n, ERRORS))
             back[:, P : P + 3], back[:, V : V + 3] = state.held_back
             dx, _ = update_with(state.P, HP, HP @ H.T, H @ back.ravel(), R)

@@ -1,4 +1,4 @@
-"""Which segments the paper's filter carries and where their error states stand.
+"""The segments that the paper's filter estimates and the positions of their error states.
 
 A segment with an IMU has 23 states and 21 errors, in this order (3 each; the quaternions' errors
 are local rotation vectors):  p_GI, v_GI, theta (q_GI), b_g, b_a, lambda_B, phi (q_IB).
@@ -23,14 +23,14 @@ ERRORS = 21
 
 
 class VistLayout:
-    """Arrays of one hand with one glove. Rows are segments with an IMU, parents first. States of
-    each are those of eqs. 7 and 8 of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
+    """Arrays of one hand with one glove. Rows are segments with an IMU, parents first. The states
+    of each are those of eqs. 7 and 8 of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
 
-    Markers of segments without an IMU have no state to correct and are left out: ``kept`` (m,) are
-    the others' rows in the glove. ``chain`` is the layout of the reduced glove, which the shared
-    stages (search, output) work on.
+    Markers of segments without an IMU have no state to correct and are omitted: ``kept`` (m,) are
+    the rows of the others in the glove. ``chain`` is the layout of the reduced glove, which the
+    shared stages (search, output) use.
 
-    Raises ConfigError where the glove leaves a gap in a finger.
+    Raises ConfigError for a segment without IMU within a finger.
     """
 
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
@@ -49,12 +49,12 @@ class VistLayout:
 
     @property
     def n(self) -> int:
-        """Segments."""
+        """Number of segments."""
         return len(self.chain.active)
 
     @property
     def size(self) -> int:
-        """Error states."""
+        """Number of error states."""
         return ERRORS * self.n
 
     @cached_property
@@ -74,7 +74,7 @@ class VistLayout:
 
     @cached_property
     def marker_lever(self) -> Array:
-        """(m, 3) m, nominal, from the IMU to each kept marker in its B."""
+        """(m, 3) m, nominal, from the IMU to each used marker in its B."""
         marker = self.chain.glove.marker_position
         return marker - self.imu_position[self.chain.marker_segment]
 

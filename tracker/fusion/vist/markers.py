@@ -1,4 +1,4 @@
-"""Stereo points and which markers they are: the paper's visual pipeline (eqs. 1 to 6, 10)."""
+"""Stereo points and their matching with markers: the paper's visual pipeline (eqs. 1 to 6, 10)."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, both_cam
 @record("vist.prediction", shapes={"p_G": "m 3", "prior": "2 m", "H": "m 3 21", "cov": "m 3 3"})
 @dataclass(frozen=True, eq=False)
 class Expected:
-    """Markers (m kept ones) as a state predicts them.
+    """Markers (m used ones) as predicted by a state.
 
-    p_G (m, 3); prior (2, m) of being seen by the left and right camera; H (m, 3, 21) against the
-    own segment's errors; cov (m, 3, 3) m² of the prediction alone.
+    p_G (m, 3); prior (2, m) of being seen by the left and right camera; H (m, 3, 21) with respect
+    to the own segment's errors; cov (m, 3, 3) m² of the prediction alone.
     """
 
     p_G: Array
@@ -39,21 +39,21 @@ class Expected:
 @record("vist.previous")
 @dataclass(frozen=True, eq=False)
 class PreviousMarkers:
-    """Markers after the image at ``t`` (s) as the filter then had them."""
+    """Markers as estimated after the image at ``t`` (s)."""
 
     t: float
     markers: Expected
 
     def at(self, t: float, speed: float) -> Expected:
-        """The same positions, less certain by what a hand of ``speed`` m/s (sd) goes meanwhile."""
+        """The same positions, with the variance of a hand's motion since, at ``speed`` m/s (sd)."""
         gone = (speed * (t - self.t)) ** 2
         return replace(self.markers, cov=self.markers.cov + gone * np.eye(3))
 
 
 @dataclass(frozen=True, eq=False)
 class Matched:
-    """k stereo points that were recognised: marker (k,) among the kept ones, left, right (k,) rows
-    of the blobs, p_G (k, 3) m and noise cov (k, 3, 3) m² in G."""
+    """k matched stereo points: marker (k,) among the used ones, left, right (k,) rows of the blobs,
+    p_G (k, 3) m and noise cov (k, 3, 3) m² in G."""
 
     marker: IntArray
     left: IntArray
@@ -65,7 +65,7 @@ class Matched:
         return len(self.marker)
 
     def none(self) -> Matched:
-        """Nothing recognised."""
+        """A copy without matches."""
         return Matched(*(value[:0] for value in vars(self).values()))
 
 
@@ -83,7 +83,8 @@ class MarkerModel:
         self._hand_segment = layout.chain.glove.marker_segment(layout.hand)
 
     def expect(self, state: VistState, pose: CameraPose) -> Expected:
-        """Where markers should be and how likely each camera sees them (eqs. 4 and 5)."""
+        """Predicted marker positions, and the probability that each camera sees them
+        (eqs. 4 and 5)."""
         lay = self._layout
         segment, glove = lay.chain.marker_segment, lay.chain.glove
         p_G = positions(state, segment, lay.marker_lever)
@@ -97,8 +98,8 @@ class MarkerModel:
         return Expected(p_G, prior, H, own_covariance(state, H, segment))
 
     def match(self, guide: Expected, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> Matched:
-        """Stereo points of the image and their markers. ``guide`` is what is compared with: the
-        markers as they are expected now, or as the previous image left them."""
+        """Matches the image's stereo points with markers. ``guide`` is the reference: the markers
+        as predicted now, or as estimated after the previous image."""
         left, right = seen
         i, j = (self._candidates(seen[c], guide, pose, bool(c)) for c in range(2))
         z = self._depth(guide, pose)
@@ -126,7 +127,7 @@ class MarkerModel:
     def _candidates(
         self, seen: SeenBlobs, guide: Expected, pose: CameraPose, right: bool
     ) -> IntArray:
-        """Rows of blobs near a marker of their hue. With one parallax for all, coloured things
+        """Rows of blobs near a marker of their hue. With one common parallax, coloured objects
         elsewhere in the room would outvote the hand."""
         p_C = (guide.p_G - pose.p_GC) @ pose.R_GC
         uv = self._rig.project(p_C, right)
@@ -139,13 +140,13 @@ class MarkerModel:
         return np.flatnonzero(near.any(axis=1))
 
     def _depth(self, guide: Expected, pose: CameraPose) -> float | None:
-        """Where on the optical axis the hand is expected, m; None where it is behind the camera."""
+        """Predicted depth of the hand, m; None where it is behind the camera."""
         z = (guide.p_G - pose.p_GC) @ pose.R_GC[:, 2]
         z_mean = float(np.median(z))
         return z_mean if z_mean > 0.05 else None
 
     def _near(self, p_G: Array, cov: Array, marker: IntArray, guide: Expected) -> Array:
-        """(k,) bool: within the gate of what can be believed."""
+        """(k,) bool: within the gate of the innovation."""
         r = p_G - guide.p_G[marker]
         S = guide.cov[marker] + cov
         d2 = np.einsum("ki,ki->k", r, np.linalg.solve(S, r[..., None])[..., 0])

@@ -1,4 +1,4 @@
-"""What a user may tune in the paper's filter; values tuned on simulated people."""
+"""Parameters of the paper's filter; defaults tuned on simulated people."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from tracker.fusion.chain.params import MatchParams
 class VistNoise:
     """Continuous noises (per √s) of eq. 9 and standard deviations of a marker (eq. 10)."""
 
-    gyro: float = 0.01  # rad/√s: far above the data sheet, it covers scale error and cloth
+    gyro: float = 0.01  # rad/√s: far above the data sheet, covers scale error and cloth
     accel: float = 0.1  # m/s²·√s
     gyro_bias: float = 2e-4  # rad/s/√s
     accel_bias: float = 2e-3  # m/s²/√s
     scale: float = 1e-4  # 1/√s
-    mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
-    silent_rotation: float = 1.0  # rad/√s, of a segment whose IMU does not answer
-    silent_accel: float = 10.0  # m/s²·√s, the same for its position
-    marker: float = 0.0025  # m: a lasting placement error treated as white, hence twice its size
+    mounting: float = 4e-3  # rad/√s: not zero, because cloth moves
+    silent_rotation: float = 1.0  # rad/√s, of a segment whose IMU is invalid
+    silent_accel: float = 10.0  # m/s²·√s, likewise for its position
+    marker: float = 0.0025  # m: a persistent placement error treated as white, hence twice its size
     pixel_px: float = 1.0
-    huber: float = 3.0  # standard deviations, beyond which a marker loses weight
+    huber: float = 3.0  # standard deviations, beyond which a marker's weight is reduced
 
 
 @dataclass(frozen=True)
@@ -33,10 +33,10 @@ class VistPrior:
     rotation: float = 0.12  # rad
     gyro_bias: float = 0.026  # rad/s, 1.5 °/s
     accel_bias: float = 0.3  # m/s²
-    mounting: float = 0.0873  # rad, 5° an axis
-    common_length: float = 0.06  # of the whole hand
+    mounting: float = 0.0873  # rad, 5° per axis
+    common_length: float = 0.06  # relative, of the whole hand
     common_girth: float = 0.06
-    own_length: float = 0.015  # of one segment besides
+    own_length: float = 0.015  # relative, of one segment in addition
     own_girth: float = 0.02
 
 
@@ -46,7 +46,7 @@ class VistConstraint:
 
     position: float = 0.0015  # m: two segments meet at their joint
     rotation: float = 0.06  # rad: no twist, no abduction of a hinge
-    period: float = 0.03  # s between two uses while no image comes
+    period: float = 0.03  # s between two uses while no image arrives
 
 
 @dataclass(frozen=True)
@@ -55,8 +55,8 @@ class VistMatch:
 
     guide: str = "imu"
     gate: float = 30.0  # Mahalanobis² of three degrees of freedom
-    reach: float = 0.02  # m beyond three standard deviations, within which blobs are considered
-    min_prior: float = 0.01  # markers less likely to be seen by both cameras do not take part
+    reach: float = 0.02  # m beyond three standard deviations, within which blobs are candidates
+    min_prior: float = 0.01  # markers less likely to be seen by both cameras are ignored
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
-"""Points fixed to segments: where they are in G, and how that depends on the errors.
+"""Points fixed to segments: their position in G, and its derivatives by the errors.
 
-A point at the nominal lever d from its segment's IMU (in B) stands at  z = p_GI + R_GB (lambda∘d):
+A point at the nominal lever d from its segment's IMU (in B) is at  z = p_GI + R_GB (lambda∘d):
 
     dz/dp = I,  dz/dth = -R_GI [R_IB u]x,  dz/dphi = -R_GB [u]x,  dz/dlambda = R_GB D(d)
 
-with u = lambda∘d. These are H of eq. 10 (Lee et al. 2021), derived again; the paper's derivation:
-note S6.
+with u = lambda∘d. This is H of eq. 10 (Lee et al. 2021), derived independently; the paper's
+derivation is its note S6.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def positions(state: VistState, segment: IntArray, lever: Array) -> Array:
 
 
 def jacobians(state: VistState, segment: IntArray, lever: Array) -> Array:
-    """J_point_error (k, 3, 21): each against the errors of its own segment."""
+    """J_point_error (k, 3, 21): each with respect to the errors of its own segment."""
     R_GB = state.R_GB[segment]
     R_skew = R_GB @ so3.skew(state.scale[segment] * lever)
     out = np.zeros((len(segment), 3, ERRORS))

@@ -37,7 +37,7 @@ def propagate(
 ) -> None:
     """Move ``state`` by ``dt`` with the mean readings ``sample`` over the interval.
 
-    ``coasting`` damps the hand's velocity: without images a double integral flies away.
+    ``coasting`` damps the hand's velocity: without images the double integral diverges.
     """
     j = layout.imu_of
     valid, gyro, accel = sample.valid[j], sample.gyro[j], sample.accel[j]
@@ -66,7 +66,7 @@ def _move_nominal(
     valid: BoolVector,
     dt: float,
 ) -> tuple[Matrix, Matrix, Stack]:
-    """Eq. 9. A silent segment turns and accelerates with its parent; a silent root slows down."""
+    """Eq. 9. A segment without valid IMU moves with its parent; such a root slows down."""
     n = len(parent)
     p_new, v_new, R_new = np.empty_like(p), np.empty_like(v), np.empty_like(R)
     w_G, a_G = np.zeros((n, 3)), np.zeros((n, 3))
@@ -89,7 +89,7 @@ def _move_nominal(
 def _error_blocks(
     R: Stack, w: Matrix, f: Matrix, valid: BoolVector, dt: float
 ) -> tuple[Stack, Stack, Stack]:
-    """A_th (n, 3, 3), E = Exp(w dt)^T (n, 3, 3), and A_ba (n, 3, 3); zeros where silent."""
+    """A_th (n, 3, 3), E = Exp(w dt)^T (n, 3, 3), and A_ba (n, 3, 3); zeros for invalid IMUs."""
     n = len(R)
     A_th, A_ba, E = np.zeros((n, 3, 3)), np.zeros((n, 3, 3)), np.empty((n, 3, 3))
     for i in range(n):
@@ -128,7 +128,7 @@ def move_covariance(
                 new[3 + r, c] = P_[k + V + r, c] + dv
                 new[6 + r, c] = dth
         P_[k : k + 9] = new
-    # 2. columns: M Phi^T, a row at a time
+    # 2. columns: M Phi^T, one row at a time
     move = np.empty(9)
     for row in range(size):
         for i in range(len(R)):
@@ -147,7 +147,7 @@ def move_covariance(
 
 
 def transition(state: VistState, sample: Readings, layout: VistLayout, dt: float) -> Array:
-    """The same Phi (21 n, 21 n) written out: what `move_covariance` stands for."""
+    """Phi (21 n, 21 n) as a dense matrix, equivalent to `move_covariance`."""
     j = layout.imu_of
     w, f = sample.gyro[j] - state.bg, sample.accel[j] - state.ba
     A_th, A_ba, E = _error_blocks(state.R_GI, w, f, sample.valid[j], dt)
@@ -166,7 +166,7 @@ def transition(state: VistState, sample: Readings, layout: VistLayout, dt: float
 def _add_noise(
     P_: Array, layout: VistLayout, noise: VistNoise, valid: BoolVector, dt: float
 ) -> None:
-    """Q on the diagonal; a silent IMU leaves its segment free to move."""
+    """Adds Q on the diagonal; a segment with an invalid IMU gets large noise."""
     accel = np.where(valid, noise.accel, noise.silent_accel)[:, None]
     q = np.empty((layout.n, ERRORS))
     q[:, P : P + 3] = accel**2 * dt**3 / 3

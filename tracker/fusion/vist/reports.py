@@ -1,4 +1,4 @@
-"""Messages made of the paper's states: calibration and frame results."""
+"""Messages built from the paper's states: calibration and frame results."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from tracker.messages import (
 from tracker.vision.rig import Camera, StereoRig
 from tracker.vision.visibility import both_cameras
 
-GYRO_SD = 0.03  # rad/s an axis, of what a gyroscope reads
+GYRO_SD = 0.03  # rad/s per axis, of a gyroscope reading
 
 
 def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
@@ -49,8 +49,8 @@ def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
 
 
 def ahead_variance(state: VistState, layout: VistLayout, noise: VistNoise, tau: float) -> Array:
-    """(n,) m² an axis that each segment's position gains while the nominal state alone is carried
-    on for ``tau`` s (docs/chain.md, eq. 56): each has a velocity, a tilt and a bias of its own."""
+    """(n,) m² per axis that each segment's position gains while the nominal state alone is
+    propagated for ``tau`` s (docs/chain.md, eq. 56): each has its own velocity, tilt and bias."""
     variance = np.diagonal(state.P).reshape(layout.n, ERRORS)
     velocity, tilt, bias = (variance[:, k : k + 3].mean(axis=1) for k in (V, TH, BA))
     pull = GRAVITY**2 * tilt + bias
@@ -59,8 +59,8 @@ def ahead_variance(state: VistState, layout: VistLayout, noise: VistNoise, tau: 
 
 
 def rates_of(layout: VistLayout, state: VistState, past: VistState, packet: ImuSample) -> Rates:
-    """How the segments of ``state`` move at the instant of ``packet``; ``past`` has its covariance.
-    A segment whose IMU is silent turns with its parent."""
+    """The motion of the segments of ``state`` at the time of ``packet``; ``past`` has its
+    covariance. A segment whose IMU is invalid rotates with its parent."""
     variance = np.diagonal(past.P).reshape(layout.n, ERRORS)
     v_var, bias, mounting = (variance[:, k : k + 3].mean(axis=1) for k in (V, BG, PHI))
     j, R_GB = layout.imu_of, state.R_GB
@@ -77,7 +77,7 @@ def rates_of(layout: VistLayout, state: VistState, past: VistState, packet: ImuS
 
 
 def _turn_variance(layout: VistLayout, state: VistState) -> Array:
-    """(n,) rad², mean of three axes, of each segment's rotation against its parent."""
+    """(n,) rad², mean of three axes, of each segment's rotation relative to its parent."""
     n, parent, R = layout.n, layout.chain.parent, state.R_GI
     P = state.P.reshape(n, ERRORS, n, ERRORS)[:, TH : TH + 3, :, TH : TH + 3]
     own = np.einsum("iaia->i", P) / 3
@@ -92,7 +92,7 @@ def _turn_variance(layout: VistLayout, state: VistState) -> Array:
 def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:
     """The hand's length (m) and its standard deviation, from the length scales.
 
-    A segment without a state counts with the scale of the one before it.
+    A segment without a state has the scale of the one before it.
     """
     hand, row_of = layout.hand, layout.chain.row_of
     gain, last = np.zeros(layout.n), 0
@@ -114,7 +114,7 @@ def frame_result(
     matched: Matched,
     seen: tuple[SeenBlobs, ...],
 ) -> FrameResult:
-    """What was made of an image, in raw pixels; one row per marker of the whole glove."""
+    """The result of an image, in raw pixels; one row per marker of the whole glove."""
     m, kept = len(layout.glove.markers), layout.kept
     p_C = (expected.p_G - pose.p_GC) @ pose.R_GC
     uv = [rig.project(p_C), rig.project(p_C, right=True)]

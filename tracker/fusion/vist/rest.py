@@ -1,7 +1,7 @@
-"""A hand that keeps still while no camera sees it: its velocity is known to be about zero.
+"""Zero-velocity update for a hand at rest while no camera sees it.
 
-Without this an unseen hand's position is a double integral, lost in a second. A person who holds
-a posture gives the filter this much for free.
+Without it the position of an unseen hand is a double integral, which diverges within a second. A
+person who holds a posture provides this measurement at no cost.
 """
 
 from __future__ import annotations
@@ -14,14 +14,15 @@ from tracker.fusion.vist.layout import V, VistLayout
 from tracker.fusion.vist.state import VistState
 from tracker.messages import Array, ImuSample
 
-WINDOW = 0.3  # s looked back on
+WINDOW = 0.3  # s, length of the evaluated window
 STILL_RATE = 0.35  # rad/s mean angular rate; sway and tremor give 0.2
 STILL_FORCE = 1.8  # m/s² sd of the specific force; tremor gives 1
-SD = 0.05  # m/s, for sway goes on and the same rest is used many times a second
+SD = 0.05  # m/s, since sway continues and the same rest is used many times per second
 
 
 def is_still(packets: Sequence[ImuSample], t: float, imu: int, bias: Array) -> bool:
-    """Whether one IMU rested for the last `WINDOW` seconds before ``t``. bias (3,) rad/s."""
+    """Whether one IMU was at rest during the last `WINDOW` seconds before ``t``. bias (3,)
+    rad/s."""
     lately = [s for s in packets if t - WINDOW <= s.t <= t]
     if len(lately) < 5 or not all(s.valid[imu] for s in lately):
         return False

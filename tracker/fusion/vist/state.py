@@ -35,9 +35,8 @@ class VistState:
     covariance at time ``t``; n segments, rows as in `VistLayout`.
 
     p_GI, v_GI (n, 3) m, m/s of each IMU in G; R_GI (n, 3, 3); bg, ba (n, 3); scale (n, 3) lambda_B;
-    R_IB (n, 3, 3); P (21 n, 21 n). held_back (2, 3) m, m/s: by how much the damping of a hand that
-    no image shows has moved its position and velocity off what the IMUs say, which is what P is
-    the covariance of.
+    R_IB (n, 3, 3); P (21 n, 21 n). held_back (2, 3) m, m/s: the difference in position and velocity
+    between the damped motion of an unseen hand and the IMU integral, whose covariance P is.
     """
 
     t: float
@@ -83,7 +82,8 @@ def inject(state: VistState, dx: Array) -> None:
 
 
 def initial_covariance(layout: VistLayout, prior: VistPrior) -> Array:
-    """(21 n, 21 n). Hands differ as wholes: lengths share a common factor, and so do girths."""
+    """(21 n, 21 n). Hand size varies as a whole: lengths share a common factor, and so do
+    girths."""
     sd = np.empty(ERRORS)
     sd[P : P + 3], sd[V : V + 3] = prior.position, prior.velocity
     sd[TH : TH + 3], sd[PHI : PHI + 3] = prior.rotation, prior.mounting
@@ -98,7 +98,7 @@ def initial_covariance(layout: VistLayout, prior: VistPrior) -> Array:
 
 
 def reset_motion(P_: Array, layout: VistLayout, prior: VistPrior) -> None:
-    """Forget p, v and theta with all that they were correlated with; calibration stays."""
+    """Resets p, v and theta and their correlations; the calibration is unchanged."""
     rows = (ERRORS * np.arange(layout.n)[:, None] + np.arange(BG)).ravel()
     P_[rows, :] = 0.0
     P_[:, rows] = 0.0
@@ -107,12 +107,12 @@ def reset_motion(P_: Array, layout: VistLayout, prior: VistPrior) -> None:
 
 
 def blank_state(layout: VistLayout) -> VistState:
-    """A flat hand at the origin, before anything is known (P is zero)."""
+    """A flat hand at the origin, with zero covariance."""
     return from_chain(layout, initial_state(layout.chain))
 
 
 def from_chain(layout: VistLayout, chain: ChainState) -> VistState:
-    """The state of free segments that stands where a chain stands; P is left at zero."""
+    """The state of free segments with the poses of a chain; P is left at zero."""
     j = layout.imu_of
     R_IB, scale = chain.R_IB[j], chain.scale3()
     p_GB = segment_positions(chain, layout.chain)

@@ -1,4 +1,4 @@
-"""The paper's filter at work: what a packet does to it, what an image does, and what none does."""
+"""The paper's filter in operation: processing of packets, of images, and of missing images."""
 
 from __future__ import annotations
 
@@ -42,15 +42,15 @@ from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import both_cameras
 
 DOUBTFUL_SHARE = 0.35  # of the expected markers
-MIN_RECOGNISED = 5  # stereo points that place a hand
+MIN_RECOGNISED = 5  # stereo points required to locate a hand
 RECOGNISED_SHARE = 0.6  # of the expected markers
-LOST_SD = 0.05  # m: an unseen hand whose position is less certain than this is lost
+LOST_SD = 0.05  # m: an unseen hand with a larger position sd is lost
 
 
 @record("vist.tracking", shapes={"seen": "M", "felt": "I", "tip_sd": "t"})
 @dataclass(eq=False)
 class Track:
-    """What changes beside the filter. seen (M,), felt (I,): when each marker and IMU was last."""
+    """State besides the filter. seen (M,), felt (I,): last times (s) of each marker and IMU."""
 
     seen: Array
     felt: Array
@@ -62,11 +62,11 @@ class Track:
     doubtful_since: float = np.inf
 
     def is_coasting(self, t: float, params: MatchParams) -> bool:
-        """No image with enough markers lately."""
+        """Whether no recent image had enough markers."""
         return t - self.last_good > params.lost_after
 
     def judge(self, t: float, enough: bool, params: MatchParams) -> None:
-        """After an image, or without one."""
+        """Call after an image, or where none arrived."""
         if enough:
             self.last_good, self.tracking = t, Tracking.TRACKING
         elif t - self.last_good > params.coast_limit and self.tip_sd[0] > LOST_SD:
@@ -75,7 +75,7 @@ class Track:
             self.tracking = Tracking.COASTING
 
     def should_search(self, t: float, matched: int, expected: float, params: MatchParams) -> bool:
-        """Lost, or too few of the expected markers are there for too long."""
+        """Whether the hand is lost, or too few of the expected markers matched for too long."""
         doubtful = matched < max(params.min_markers, DOUBTFUL_SHARE * expected)
         self.doubtful_since = min(self.doubtful_since, t) if doubtful else np.inf
         long = t - self.doubtful_since >= params.lost_after or self.is_coasting(t, params)
@@ -83,9 +83,9 @@ class Track:
 
 
 def is_better(recognised: int, matched: int, expected: float) -> bool:
-    """Whether a pose found by searching is to be believed rather than the present one.
+    """Whether a pose found by a search is preferred to the present one.
 
-    It must explain clearly more points, enough to be no accident, and most of what should be seen.
+    It must explain clearly more points, more than chance would, and most of the expected markers.
     """
     return recognised >= max(MIN_RECOGNISED, 1.2 * matched, RECOGNISED_SHARE * expected)
 
@@ -96,15 +96,15 @@ Seen = tuple[SeenBlobs, ...]
 @record("vist.tracker")
 @dataclass(eq=False)
 class VistTrackerKept:
-    """All of a tracker that changes."""
+    """The complete state of a tracker."""
 
     state: VistState
     track: Track
-    previous: PreviousMarkers | None = None  # only where correspondence is made from it
+    previous: PreviousMarkers | None = None  # only where correspondence is based on it
 
 
 class VistTracker:
-    """The parts of the vist engine joined; a `Filter` that a `Timeline` drives. The order of its
+    """Connects the parts of the vist engine; a `Filter` that a `Timeline` drives. The order of its
     steps is that of fig. 2B of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
     """
 
@@ -127,7 +127,7 @@ class VistTracker:
         return self.kept.state
 
     def restore(self, kept: VistTrackerKept) -> None:
-        """Go on from what was `kept`, which is taken over."""
+        """Restore a `kept` state, which is not copied."""
         self.kept = kept
 
     @property
@@ -162,7 +162,7 @@ class VistTracker:
         propagate(state, self._layout, noise, sample, dt, coasting=coasting, covariance=covariance)
 
     def no_image(self) -> bool:
-        """Held together by anatomy."""
+        """Applies anatomy alone."""
         t = self.state.t
         self._track.judge(t, False, self._params.tracking)
         if t - self._track.last_constraint < self._params.constraint.period:
@@ -174,7 +174,7 @@ class VistTracker:
         return True
 
     def _rest(self) -> None:
-        """While nothing is seen, a hand that keeps still does not drift."""
+        """Prevents drift of a hand that is unseen and at rest."""
         t, root = self.state.t, int(self._layout.imu_of[0])
         coasting = self._track.is_coasting(t, self._params.tracking)
         if coasting and is_still(list(self._buffer), t, root, self.state.bg[0]):
@@ -193,7 +193,7 @@ class VistTracker:
             expected, matched = self._search_again(seen, pose, expected, matched)
         enough = len(matched) >= self._params.tracking.min_markers
         if not enough and self._track.is_coasting(frame.t, self._params.tracking):
-            matched = matched.none()  # in a wide gate a point or two may be anything
+            matched = matched.none()  # in a wide gate, one or two points may be chance matches
         since = max(frame.t - self._track.last_constraint, 1e-3)
         often = max(1.0, self._params.constraint.period / since)
         self._filter.correct(self.state, expected, matched, often)
@@ -205,18 +205,18 @@ class VistTracker:
     def _look(
         self, state: VistState, seen: Seen, pose: CameraPose, previous: Expected | None
     ) -> tuple[Expected, Matched]:
-        """Markers as ``state`` expects them, and which were recognised near there, or near where
-        the ``previous`` image left them."""
+        """Markers as predicted by ``state``, and the matches near them, or near those of the
+        ``previous`` image."""
         expected = self._markers.expect(state, pose)
         return expected, self._markers.match(previous or expected, seen, pose)
 
     def _previous(self, t: float) -> Expected | None:
-        """What correspondence is made from where the IMUs' prediction shall not be used."""
+        """The reference for correspondence where the IMUs' prediction must not be used."""
         previous = self.kept.previous
         return previous.at(t, self._params.prior.velocity) if previous is not None else None
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
-        """Look for the hand from nothing, at most every ``search_period``."""
+        """Search for the hand without a prior, at most once per ``search_period``."""
         since = frame.t - self._track.last_search
         if frame.search < Search.ANEW or since < self._params.tracking.search_period:
             return None
@@ -226,8 +226,8 @@ class VistTracker:
         found = self._starter.first(self._buffer, seen, pose, frame.t)
         if found is None:
             return None
-        # the search takes gyro biases from a hand at rest, but tremor turns a finger at 0.1 rad/s:
-        # over so short a time that is no bias
+        # the search takes gyro biases from a hand at rest, but tremor rotates a finger at 0.1
+        # rad/s: over so short a time the mean is not a bias
         found.bg[:] = 0.0
         self.kept.state = from_chain(self._layout, found)
         self.state.P = initial_covariance(self._layout, self._params.prior)
@@ -240,7 +240,7 @@ class VistTracker:
     def _search_again(
         self, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
     ) -> tuple[Expected, Matched]:
-        """Move to a better pose where the images show one; else all stays as it is."""
+        """Move to a better pose where the images show one; otherwise change nothing."""
         chain = as_chain(self._layout, self.state)
         found = self._starter.again(chain, seen, pose, len(matched))
         if found is None:
@@ -268,17 +268,17 @@ class VistTracker:
         tracking = self._track.tracking
         return frame_result(frame, self._layout, self._rig, pose, tracking, expected, matched, seen)
 
-    # ---- what is shown
+    # ---- output
 
     def sensed(self, t: float) -> Sensed:
-        """What was sensed lately, as of ``t``."""
+        """What was sensed recently, as of ``t``."""
         out = (t - self._track.felt[self._layout.imu_of] < SEEN_LATELY).astype(np.int64)
         out[self._layout.chain.marker_segment[t - self._track.seen < SEEN_LATELY]] = 1
         return Sensed(out, self._track.tracking)
 
     def sd_at(self, t: float, shown: VistState) -> Array:
-        """(n,) m of the segments' ends of a state that is ``shown`` for ``t``; it grows from the
-        last image or constraint on."""
+        """(n,) m of the segments' ends of a state that is ``shown`` for ``t``; it grows with the
+        time since the last image or constraint."""
         tip_sd, last = self._track.tip_sd, self._track.last_constraint
         tau = t - last if np.isfinite(last) else 0.0
         ahead = ahead_variance(self.state, self._layout, self._params.noise, max(tau, 0.0))

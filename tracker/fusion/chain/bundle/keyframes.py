@@ -1,4 +1,4 @@
-"""Postures worth remembering: images with many markers, as unlike each other as can be."""
+"""Selects keyframes: images with many matched markers and postures as different as possible."""
 
 from __future__ import annotations
 
@@ -13,37 +13,37 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.time.imu_buffer import Around
 from tracker.messages import Array, CameraPose, IntArray
 
-MAX_RATE = 4.0  # rad/s: faster than this an image smears and the accelerometers feel the motion
+MAX_RATE = 4.0  # rad/s: faster motion blurs the image and disturbs the accelerometers
 
 
 @record("chain.keyframe", shapes={"p": "3", "R_GB": "A 3 3", "uv": "2 M 2", "relative": "a 3"})
 @dataclass(frozen=True, eq=False)
 class Keyframe:
-    """One posture. p (3,), R_GB (A, 3, 3) as the filter had them; uv (2, M, 2) rectified px of the
-    matched blobs, NaN elsewhere; packets 10 ms before, at and after the exposure."""
+    """One posture. p (3,), R_GB (A, 3, 3) as estimated by the filter; uv (2, M, 2) rectified px of
+    the matched blobs, NaN elsewhere; packets 10 ms before, at and after the exposure."""
 
     p: Array
     R_GB: Array
     uv: Array
     pose: CameraPose
     packets: Around
-    relative: Array  # (A - 1, 3) rotation vectors against the parents
+    relative: Array  # (A - 1, 3) rotation vectors relative to the parents
 
 
 @record("chain.keyframes")
 @dataclass(eq=False)
 class Keyframes:
-    """At most ``BundleParams.keyframes`` of them; a newcomer replaces the one least needed."""
+    """At most ``BundleParams.keyframes`` keyframes; a new one replaces the most redundant one."""
 
     kept: list[Keyframe] = field(default_factory=list)
 
     def lacks(self, relative: Array, params: BundleParams) -> bool:
-        """Whether a posture, as `Keyframe.relative`, is like none of those kept."""
+        """Whether a posture, as `Keyframe.relative`, differs from all stored ones."""
         apart = self._distances(relative)
         return not len(apart) or bool(apart.min() >= params.apart)
 
     def offer(self, frame: Keyframe, params: BundleParams) -> None:
-        """Keep ``frame`` if its posture is new."""
+        """Store ``frame`` if its posture is new."""
         if not self.lacks(frame.relative, params):
             return
         if len(self.kept) < params.keyframes:
@@ -71,7 +71,8 @@ def keyframe_of(
     relative: Array,
     params: BundleParams,
 ) -> Keyframe | None:
-    """The posture of ``state``, or None where too little is seen or it moves too fast."""
+    """The posture of ``state``, or None where too few markers are matched or the hand moves too
+    fast."""
     if int(np.sum(match >= 0)) < params.least_blobs or np.abs(packets.now.gyro).max() > MAX_RATE:
         return None
     uv = np.full((2, match.shape[1], 2), np.nan)

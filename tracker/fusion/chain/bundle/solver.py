@@ -1,9 +1,9 @@
-"""Least squares over keyframes: a pose each, one calibration for all (eq. 45).
+"""Least squares over keyframes: one pose per keyframe, one calibration for all (eq. 45).
 
-The work is cut into steps of one keyframe, one an image, so that no image waits for it and the
-result comes at an instant that depends on the data alone. What is found replaces the filter's
-calibration: both were learned from the same data, so they must not be fused. Equation numbers are
-those of docs/chain.md.
+The work is divided into steps of one keyframe each, one step per image, so that no image is delayed
+and the time at which the result is available depends on the data alone. The solution replaces the
+filter's calibration: both are estimated from the same data, so they must not be fused. Equation
+numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ from tracker.vision.rig import StereoRig
 
 
 class KeyframeRows:
-    """Pixels, anatomy and the fingers' accelerometers of a keyframe, each divided by its noise.
+    """Rows of pixels, anatomy and finger accelerometers for a keyframe, each divided by its noise.
 
-    A marker's placement is a state here, so what is left of its noise is the cloth's slip.
+    A marker's placement is a state here, so only the slip of the cloth remains as its noise.
     """
 
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
@@ -43,7 +43,7 @@ class KeyframeRows:
         self._constraints = Constraints(layout, anatomy)
 
     def __call__(self, state: ChainState, frame: Keyframe) -> tuple[Array, Array]:
-        """H (m, N) and residual r (m,), both of unit noise, at ``state``."""
+        """H (m, N) and residual r (m,) at ``state``, both scaled to unit noise."""
         H_px, r_px = self._pixels(state, frame)
         H_c, r_c, variance = self._constraints.rows(state)
         parts = [(H_px, r_px), _scaled(H_c, r_c, variance)]
@@ -73,11 +73,11 @@ def _scaled(H: Array, r: Array, variance: Array) -> tuple[Array, Array]:
 
 
 ASK_EVERY = 0.03  # s
-MOST_MISFIT = 1.5  # mean square of whitened residuals; about 0.2 for a hand tracked well
-MOST_SCALE = 0.35  # beyond the file's size
+MOST_MISFIT = 1.5  # mean square of whitened residuals; about 0.2 for a well-tracked hand
+MOST_SCALE = 0.35  # deviation from the file's size
 MOST_ROTATION = 0.7  # rad of a mounting, about each axis
 MOST_SHIFT = 0.008  # m of a marker, along each axis
-POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
+POSITION_SD = 0.05  # m, prior sd of a keyframe's hand position about the filter's
 
 
 @record(
@@ -85,13 +85,13 @@ POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filte
 )
 @dataclass(eq=False)
 class BundleWork:
-    """What changes: remembered postures and, while a solution is made, the sums so far."""
+    """What changes: stored postures and, while a solution is computed, the partial sums."""
 
     asked_at: float = -np.inf
     next_at: float = np.nan
     pause: float = 0.0
     keyframes: Keyframes = field(default_factory=Keyframes)
-    frames: list[Keyframe] = field(default_factory=list)  # of the present solution
+    frames: list[Keyframe] = field(default_factory=list)  # of the current solution
     p: list[Array] = field(default_factory=list)
     R_GB: list[Array] = field(default_factory=list)
     back: list[Array] = field(default_factory=list)  # (D, C + 1) pose change: gain and constant
@@ -99,19 +99,20 @@ class BundleWork:
     sweep: int = 0
     N: Array = field(default_factory=lambda: np.zeros(0))
     g: Array = field(default_factory=lambda: np.zeros(0))
-    misfit: float = 0.0  # summed squares of the whitened residuals of this sweep
+    misfit: float = 0.0  # sum of squared whitened residuals in this sweep
     rows: int = 0
 
 
 class Beside(NamedTuple):
-    """What is known beside keyframes: by guided poses, and (None: as of anybody) of the wearer."""
+    """Information besides the keyframes: from guided poses and (None: population prior) the
+    wearer."""
 
     poses: GuidedLearning
     known: WearerProfile | None
 
 
 class Bundle:
-    """Keyframe calibration of one chain filter; holds nothing that changes."""
+    """Keyframe calibration of one chain filter; itself immutable."""
 
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._params = layout, params.bundle
@@ -124,7 +125,7 @@ class Bundle:
         self._stiff[:3] = POSITION_SD**-2
 
     def wants(self, work: BundleWork, t: float) -> bool:
-        """Whether it is time to look at a posture: no more than in thirty images a second."""
+        """Whether the next posture is due: at most thirty per second."""
         if t - work.asked_at < ASK_EVERY:
             return False
         work.asked_at = t
@@ -135,16 +136,16 @@ class Bundle:
         return work.keyframes.lacks(relative, self._params)
 
     def offer(self, work: BundleWork, frame: Keyframe | None) -> None:
-        """Remember a posture."""
+        """Store a posture."""
         if frame is not None:
             work.keyframes.offer(frame, self._params)
 
     def step(
         self, work: BundleWork, state: ChainState, beside: Beside | None = None
     ) -> WearerProfile | None:
-        """One keyframe further; the wearer, once a solution is complete.
+        """Processes one keyframe; returns the wearer profile once a solution is complete.
 
-        What is known ``beside`` the keyframes counts too.
+        The information in ``beside`` is included.
         """
         if work.calibration is None:
             self._begin_when_due(work, state, beside)
@@ -174,7 +175,7 @@ class Bundle:
         self._begin_sweep(work, beside)
 
     def _begin_sweep(self, work: BundleWork, beside: Beside | None) -> None:
-        """The sums start with what is known beforehand of hands and fittings, and by poses."""
+        """Initialises the sums with the priors of hand and mountings and with the guided poses."""
         assert work.calibration is not None
         work.back, work.misfit, work.rows = [], 0.0, 0
         information, off = self._information, self._off_nominal(work.calibration)
@@ -188,7 +189,7 @@ class Bundle:
             work.N, work.g = work.N + N, work.g + g
 
     def _off_nominal(self, state: ChainState) -> Array:
-        """(C,) difference from the files' values."""
+        """(C,) deviation from the nominal values in the files."""
         lay, fresh = self._layout, initial_state(self._layout)
         return np.concatenate(
             [
@@ -202,7 +203,7 @@ class Bundle:
         )
 
     def _linearise(self, work: BundleWork, k: int) -> None:
-        """Add keyframe ``k`` with its own pose eliminated: Schur's complement (eq. 46)."""
+        """Adds keyframe ``k`` with its own pose eliminated: Schur complement (eq. 46)."""
         assert work.calibration is not None
         frame, n = work.frames[k], self._layout.n_dynamic
         H, r = self._rows(replace(work.calibration, p=work.p[k], R_GB=work.R_GB[k]), frame)
@@ -219,9 +220,10 @@ class Bundle:
         work.back.append(back)
 
     def _move_on(self, work: BundleWork, beside: Beside | None = None) -> WearerProfile | None:
-        """Solve for the calibration, move it and all poses; the wearer after the last sweep.
+        """Solves for the calibration and updates it and all poses; the profile after the last
+        sweep.
 
-        Postures that do not fit are dropped before the calibration can bend to them.
+        Postures that do not fit are dropped before they can bias the calibration.
         """
         assert work.calibration is not None
         if work.misfit > MOST_MISFIT * work.rows:
@@ -254,19 +256,19 @@ class Bundle:
         work.calibration, work.frames, work.p, work.R_GB, work.back = None, [], [], [], []
 
     def _drop(self, work: BundleWork) -> None:
-        """Discard all postures, because some are not of this hand."""
+        """Discard all postures, because some belong to another hand."""
         self._end(work)
         work.keyframes.kept.clear()
 
     def _believable(self, solved: ChainState) -> bool:
-        """Whether a person could wear the glove like this."""
+        """Whether the solution is plausible for a person wearing the glove."""
         far = so3.log(self._layout.R_IB.swapaxes(1, 2) @ solved.R_IB)
         largest = (np.abs(far).max(initial=0.0), np.abs(solved.marker).max(initial=0.0))
         within = np.abs(solved.scale - 1).max() < MOST_SCALE
         return bool(within and largest[0] < MOST_ROTATION and largest[1] < MOST_SHIFT)
 
     def _profile(self, solved: ChainState, P: Array) -> WearerProfile:
-        """What was found, with the fittings' wobble added to its covariance."""
+        """The solution, with the wobble of the mountings added to its covariance."""
         lay, n = self._layout, self._layout.n_dynamic
         rows = np.arange(lay.blocks.phi - n, lay.blocks.ba - n)
         P[rows, rows] += self._params.wobble**2
@@ -276,10 +278,10 @@ class Bundle:
 
 
 def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
-    """Put what keyframes showed in place of the filter's calibration, gyro biases apart.
+    """Replaces the filter's calibration, except gyro biases, by the keyframe solution.
 
-    The IMUs stay where they are in G, so each segment turns with its mounting; what was
-    known of the pose stays as sure as it was and forgets what it had to do with the calibration.
+    The IMUs keep their orientation in G, so each segment turns with its mounting; the covariance of
+    the pose is unchanged, and its correlation with the calibration is set to zero.
     """
     n, first = layout.n_dynamic, layout.blocks.phi
     R_BB = state.R_IB.swapaxes(1, 2) @ found.R_IB  # new B to old B

@@ -1,4 +1,4 @@
-"""What a user may do to a chain filter's calibration: reset, freeze, take along to another day."""
+"""User commands on a chain filter's calibration: reset, freeze, reuse in a later session."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from tracker.messages import IntArray
 class RenewParams:
     """Standard deviations of what changes between two sessions of the same wearer."""
 
-    gyro_bias: float = 0.01  # rad/s: from switch-on to switch-on, and with temperature
+    gyro_bias: float = 0.01  # rad/s: varies between power cycles, and with temperature
     accel_bias: float = 0.1  # m/s²
     mounting: float = 0.05  # rad: the glove was put on again
 
@@ -51,9 +51,9 @@ def calibration_rows(layout: ChainLayout, segments: Sequence[str]) -> IntArray:
 def reset_calibration(
     state: ChainState, layout: ChainLayout, prior: PriorParams, segments: Sequence[str]
 ) -> None:
-    """Back to the files' values, with the uncertainty of the start, for the named segments.
+    """Resets the named segments to the files' values with the initial uncertainty.
 
-    The pose stays; what was known of it through these parameters is forgotten.
+    The pose is unchanged; its correlation with these parameters is discarded.
     """
     rows = calibration_rows(layout, segments)
     fresh, P = initial_state(layout), initial_covariance(layout, prior)
@@ -71,14 +71,14 @@ def reset_calibration(
 
 
 def hold_calibration(state: ChainState, layout: ChainLayout) -> None:
-    """Take the calibration as known: with no covariance, no measurement moves it."""
+    """Treats the calibration as known: with zero covariance, no measurement changes it."""
     n = layout.n_dynamic
     state.P[n:, :] = 0.0
     state.P[:, n:] = 0.0
 
 
 def with_held(state: ChainState, layout: ChainLayout, held: WearerProfile) -> ChainState:
-    """A view of ``state`` that shows how sure the held calibration was."""
+    """A view of ``state`` with the covariance that the frozen calibration had."""
     n = layout.n_dynamic
     P = state.P.copy()
     P[n:, n:] = held.P
@@ -88,8 +88,8 @@ def with_held(state: ChainState, layout: ChainLayout, held: WearerProfile) -> Ch
 def renewed(
     profile: WearerProfile, layout: ChainLayout, params: RenewParams | None = None
 ) -> WearerProfile:
-    """A profile of an earlier session: bones are kept, the glove was put on again, and sensors have
-    drifted."""
+    """Adapts a profile to a new session: bones are unchanged, the glove was put on again, and
+    sensor biases have drifted."""
     params, n = params or RenewParams(), layout.n_dynamic
     P = profile.P.copy()
     diagonal = np.arange(len(P))
@@ -104,7 +104,7 @@ def renewed(
 
 
 def fits(profile: WearerProfile, layout: ChainLayout) -> bool:
-    """Whether a profile is of a glove and hand with this layout."""
+    """Whether a profile has the layout of this glove and hand."""
     like = profile_of(initial_state(layout), layout)
     arrays = {k: v for k, v in vars(like).items() if isinstance(v, np.ndarray)}
     return all(getattr(profile, k).shape == v.shape for k, v in arrays.items())

@@ -1,6 +1,6 @@
-"""A wearer of whom nothing is known but how long his hand is: measured with a ruler.
+"""A profile from a ruler: only the length of the wearer's hand is known.
 
-One camera cannot tell a small hand that is near from a large one farther away; a ruler can.
+One camera cannot distinguish a small, near hand from a larger one farther away; a ruler can.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from tracker.fusion.chain.profile import WearerProfile, profile_of
 from tracker.fusion.chain.reports import length_gain
 from tracker.fusion.chain.state import initial_state
 
-RULER_SD = 0.002  # m: where the wrist ends, and a ruler beside a hand
-SHORTEST, LONGEST = 0.13, 0.24  # m, of people's hands from the wrist to the middle fingertip
+RULER_SD = 0.002  # m: uncertainty of the wrist crease and of reading a ruler
+SHORTEST, LONGEST = 0.13, 0.24  # m, range of human hand lengths from wrist to middle fingertip
 
 
 def measured_profile(layout: ChainLayout, length: float, sd: float = RULER_SD) -> WearerProfile:
-    """The profile of a hand ``length`` m long, known to ``sd`` m, and otherwise anybody's.
+    """The profile of a hand of ``length`` m with standard deviation ``sd`` m, average otherwise.
 
-    The Kalman update of the prior (docs/chain.md, eq. 19) with one number. Raises ConfigError where
-    no hand is that long.
+    The Kalman update of the prior (docs/chain.md, eq. 19) with one scalar. Raises ConfigError for
+    an impossible length.
     """
     if not SHORTEST <= length <= LONGEST:
         raise ConfigError(

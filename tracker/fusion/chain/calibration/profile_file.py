@@ -1,9 +1,9 @@
-"""A wearer's profile as a file: what belongs to the person, and stays so when the glove comes off.
+"""A wearer profile as a file: the parameters of the person, which do not depend on one donning.
 
-A TOML text of schema 1: factors of bones against the hand file, offsets of finger bases (m), own
-synergies (ratio, offset and lateral in rad), and how sure all of that is, as covariances in the
-order in which they stand. What belongs to one putting-on of the glove (mountings, markers) and to
-one day (biases) is not in it: a reader starts those as for anybody.
+A TOML file of schema 1: bone scales relative to the hand file, offsets of finger bases (m),
+individual synergies (ratio, offset and lateral in rad), and their covariances in the order in which
+they are listed. What changes with each donning (mountings, markers) or from day to day (biases) is
+not stored: a reader starts those from the prior.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ from tracker.fusion.chain.state import SCALE_LIMITS, initial_state
 from tracker.messages import Array, Calibration
 
 SCHEMA = 1
-MOST_OFFSET = 0.05  # m, of a finger base; and rad / 0.05 of a synergy
+MOST_OFFSET = 0.05  # m, of a finger base; divided by 0.05, rad of a synergy
 
 
 @dataclass(frozen=True, eq=False)
 class WearerFile:
-    """What was learned of a wearer of the hand and glove that ``layout`` is of."""
+    """What was learned about a wearer with the hand and glove of ``layout``."""
 
     layout: ChainLayout
     profile: WearerProfile
@@ -42,12 +42,12 @@ class WearerFile:
 
 
 def write_wearer(path: Path, wearer: WearerFile) -> None:
-    """Replace the file as a whole. Raises FileError in words."""
+    """Writes the file atomically. Raises FileError with a readable message."""
     write_with_folder(path, wearer_text(wearer))
 
 
 def wearer_text(wearer: WearerFile) -> str:
-    """The file's text."""
+    """The text of the file."""
     profile, layout, hand = wearer.profile, wearer.layout, wearer.layout.hand
     bases = [name for name, b in zip(layout.names, layout.base_of, strict=True) if b >= 0]
     said: dict[str, Any] = {
@@ -74,9 +74,9 @@ def wearer_text(wearer: WearerFile) -> str:
 
 
 def is_for(path: Path, layout: ChainLayout) -> bool:
-    """False where the file names another hand or glove; reads no more than its first lines.
+    """False where the file names another hand or glove; reads only its first lines.
 
-    A damaged file counts as one for this hand: `read_wearer` says what is wrong with it.
+    A damaged file counts as matching: `read_wearer` reports what is wrong with it.
     """
     try:
         head = read_text(path).split("\n[", 1)[0]
@@ -91,7 +91,7 @@ def _is_of_another(said: dict[str, Any], layout: ChainLayout) -> bool:
 
 
 def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
-    """Raises FileError where it is none, or of another hand or glove."""
+    """Raises FileError where the file is not a wearer profile, or is for another hand or glove."""
     try:
         said = parse_toml(read_text(path), path.name)
     except FileError as error:
@@ -115,7 +115,7 @@ def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
 
 
 def _parsed(said: dict[str, Any], layout: ChainLayout) -> WearerFile:
-    """Raises KeyError, TypeError or ValueError where the table is not what it should be."""
+    """Raises KeyError, TypeError or ValueError where the table is invalid."""
     if said["schema"] != SCHEMA:
         raise ValueError("another version wrote it")
     state = initial_state(layout)

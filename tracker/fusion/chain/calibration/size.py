@@ -1,4 +1,4 @@
-"""How sure a wearer's profile is of the hand's size, which one camera cannot tell."""
+"""Uncertainty of the hand's size in a wearer profile, which one camera cannot measure."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tracker.fusion.chain.reports import length_gain
 
 
 def size_sd(profile: WearerProfile, layout: ChainLayout) -> float:
-    """The standard deviation of the hand's length, as a share of it."""
+    """The relative standard deviation of the hand's length."""
     gain, first = length_gain(layout), layout.n_dynamic
     rows = slice(layout.blocks.scale - first, layout.blocks.joint - first, 2)
     variance = max(float(gain @ profile.P[rows, rows] @ gain), 0.0)
@@ -20,10 +20,10 @@ def size_sd(profile: WearerProfile, layout: ChainLayout) -> float:
 
 
 def as_unsure(profile: WearerProfile, layout: ChainLayout, sd: float) -> WearerProfile:
-    """The same with a size that is not surer than ``sd``, a share.
+    """A copy whose relative size uncertainty is at least ``sd``.
 
-    What is added is common to all lengths and girths: in one camera's images a hand with another
-    size looks the same at another distance (docs/chain.md, eq. 43).
+    The added variance is common to all lengths and girths: in the images of one camera, a hand of
+    another size looks the same at another distance (docs/chain.md, eq. 43).
     """
     missing = sd**2 - size_sd(profile, layout) ** 2
     if missing <= 0.0:

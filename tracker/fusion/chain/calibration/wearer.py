@@ -1,4 +1,4 @@
-"""What a chain engine has learned of its wearer: shown, kept, taken along, refined."""
+"""The wearer's calibration in a chain engine: output, storage, user commands, refinement."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from tracker.vision.rig import StereoRig
 @record("chain.wearer")
 @dataclass(eq=False)
 class WearerKept:
-    """All of it that changes."""
+    """The part that changes."""
 
-    held: WearerProfile | None = None  # the calibration while it is frozen
-    known: WearerProfile | None = None  # what every new start begins with
+    held: WearerProfile | None = None  # calibration while it is frozen
+    known: WearerProfile | None = None  # initial profile of every new start
     work: BundleWork = field(default_factory=BundleWork)
 
 
 class WearerCalibration:
-    """The calibration within a filter's state. Each method is given that state, and changes it."""
+    """The calibration within a filter's state. The methods modify the given state."""
 
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._params = layout, params
@@ -43,41 +43,41 @@ class WearerCalibration:
 
     @property
     def is_frozen(self) -> bool:
-        """Whether the calibration is held as it was at one instant."""
+        """Whether the calibration is frozen."""
         return self.kept.held is not None
 
     @property
     def known_size_sd(self) -> float:
-        """Share by which the hand's size was unsure beforehand; infinite for a stranger's."""
+        """Relative uncertainty of the hand's size before tracking; infinite without a profile."""
         known = self.kept.known
         return size_sd(known, self._layout) if known is not None else float("inf")
 
     def shown(self, state: ChainState) -> Calibration:
-        """What is known by now."""
+        """The calibration as of ``state``."""
         held = self.kept.held
         if held is not None:
             state = control.with_held(state, self._layout, held)
         return calibration_of(self._layout, state)
 
     def profile(self, state: ChainState) -> WearerProfile:
-        """What has been learned of the wearer."""
+        """The learned wearer profile."""
         return self.kept.held or profile_of(state, self._layout)
 
     def start_with(self, state: ChainState, lately: bool) -> WearerProfile | None:
-        """What to look for a lost hand with: what ``state`` has learned if it was right
-        ``lately``, else what was known beforehand."""
+        """The profile for a search of a lost hand: that of ``state`` if it was tracked ``lately``,
+        else the initial one."""
         return profile_of(state, self._layout) if lately else self.kept.known
 
     # ---- a user's commands
 
     def put_on(self, state: ChainState, profile: WearerProfile) -> None:
-        """Take what is known of the wearer, now and at each new start."""
+        """Use a wearer profile, now and at each new start."""
         self.kept.known = profile
         wear(state, self._layout, profile)
         self._keep_frozen(state)
 
     def reset(self, state: ChainState, segments: Sequence[str] | None) -> None:
-        """Forget what was learned of some segments, or (None) of all of them. Raises ConfigError
+        """Discard the calibration of some segments, or (None) of all of them. Raises ConfigError
         for a segment that is not estimated."""
         self._thaw(state)
         self.kept.work = BundleWork()
@@ -85,25 +85,25 @@ class WearerCalibration:
         control.reset_calibration(state, self._layout, self._params.prior, names)
         if segments is None:
             self.kept.known = None
-        elif self.kept.known is not None:  # a state may assume a size that was not measured
+        elif self.kept.known is not None:  # the size in a state may be assumed, not measured
             rest, sd = profile_of(state, self._layout), self.known_size_sd
             self.kept.known = as_unsure(rest, self._layout, sd)
         self._keep_frozen(state)
 
     def freeze(self, state: ChainState, on: bool) -> None:
-        """Hold the calibration as it is now, or go on estimating it from there."""
+        """Hold the present calibration, or resume estimating from it."""
         if not on:
             self._thaw(state)
         self.kept.held = profile_of(state, self._layout) if on else None
         self._keep_frozen(state)
 
     def _thaw(self, state: ChainState) -> None:
-        """Give the state back how sure the held calibration was."""
+        """Restore the covariance that the calibration had when it was frozen."""
         if self.kept.held is not None:
             wear(state, self._layout, self.kept.held)
 
     def _keep_frozen(self, state: ChainState) -> None:
-        """After a change of the calibration: hold the new one if it is frozen."""
+        """After a change of the calibration: freeze the new one if it is frozen."""
         if self.kept.held is not None:
             self.kept.held = profile_of(state, self._layout)
             control.hold_calibration(state, self._layout)
@@ -111,7 +111,7 @@ class WearerCalibration:
     # ---- while tracking
 
     def begin(self, state: ChainState) -> None:
-        """A new start: what is frozen holds there too."""
+        """A new start: apply the frozen calibration."""
         if self.kept.held is not None:
             wear(state, self._layout, self.kept.held)
             control.hold_calibration(state, self._layout)
@@ -124,8 +124,8 @@ class WearerCalibration:
         buffer: ImuBuffer,
         poses: GuidedLearning,
     ) -> None:
-        """Remember this posture if it is worth it, and go a step on with the keyframes' bundle;
-        not where the calibration is frozen."""
+        """Stores a suitable posture and performs one step of the keyframe bundle, unless the
+        calibration is frozen."""
         if not self._params.bundle.enabled or self.is_frozen:
             return
         self._remember(state, image, found, buffer)

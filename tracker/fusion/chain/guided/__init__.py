@@ -1,1 +1,1 @@
-"""What the chain filter learns from poses that a wearer holds on request."""
+"""Calibration of the chain filter from poses that a wearer holds on request."""

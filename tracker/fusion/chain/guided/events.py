@@ -1,4 +1,4 @@
-"""Guided poses as events of a session tell them (docs/sessions.md)."""
+"""Guided poses as events in a session (docs/sessions.md)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ KIND = "guided"
 
 
 class GuidedSaid(NamedTuple):
-    """A pose begins, or ends and was ``held`` or not."""
+    """A pose begins, or ends; ``held``: whether it was held."""
 
     pose: str
     begins: bool
@@ -20,8 +20,7 @@ class GuidedSaid(NamedTuple):
 
 
 def guided_of(event: Event) -> GuidedSaid | Notice | None:
-    """What an event contains about a guided pose; a notice where there is no such pose, None where
-    the event is about something else."""
+    """The guided pose in an event; a notice for an unknown pose, None for any other event."""
     if event.kind != KIND:
         return None
     pose, phase = event.data.get("pose"), event.data.get("phase")
@@ -33,11 +32,11 @@ def guided_of(event: Event) -> GuidedSaid | Notice | None:
 
 
 def began(pose: str, t: float) -> Event:
-    """The wearer is to hold ``pose`` from ``t`` (s) on."""
+    """The wearer is asked to hold ``pose`` from ``t`` (s) on."""
     asked = notice("guided.pose", instruction=POSES[pose].words)
     return Event.of(t, KIND, asked, {"pose": pose, "phase": "begin"})
 
 
 def ended(pose: str, t: float, held: bool) -> Event:
-    """The pose is over at ``t`` (s); ``held``: not skipped."""
+    """The pose ends at ``t`` (s); ``held``: it was not skipped."""
     return Event(t, KIND, "", {"pose": pose, "phase": "end", "held": held})

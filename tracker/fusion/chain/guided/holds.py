@@ -1,7 +1,8 @@
-"""Poses that were announced, and which instants of one count.
+"""Requested poses and the samples of each hold that are used.
 
-A wearer reaches a pose up to half a second late and may let it go a little early; between, he
-moves about one posture. The rows of the pose are those of the instant nearest to it.
+A wearer reaches a pose up to half a second late and may release it slightly early; in between, the
+hand moves about one posture. The rows of the pose are taken from the sample closest to that
+posture.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from tracker.messages import Array
 @record("chain.guided.hold")
 @dataclass(eq=False)
 class Hold:
-    """A pose held from ``begin`` to ``end`` (s, NaN while it goes on); ``held``: as announced."""
+    """A pose held from ``begin`` to ``end`` (s, NaN while it lasts); ``held``: not skipped."""
 
     pose: str
     begin: float
@@ -26,18 +27,18 @@ class Hold:
     held: bool = False
 
     def may_count(self, t: float) -> bool:
-        """Whether an instant is one at which the pose was certainly reached and not let go."""
+        """Whether the pose has certainly been reached and not yet released at ``t``."""
         return t >= self.begin + LATE and not t > self.end - EARLY
 
     def is_over(self, t: float) -> bool:
-        """Whether no later instant than ``t`` counts."""
+        """Whether no sample later than ``t`` can count."""
         return t > self.end - EARLY
 
 
 @record("chain.guided.sample", shapes={"posture": "a 3"}, rows="told")
 @dataclass(eq=False)
 class HeldSample:
-    """One instant of a hold: t s; posture (A - 1, 3) rotation vectors of joints; the pose's rows on
+    """One sample of a hold: t s; posture (A - 1, 3) rotation vectors of joints; the pose's rows on
     the calibration, in groups."""
 
     t: float
@@ -66,10 +67,10 @@ class ReducedRows:
 
 
 def chosen(hold: Hold, samples: list[HeldSample], moving: float) -> HeldSample | None:
-    """The sample that counts of a hold that is over, nearest to the posture held longest; None
-    where the hand came to no rest.
+    """The sample to use from a completed hold, closest to the posture held longest; None where the
+    hand did not come to rest.
 
-    ``moving`` rad, all joints together: samples farther from it are of a moving hand.
+    ``moving`` rad, all joints together: samples farther from it belong to a moving hand.
     """
     inside = [s for s in samples if hold.may_count(s.t)]
     if not inside:

@@ -1,10 +1,9 @@
-"""The chain filter learns from held poses: calibration and synergies (docs/chain.md, "Guided
-poses").
+"""Learns calibration and synergies from held poses (docs/chain.md, "Guided poses").
 
-The filter has moved on when a pose turns out to have been held, so what the pose says is brought
-into a form that waits: with P of that instant the posture is eliminated, what is left speaks of the
-calibration alone, which hardly changes since. That form also goes into the keyframes' solution, and
-into a start from nothing.
+By the time a pose is confirmed as held, the filter has moved on. Its rows are therefore reduced to
+a form that can be applied later: the posture is eliminated with P at the time of the sample, and
+the remainder depends on the calibration alone, which hardly changes in between. The reduced rows
+also enter the keyframe solution and each new start.
 """
 
 from __future__ import annotations
@@ -29,24 +28,24 @@ from tracker.hand.poses import POSES
 from tracker.messages import Array
 
 CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker")
-"""Of a state, in the order of the error state."""
+"""Calibration arrays of a state, in the order of the error state."""
 
 
 @record("chain.guided", accepted="told")
 @dataclass(eq=False)
 class GuidedKept:
-    """All of the learning that changes."""
+    """The complete state of the learning."""
 
-    over: int = 0  # holds that nothing is expected of any more
+    over: int = 0  # number of completed holds
     last: float = -np.inf  # s of the last sample
-    samples: list[HeldSample] = field(default_factory=list)  # of the hold that goes on
+    samples: list[HeldSample] = field(default_factory=list)  # of the present hold
     accepted: list[ReducedRows] = field(default_factory=list)
-    synergies: Synergies | None = None  # None: as before the first pose
-    base: Synergies | None = None  # what was known before the first pose, None: the hand file
+    synergies: Synergies | None = None  # None: same as before the first pose
+    base: Synergies | None = None  # before the first pose; None: those of the hand file
 
 
 class GuidedLearning:
-    """For one hand with one glove; ``holds`` is added to by whoever hears of poses."""
+    """For one hand with one glove; the owner appends to ``holds``."""
 
     def __init__(
         self, layout: ChainLayout, distal: DistalSegments, params: GuidedParams, holds: list[Hold]
@@ -58,22 +57,22 @@ class GuidedLearning:
 
     @property
     def synergies(self) -> Synergies:
-        """As they are known now."""
+        """The present estimate."""
         return self.kept.synergies or self._distal.prior()
 
     @property
     def _base(self) -> Synergies:
-        """What was known before the first pose."""
+        """The synergies before the first pose."""
         return self.kept.base or self._distal.prior()
 
     def put_on(self, known: Synergies | None) -> None:
-        """Start over with the synergies of a wearer's profile, or (None) the hand file's."""
+        """Start over with the synergies of a wearer profile, or (None) of the hand file."""
         self.kept.accepted, self.kept.base, self.kept.synergies = [], known, known
 
-    # ---- while the filter goes on
+    # ---- while the filter runs
 
     def step(self, filter_: ChainFilter) -> bool:
-        """The filter's state has moved on; whether something was learned of a pose."""
+        """Call after the filter has moved on; returns whether something was learned from a pose."""
         learned = False
         while self.kept.over < len(self._holds):
             hold = self._holds[self.kept.over]
@@ -94,7 +93,7 @@ class GuidedLearning:
         self.kept.samples.append(HeldSample(state.t, posture, reduced))
 
     def _finish(self, filter_: ChainFilter, hold: Hold) -> bool:
-        """A hold is over: learn from it if it was one."""
+        """Learns from a completed hold if it is valid."""
         samples, self.kept.samples = self.kept.samples, []
         self.kept.over += 1
         sample = chosen(hold, samples, self._params.moving) if hold.held else None
@@ -105,7 +104,7 @@ class GuidedLearning:
         return bool(accepted)
 
     def _reduced(self, state: ChainState, pose: str, rows: HeldRows) -> ReducedRows:
-        """``rows`` with the posture eliminated by what P knows of it (eq. 53)."""
+        """``rows`` with the posture eliminated using P (eq. 53)."""
         n = self._layout.n_dynamic
         P_cc = state.P[n:, n:]
         HP = rows.H @ state.P
@@ -118,7 +117,7 @@ class GuidedLearning:
             pose, H, rows.H_own, rows.r, (R + R.T) / 2, kept, self.synergies.value.copy()
         )
 
-    # ---- what is made of it
+    # ---- learning
 
     def innovation(self, rows: ReducedRows, state: ChainState, own: Array) -> Array:
         """(m,) of ``rows`` at another state's calibration and other synergies (d, 3)."""
@@ -126,7 +125,7 @@ class GuidedLearning:
         return np.asarray(rows.r - rows.H @ moved - rows.H_own @ (own - rows.own).ravel())
 
     def _learn(self, filter_: ChainFilter, rows: ReducedRows) -> bool:
-        """Correct calibration and synergies, unless the pose is not what was said (eq. 54)."""
+        """Corrects calibration and synergies, unless the pose fails the gate (eq. 54)."""
         own, state, n = self.synergies, filter_.state, self._layout.n_dynamic
         r = self.innovation(rows, state, own.value)
         by_own = rows.H_own @ own.P @ rows.H_own.T
@@ -142,7 +141,7 @@ class GuidedLearning:
         return True
 
     def again(self, filter_: ChainFilter) -> None:
-        """The filter has started from nothing: tell its calibration what poses have said."""
+        """Applies the learned poses to the calibration after the filter was reinitialized."""
         if self.kept.accepted:
             own, accepted = self._base, self.kept.accepted
             H_own = np.concatenate([t.H_own for t in accepted])
@@ -151,8 +150,8 @@ class GuidedLearning:
             filter_.learn(np.concatenate([t.H for t in accepted]), r, R)
 
     def information(self, state: ChainState) -> tuple[Array, Array]:
-        """(C, C) and (C,) of the normal equations by the calibration at a state's, the synergies
-        eliminated: all that poses have said."""
+        """(C, C) and (C,) of the normal equations for the calibration of a state, the synergies
+        eliminated: the information of all poses."""
         own, n = self._base, self._layout.blocks.size - self._layout.n_dynamic
         N, g = np.zeros((n, n)), np.zeros(n)
         N_own, g_own = np.linalg.inv(own.P), np.zeros(own.value.size)
@@ -168,7 +167,7 @@ class GuidedLearning:
 
 
 def calibration_error(begin: list[Array], state: ChainState) -> Array:
-    """(C,) from the calibration arrays ``begin`` to those of a state, as an error vector."""
+    """(C,) error vector from the calibration arrays ``begin`` to those of a state."""
     parts = []
     for name, before in zip(CALIBRATION, begin, strict=True):
         now = getattr(state, name)

@@ -1,4 +1,4 @@
-"""What a held pose says of the hand: rows in groups that are believed or not as a whole.
+"""Measurement rows of a held pose, in groups that are accepted or rejected as a whole.
 
 Equation numbers are those of docs/chain.md (these rows are eq. 52).
 """
@@ -20,7 +20,7 @@ from tracker.hand.poses import GuidedPose, HeldFlexion
 from tracker.messages import Array
 
 PAD = 0.006  # m from a fingertip to the middle of its pad
-LEAST_APART = 1e-3  # m between two axes, below which their distance has no direction
+LEAST_APART = 1e-3  # m between two axes, below which the direction of their distance is undefined
 
 
 class HeldRows(NamedTuple):
@@ -40,7 +40,7 @@ class PoseRows:
         self._layout, self._distal, self._params = layout, distal, params
 
     def __call__(self, state: ChainState, own: Synergies, pose: GuidedPose) -> list[HeldRows]:
-        """What is true while ``pose`` is held, linearised at ``state`` and ``own``."""
+        """The rows of ``pose``, linearised at ``state`` and ``own``."""
         thumb = [f for f in pose.flexions if f.joint.startswith("thumb")]
         fingers = [f for f in pose.flexions if not f.joint.startswith("thumb")]
         found = [self._flexions(state, own, thumb), self._flexions(state, own, fingers)]
@@ -51,7 +51,7 @@ class PoseRows:
         return [self._with_posture(rows) for rows in found if rows is not None]
 
     def _with_posture(self, rows: HeldRows) -> HeldRows:
-        """A distal joint bends by itself, too, the same way as long as the pose is held."""
+        """Adds the individual bend of the distal joint, constant while the pose is held."""
         by = rows.H_own[:, OFFSET::OWN] * self._distal.posture_sd
         return rows._replace(R=rows.R + by @ by.T)
 
@@ -69,14 +69,14 @@ class PoseRows:
         )
 
     def _variance(self, held: HeldFlexion) -> float:
-        """rad². Few hold a pose as well as people can, and nothing says who does."""
+        """rad². Few people hold a pose as accurately as is possible, and which ones is unknown."""
         p = self._params
         return (p.flexion * held.sd) ** 2 + (p.by_will * held.by_will) ** 2
 
     # ---- the table
 
     def _plane(self, state: ChainState, own: Synergies) -> HeldRows | None:
-        """Pads of the fingers and the palm's corners lie in one plane, whichever it is."""
+        """The pads of the fingers and the corners of the palm lie in one unknown plane."""
         points = [
             self._distal.point(state, own, finger, self._pad(finger))
             for finger in FINGERS
@@ -88,7 +88,7 @@ class PoseRows:
         p = np.array([x.p for x in points])
         along = np.linalg.svd(p - p.mean(axis=0))[2]  # two directions in the plane, its normal
         free = np.column_stack([np.ones(len(p)), (p - p.mean(axis=0)) @ along[:2].T])
-        rest = np.linalg.qr(free, mode="complete")[0][:, 3:].T  # what no tilt or height explains
+        rest = np.linalg.qr(free, mode="complete")[0][:, 3:].T  # neither tilt nor height
         normal = along[2]
         return HeldRows(
             rest @ np.array([normal @ x.H for x in points]),
@@ -112,7 +112,7 @@ class PoseRows:
     # ---- two pads
 
     def _contact(self, state: ChainState, own: Synergies, finger: str) -> HeldRows | None:
-        """Surfaces touch (one row) about the middle of both pads (two rows)."""
+        """The surfaces touch (one row), at the middle of both pads (two rows)."""
         pair = ("thumb", finger)
         if not all(self._distal.knows(digit) for digit in pair):
             return None
@@ -132,7 +132,7 @@ class PoseRows:
         across = np.linalg.svd(normal[None])[2][1:]
         between = pads[0].p - pads[1].p
         by_pads = across @ (pads[0].H - pads[1].H)
-        # both directions turn with the finger
+        # both directions rotate with the finger
         s = self._distal.carrier(finger)
         first = self._layout.blocks.theta + 3 * s
         by_pads[:, first : first + 3] += np.cross(across @ state.R_GB[s], between @ state.R_GB[s])
@@ -168,8 +168,7 @@ class PoseRows:
 
 
 def _nearest(first: tuple[Array, Array], second: tuple[Array, Array]) -> tuple[float, float]:
-    """Shares of the way along two lines, each from one end (3,) to the other, where they are
-    nearest to each other."""
+    """Fractions along two lines, each from one end (3,) to the other, of their closest points."""
     d, w = first[1] - first[0], first[0] - second[0]
     along = second[1] - second[0]
     length = float(np.linalg.norm(along))

@@ -1,1 +1,1 @@
-"""How the chain filter finds a hand from nothing."""
+"""Finding a hand without a prior pose."""

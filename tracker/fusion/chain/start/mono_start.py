@@ -1,10 +1,10 @@
-"""Finding the hand in one image: IMUs give the posture, the size of the hand its distance.
+"""Finding the hand in one image: IMUs determine the posture, the hand's size its distance.
 
 `search` votes for a translation among stereo points. With one camera there are only rays: for each
 posture, heading and distance on a grid, every pair (blob seen, marker expected) of one hue proposes
-a position, and the one whose markers meet most blobs wins. The best ones are then fitted in all
-three directions: perspective sets near markers farther apart, which tells the distance as well as
-the size of the hand is known. Equation numbers are those of docs/chain.md.
+a position, and the one supported by most blobs wins. The best ones are then refined in all three
+directions: by perspective, near markers are farther apart, which determines the distance as
+accurately as the size of the hand is known. Equation numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, CameraPose, IntArray
 
-SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one camera
-SIZE_SD = 0.05  # share, among people: what the distance is unsure by after such a start
-KNOWN_SIZE_SD = 0.015  # the same at the least: with a ruler, and by two cameras
-WRONG = 0.05  # m that nothing measured may be wrong by
-SIZE_SDS, POSE_SDS = 1.8, 4.0  # standard deviations of the size and of a pose within that
+SIZE_KEPT = 0.1  # factor on the size's standard deviation at a start with one camera
+SIZE_SD = 0.05  # relative, of the population: the distance uncertainty after such a start
+KNOWN_SIZE_SD = 0.015  # lower limit: with a ruler, or two cameras
+WRONG = 0.05  # m, maximum error of a measured point
+SIZE_SDS, POSE_SDS = 1.8, 4.0  # standard deviations of size and pose within that
 
 
 @dataclass(frozen=True)
@@ -42,12 +42,13 @@ class MonoParams:
     min_score: float = 0.55  # share of the expected markers that must be supported
     min_support: int = 6
     facing_cos: float = 0.25
-    distance_sd: float = 0.10  # share: how well the size of a hand is known
+    distance_sd: float = 0.10  # relative uncertainty of a hand's size
 
 
 @dataclass(frozen=True, eq=False)
 class Rays:
-    """Blobs of one camera: direction (n, 2) at depth 1 in C, hue (n,); camera_C (3,) m it is at."""
+    """Blobs of one camera: direction (n, 2) at depth 1 in C, hue (n,); its position camera_C (3,)
+    m."""
 
     direction: Array
     hue: IntArray
@@ -63,7 +64,7 @@ def vote_mono(
     pose: CameraPose,
     params: MonoParams | None = None,
 ) -> Pose | None:
-    """The best pose over all postures and headings (rad, added to each posture's), if it is clear.
+    """The best pose over all postures and headings (rad, added to each posture's), if unambiguous.
 
     R_GB (A, 3, 3) of each posture; the pose is that of the root's IMU in G.
     """
@@ -84,30 +85,32 @@ def vote_mono(
 def size_taken_for_granted(
     state: ChainState, layout: ChainLayout, p_GC: Array, share: float
 ) -> None:
-    """The size is what it is, and the distance from the camera at p_GC (3,) m unsure by ``share``
-    of it."""
+    """Fixes the size, and adds ``share`` of the distance from the camera at p_GC (3,) m as its
+    sd."""
     ray = state.p - p_GC
     state.P[:3, :3] += share**2 * np.outer(ray, ray)  # eq. 43
     keep_size(state.P, layout)
 
 
 def keep_size(P: Array, layout: ChainLayout) -> None:
-    """One camera cannot tell a small hand that is near from a large one farther away."""
+    """Reduces the size covariance: one camera cannot separate hand size and distance."""
     rows = slice(layout.blocks.scale, layout.blocks.joint)
     P[rows, :] *= SIZE_KEPT  # eq. 43
     P[:, rows] *= SIZE_KEPT
 
 
 def release_size(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
-    """The second camera is there: the size may be learned."""
+    """Restores the size covariance once the second camera sees the hand."""
     rows = slice(layout.blocks.scale, layout.blocks.joint)
     P[rows, rows] += initial_covariance(layout, prior)[rows, rows]
 
 
 def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) -> Array:
-    """sd (n,) m of points near p (3,) m in G, whose distance is as unsure as the hand's size.
+    """sd (n,) m of points near p (3,) m in G, whose relative distance uncertainty is that of the
+    hand's size.
 
-    As `Estimate.keypoint_sd` the root of the mean variance over three axes: the ray's is one.
+    As in `Estimate.keypoint_sd`, the root of the mean variance over three axes, one of which is the
+    ray.
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
     out: Array = np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)  # eq. 44
@@ -115,16 +118,16 @@ def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) 
 
 
 def size_unsure_by(known_sd: float) -> float:
-    """Share by which a size is taken to be unsure that was known to the share ``known_sd``."""
+    """Relative uncertainty assumed for a size known to ``known_sd`` (relative)."""
     return min(max(known_sd, KNOWN_SIZE_SD), SIZE_SD)
 
 
 def measured_sd(p: Array, pose: CameraPose, size_sd: float) -> float:
-    """m, of what `with_unsure_distance` gives for a hand at p (3,) m in G whose size is unsure by
-    the share ``size_sd``: what is less sure may be wrong by more than `WRONG`.
+    """m, result of `with_unsure_distance` for a hand at p (3,) m in G with relative size
+    uncertainty ``size_sd``: points with a larger sd may be wrong by more than `WRONG`.
 
-    A hand is another size for as long as it is looked at, and errors of its pose are along the ray,
-    too, so they add up.
+    A wrong size persists as long as the hand is in view, and pose errors act along the ray as well,
+    so they add up.
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
     sd = max(WRONG - SIZE_SDS * size_sd * ray, 0.0) / POSE_SDS
@@ -179,8 +182,8 @@ def best_position(
 ) -> tuple[Vector, float, int]:
     """The translation (3,) m in the camera's axes with the largest weighted support.
 
-    seen (n, 2) at depth 1; markers (m, 3) m about the position looked for. Returns it fitted, its
-    weighted support and how many markers are supported.
+    seen (n, 2) at depth 1; markers (m, 3) m relative to the unknown position. Returns the refined
+    position, its weighted support and the number of supported markers.
     """
     best, position = -1.0, np.zeros(3)
     t = np.zeros(3)
@@ -199,7 +202,7 @@ def best_position(
                     total += weight[k] * max(0.0, 1.0 - d2 / radius**2)
                 if total > best:
                     best, position = total, t.copy()
-    # 2. the winner is fitted in all three directions
+    # 2. the winner is refined in all three directions
     return _fit(seen, hue, markers, marker_hue, weight, radius, position)
 
 
@@ -248,7 +251,7 @@ def _fit(
                 b += w * row * (markers[k, a] - seen[i, a] * markers[k, 2])
         if support < 4:
             break
-        A[2, 2] += 1e-3 * A[0, 0]  # flat patterns tell no distance: stay near the grid's
+        A[2, 2] += 1e-3 * A[0, 0]  # flat patterns do not determine the distance: keep the grid's
         b[2] += 1e-3 * A[0, 0] * t[2]
         t[:] = np.linalg.solve(A, b)
     return t, score, support

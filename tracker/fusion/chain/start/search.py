@@ -1,11 +1,11 @@
-"""Finding the hand from nothing: gravity gives the posture, same-hue pairs vote for the position.
+"""Finding the hand without a prior: posture from gravity, position by votes of same-hue pairs.
 
-1. Every IMU feels gravity, so each segment's tilt is known; joint angles that agree with all tilts
-   and lie nearest to a few typical postures are the articulations tried.
+1. Every IMU measures gravity, so each segment's tilt is known; joint angles that agree with all
+   tilts and are closest to a few typical postures are the articulations tried.
 2. For each articulation and each heading on a grid, every pair (point seen, marker expected) of one
-   hue proposes a translation; the translation that most markers agree on wins.
+   hue proposes a translation; the translation that most markers support wins.
 
-All same-hue stereo pairs take part, right and wrong ones: a wrong pair finds no company. Equation
+All same-hue stereo pairs take part, right and wrong ones: a wrong pair finds no support. Equation
 numbers are those of docs/chain.md.
 """
 
@@ -66,7 +66,7 @@ def postures_from_gravity(
 ) -> list[Array]:
     """Articulations that agree with the accelerometers, R_GB (A, 3, 3) each, heading zero.
 
-    force (n, 3) mean specific force per IMU in I; rows of silent IMUs are ignored.
+    force (n, 3) mean specific force per IMU in I; rows of invalid IMUs are ignored.
     """
     up_B = np.einsum("nji,nj->ni", R_IB, force)
     up_B /= np.maximum(np.linalg.norm(up_B, axis=1, keepdims=True), 1e-9)
@@ -83,7 +83,7 @@ def postures_from_gravity(
 
 
 def _level(up_B: Array) -> Array:
-    """R_GB with G's z along ``up_B`` and heading zero (x of B ahead as far as it can be)."""
+    """R_GB with G's z along ``up_B`` and heading zero (x of B as far ahead as possible)."""
     axis = np.array([1.0, 0, 0]) if abs(up_B[0]) < 0.9 else np.array([0, 0, 1.0])
     x_G = axis - (axis @ up_B) * up_B
     x_G /= np.linalg.norm(x_G)
@@ -91,7 +91,7 @@ def _level(up_B: Array) -> Array:
 
 
 def _typical(layout: ChainLayout, share: float) -> Array:
-    """Joint angles of a posture with every flexion at ``share`` of a fist's."""
+    """Joint angles of a posture with every flexion at ``share`` of that of a fist."""
     hand = layout.hand
     out = np.zeros(len(hand.joint_names))
     for joint in hand.joints:
@@ -124,8 +124,8 @@ def _fit_angles(
 
 
 class _Tilts:
-    """How far up is from where the accelerometers feel it. Of a hand whose joints turn one after
-    the other only what moves with each is computed: the rest is most of it."""
+    """Tilt residuals against the accelerometers. For a finite difference in one joint, only the
+    affected segments are recomputed."""
 
     def __init__(self, layout: ChainLayout, R_root: Array, up_B: Array, valid: Array) -> None:
         hand, of_imu = layout.hand, layout.active[layout.imu_segment]
@@ -134,24 +134,24 @@ class _Tilts:
         self._segments, self._up = of_imu[use], up_B[use]
         lines = [_line_to(hand, int(s)) for s in self._segments]
         self._rows = sorted({row for line in lines for row in line})
-        self._with: list[list[int]] = [[] for _ in hand.joint_names]  # rows that an angle moves
+        self._with: list[list[int]] = [[] for _ in hand.joint_names]  # rows that an angle affects
         for row in self._rows:
             columns = {c for k in _line_to(hand, row) for c in hand.axis_columns[k] if c >= 0}
             for c in columns:
                 self._with[c].append(row)
 
     def rotations(self, angles: Array) -> Array:
-        """R_GB (S, 3, 3); those of segments that no IMU hangs on stay the identity."""
+        """R_GB (S, 3, 3); segments that carry no IMU keep the identity."""
         R = np.tile(np.eye(3), (len(self._hand.segments), 1, 1))
         R[self._hand.root] = self._R_root
         return self._turn(R, self._rows, angles)
 
     def moved(self, R: Array, angles: Array, column: int) -> Array:
-        """What `rotations` gave, where one of the ``angles`` is another one now."""
+        """The result of `rotations` after a change of one of the ``angles``."""
         return self._turn(R.copy(), self._with[column], angles) if self._with[column] else R
 
     def residual(self, R: Array) -> Array:
-        """(3 k,) of k accelerometers, by their standard deviation."""
+        """(3 k,) of k accelerometers, in standard deviations."""
         return np.ravel(R[self._segments, 2] - self._up) / TILT_SD
 
     def _turn(self, R: Array, rows: list[int], angles: Array) -> Array:
@@ -243,7 +243,7 @@ def _best_shift(
     """The translation with the largest weighted support, refined to the mean of its supporters."""
     n, m = len(points), len(markers)
     sorted_points, first = _by_hue(points, hue, marker_hue.max())
-    # 1. how many pairs of one hue to pass over, so that at most ``most`` propose a translation
+    # 1. stride over pairs of one hue, so that at most ``most`` propose a translation
     pairs = 0
     for i in range(n):
         for j in range(m):
@@ -269,13 +269,13 @@ def _best_shift(
                 left -= weight[k]
             if s > best:
                 best, best_shift = s, t
-    # 3. the winner is moved to where its supporters want it
+    # 3. the winner is moved to the mean of its supporters
     return _refine(points, hue, markers, marker_hue, weight, radius, best_shift)
 
 
 @kernel
 def _by_hue(points: Matrix, hue: IntVector, highest: int) -> tuple[Matrix, IntVector]:
-    """Points (n, 3) sorted by hue and within it by x; hue h begins at row ``first[h]``."""
+    """Points (n, 3) sorted by hue and within it by x; hue h starts at row ``first[h]``."""
     order = np.argsort(points[:, 0], kind="mergesort")
     out, first = np.empty_like(points), np.zeros(highest + 2, np.int64)
     n = 0
@@ -296,7 +296,7 @@ def _support(points: Matrix, marker: Vector, t: Vector, radius: float) -> float:
     best = radius * radius
     x = marker[0] + t[0]
     low, high = 0, len(points)
-    while low < high:  # the first that is near enough along x
+    while low < high:  # the first within reach along x
         middle = (low + high) // 2
         if points[middle, 0] < x - radius:
             low = middle + 1

@@ -1,9 +1,9 @@
-"""Starting from nothing and finding the hand again.
+"""Initialization and re-detection of the hand.
 
-Gravity shows how far each digit is raised, but not how the fingers are spread. The tips of fingers
-that are spread differently from the hand file are off by the distance of two patches, where a
-neighbour's patch of the same hue is as near. So each digit is turned about its base to where the
-points support it best, before blobs are matched with markers.
+Gravity determines the elevation of each digit, but not the spread of the fingers. If it differs
+from the hand file, the fingertips are off by the distance of two patches, where a neighbour's patch
+of the same hue is equally close. So each digit is rotated about its base to where the points
+support it best, before blobs are matched with markers.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import all_pairs
 
 TURNS = np.deg2rad([0, -5, 5, -10, 10, -15, 15, -20, 20, -25, 25])  # about the palm's normal
-RADIUS = 0.010  # m, within which a point supports a marker: closer than two fingers are
-BETTER = 0.5  # markers by which a turned digit must be supported more
+RADIUS = 0.010  # m, within which a point supports a marker: less than the distance of two fingers
+BETTER = 0.5  # markers by which a rotated digit must be better supported
 
 
 def spread(state: ChainState, layout: ChainLayout, seen: StereoPoints) -> Array:
@@ -74,11 +74,11 @@ def spread(state: ChainState, layout: ChainLayout, seen: StereoPoints) -> Array:
 LOOK_BACK = 0.3  # s of packets that are averaged for tilt
 STILL_GYRO = 0.05  # rad/s: sd below which the mean gyro reading is a bias
 REST_PACKETS = 20
-STILL_BIAS_SD = 0.015  # rad/s, what a wearer at rest still turns
-CANDIDATES = 3  # that are tried at a start
-SHIFT = 0.12  # m by which a hand may have moved otherwise than expected between two images
-SHIFT_RADIUS = 0.015  # m, within which a point supports a marker of a hand that is shifted
-MAX_BIAS = 0.2  # rad/s: more than this is motion (turn-on bias is at most 0.09)
+STILL_BIAS_SD = 0.015  # rad/s, residual motion of a wearer at rest
+CANDIDATES = 3  # s of packets over which tilt is averaged
+SHIFT = 0.12  # m by which a hand may deviate from its predicted motion between two images
+SHIFT_RADIUS = 0.015  # m, within which a point supports a marker of a shifted hand
+MAX_BIAS = 0.2  # rad/s: a larger mean is motion (turn-on bias is at most 0.09)
 
 
 class Starter:
@@ -96,7 +96,7 @@ class Starter:
         t: float,
         known: WearerProfile | None = None,
     ) -> ChainState | None:
-        """The likeliest of `candidates`, or None where the image does not show a hand for sure."""
+        """The most likely of `candidates`, or None where the image does not clearly show a hand."""
         found = self.candidates(buffer, seen, pose, t, known)
         return found[0] if found else None
 
@@ -108,9 +108,9 @@ class Starter:
         t: float,
         known: WearerProfile | None = None,
     ) -> list[ChainState]:
-        """States to start from, the likeliest first.
+        """Initial states, the most likely first.
 
-        ``known`` is what has been learned of the wearer.
+        ``known`` is the wearer profile, if any.
         """
         packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
         if len(packets) < 5 or not self._shows_enough(seen, pose):
@@ -129,8 +129,8 @@ class Starter:
         return out
 
     def _shows_enough(self, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> bool:
-        """Whether `_best` could find any hand there: postures by gravity take 5 ms, and most
-        images in which a hand is looked for show none."""
+        """Whether `_best` could find a hand: postures by gravity take 5 ms, and most searched
+        images show none."""
         counts = [len(s.uv) for s in seen]
         if min(counts) == 0:
             return max(counts) >= self._mono.min_support
@@ -141,8 +141,8 @@ class Starter:
     ) -> ChainState | None:
         """A state at the newest packet, its root's IMU at G's origin and its heading zero.
 
-        Of the postures that gravity allows it is the flattest. None before there are packets enough
-        to tell gravity from motion, or where the root's IMU is silent.
+        Of the postures that agree with gravity it is the flattest. None before there are enough
+        packets to separate gravity from motion, or where the root's IMU is invalid.
         """
         newest = buffer.newest
         packets = [s for s in buffer if newest is not None and newest.t - LOOK_BACK <= s.t]
@@ -157,8 +157,8 @@ class Starter:
     def _by_packets(
         self, packets: Sequence[ImuSample], t: float, known: WearerProfile | None
     ) -> tuple[ChainState, list[Array]]:
-        """A state at ``t`` (s) with what is known of wearer and gyros, and the articulations R_GB
-        (A, 3, 3) that agree with gravity."""
+        """A state at ``t`` (s) with the known calibration and gyro biases, and the articulations
+        R_GB (A, 3, 3) that agree with gravity."""
         state = initial_state(self._layout)
         state.t = t
         state.P = initial_covariance(self._layout, self._params.prior)
@@ -176,7 +176,7 @@ class Starter:
     ) -> Pose | None:
         """The hand with its present articulation anywhere in view, heading within 60°.
 
-        ``matched`` markers agree with the present pose; another one must do clearly better.
+        ``matched`` markers agree with the present pose; another one must have clearly more.
         """
         headings = np.deg2rad(np.arange(-60, 61, 7.5))
         params = replace(self._search, radius=0.020, min_score=0.3)
@@ -188,8 +188,8 @@ class Starter:
     def shift(
         self, state: ChainState, seen: tuple[SeenBlobs, ...], pose: CameraPose
     ) -> Array | None:
-        """(3,) m from where the hand is taken to be to where most of its markers want it, near by;
-        None where few want the same."""
+        """(3,) m from the predicted position of the hand to the nearby one that most of its markers
+        support; None where few agree."""
         points = self.points(seen, pose)
         there = marker_positions(state, self._layout)
         apart = points.p_G - there.mean(axis=0)
@@ -234,7 +234,7 @@ class Starter:
         seen: tuple[SeenBlobs, ...],
         pose: CameraPose,
     ) -> Pose | None:
-        """With the one camera that sees something."""
+        """As `_best`, with the one camera that sees anything."""
         camera = 1 if len(seen[0].uv) == 0 else 0
         rig = self._rig
         rays = Rays(
@@ -245,7 +245,8 @@ class Starter:
         return vote_mono(state, self._layout, postures, headings, rays, pose, self._mono)
 
     def _bias_at_rest(self, state: ChainState, gyro: Array, valid: Array) -> None:
-        """A still hand shows the gyro biases: take them, with what a person at rest still turns."""
+        """A still hand reveals the gyro biases: use them, with the residual motion of a person at
+        rest."""
         if len(gyro) < REST_PACKETS:
             return  # tremor does not average out in a few packets
         sd, mean = gyro.std(axis=0), gyro.mean(axis=0)
