@@ -14,8 +14,9 @@ def add_print(parser: argparse.ArgumentParser) -> None:
     """Its arguments."""
     parser.add_argument(
         "what",
-        choices=("markers", "wiring", "board"),
-        help="marker patches and their positions, the wiring, or the camera's calibration board",
+        choices=("markers", "wiring", "board", "touch"),
+        help="marker patches and their positions, the wiring, the camera's calibration board, or "
+        "the sheet of the touch test",
     )
     parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF file")
     parser.add_argument(
@@ -31,6 +32,7 @@ def print_sheets(args: argparse.Namespace) -> int:
     from extensions.sheets.markers import marker_pages
     from extensions.sheets.page import save_pages
     from extensions.sheets.wiring import wiring_page
+    from extensions.touch.page import touch_pages
     from tracker.base.files import check_target, whole_file
     from tracker.glove import library
 
@@ -40,6 +42,8 @@ def print_sheets(args: argparse.Namespace) -> int:
         pages, title = marker_pages(hand, glove, args.paper), f"Markers of the glove {glove.name}"
     elif args.what == "wiring":
         pages, title = [wiring_page(glove, args.paper)], f"Wiring of the glove {glove.name}"
+    elif args.what == "touch":
+        pages, title = touch_pages(args.paper), "Sheet of the touch test"
     else:
         pages, title = [board_page(args.paper)], "Calibration board"
     with whole_file(args.out, args.force) as part:

@@ -45,11 +45,17 @@ class BoardPose:
 
 
 class BoardRenderer:
-    """Draws the board for one rig."""
+    """Draws the board for one rig.
 
-    def __init__(self, rig: TrueRig, spec: BoardSpec, noise: float = 2.0) -> None:
+    ``printed`` replaces the board's image: grey, with squares of `SQUARE_PX`.
+    """
+
+    def __init__(
+        self, rig: TrueRig, spec: BoardSpec, noise: float = 2.0, printed: Image | None = None
+    ) -> None:
         self.rig, self.spec, self._noise = rig, spec, noise
-        board = board_image(spec, SQUARE_PX).astype(np.float32)
+        image = board_image(spec, SQUARE_PX) if printed is None else printed
+        board = image.astype(np.float32)
         inked = INK + board / 255 * (PAPER - INK)
         sheet = cv2.copyMakeBorder(
             inked, *(SQUARE_PX,) * 4, cv2.BORDER_CONSTANT, value=float(PAPER)

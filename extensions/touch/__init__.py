@@ -1,0 +1,1 @@
+"""The touch test: how accurate the tracked fingertips are, measured with a printed sheet."""

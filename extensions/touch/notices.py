@@ -1,0 +1,26 @@
+"""Texts of the notices of the touch test, by code."""
+
+TEXTS = {
+    "touch.no_sheet": (
+        "No image shows the sheet of the touch test. Print it with: glovetrack print touch. "
+        "Record with images, with the whole sheet in view."
+    ),
+    "touch.print_scale": (
+        "The printed squares measure {found_mm:.2f} mm instead of 20.00 mm ({percent:+.1f} %). "
+        "Print at 100 %, not fitted to the page."
+    ),
+    "touch.camera_scale": (
+        "The stereo camera measures the sheet {percent:+.1f} % off its size. Calibrate the camera."
+    ),
+    "touch.sheet_fit": (
+        "The sheet's corners differ by {fit_px:.1f} px from a flat sheet. Flatten the sheet, or "
+        "calibrate the camera."
+    ),
+    "touch.sheet_moved": (
+        "The sheet moved by {moved_mm:.1f} mm during the test. Tape it to the table and repeat."
+    ),
+    "touch.no_ruler": (
+        "The printed line of 100 mm was not measured. The scale of the camera is therefore taken "
+        "to be right."
+    ),
+}

@@ -1,0 +1,55 @@
+"""Images of the printed sheet before a stereo camera, without a hand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from extensions.touch.sheet import COLUMNS, ROWS, SQUARE, TouchSheet
+from tracker.calibration.stereo.board import BoardSpec
+from tracker.geometry import so3
+from tracker.messages import Array, StereoFrame
+from tracker.simulation.board_camera import true_rig
+from tracker.simulation.board_images import SQUARE_PX, BoardPose, BoardRenderer
+from tracker.simulation.smooth import rng_for
+from tracker.vision.rig import StereoRig
+
+
+@dataclass(frozen=True, eq=False)
+class SheetPlace:
+    """Where the sheet truly lies in G: x_G = R_GS scale x_S + p_GS; ``scale`` of the print."""
+
+    R_GS: Array
+    p_GS: Array
+    scale: float = 1.0
+
+    def target(self, p_S: Array) -> Array:
+        """(3,) m in G of a point of the sheet as it is meant to be printed."""
+        return self.R_GS @ (self.scale * p_S) + self.p_GS
+
+
+def placed_sheet(seed: int, scale: float = 1.0) -> SheetPlace:
+    """A sheet on the table, its lower edge towards the wearer; up to 8° askew."""
+    rng = rng_for(seed, "sheet")
+    R_GS = so3.rz(np.deg2rad(rng.uniform(-8, 8))) @ np.array(
+        [[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]
+    )
+    middle_S = np.array([TouchSheet.width / 2, TouchSheet.height / 2, 0.0])
+    middle_G = np.array([0.23, 0.0, 0.0]) + rng.normal(0, 0.008, 3) * [1, 1, 0]
+    return SheetPlace(R_GS, middle_G - R_GS @ (scale * middle_S), scale)
+
+
+def sheet_frames(
+    place: SheetPlace, rig: StereoRig, count: int, seed: int, start: float = 0.0
+) -> Iterator[StereoFrame]:
+    """``count`` exposures, ten a second from ``start`` (s) on."""
+    spec = replace(BoardSpec(), columns=COLUMNS, rows=ROWS, square=SQUARE * place.scale)
+    renderer = BoardRenderer(true_rig(rig), spec, printed=TouchSheet().image(SQUARE_PX))
+    R_LG = rig.left.R.T @ rig.pose.R_GC.T
+    pose = BoardPose(R_LG @ place.R_GS, R_LG @ (place.p_GS - rig.pose.p_GC))
+    for k in range(count):
+        left, right = renderer.pair(pose, rng_for(seed, "sheet image", k))
+        t = start + 0.1 * k
+        yield StereoFrame(t=t, t_arrival=t + 0.04, left=left, right=right, index=k)

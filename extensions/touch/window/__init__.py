@@ -1,0 +1,1 @@
+"""The guided touch test in the window."""
