@@ -1,1 +1,1 @@
-"""What is found out before tracking or apart from it: colours, stereo camera, glove's sensors."""
+"""Calibrations before or besides tracking: colours, stereo camera, the glove's sensors."""

@@ -1,4 +1,4 @@
-"""Fitting a colour profile to the light in a room: from samples and by eyedropper; clashes.
+"""Fits a colour profile to the light in a room, from samples or by eyedropper; finds clashes.
 
 All in OpenCV's HSV: hue 0..179 on a circle, saturation and value 0..255.
 """
@@ -21,18 +21,18 @@ Image = NDArray[np.uint8]
 
 @dataclass(frozen=True)
 class FitParams:
-    """How ranges are drawn around samples."""
+    """Parameters for ranges around samples."""
 
-    tail: float = 0.01  # share of samples left out at either end
+    tail: float = 0.01  # share of samples ignored at either end
     hue_margin: int = 6  # around the samples, for other light
-    level_margin: int = 45  # below the least saturation and value
-    dimmest: float = 0.45  # of the least value: how dark the same cloth is when it turns away
+    level_margin: int = 45  # below the minimum saturation and value
+    dimmest: float = 0.45  # of the minimum value: cloth that faces away from the light is darker
 
 
 def fit_samples(name: str, hsv: NDArray[Any], params: FitParams | None = None) -> HueRange:
     """The range of a hue from labelled pixels (n, 3) in HSV.
 
-    Raises GlovetrackError where there are no pixels.
+    Raises GlovetrackError if there are no pixels.
     """
     params = params or FitParams()
     pixels = np.asarray(hsv).reshape(-1, 3).astype(np.int64)
@@ -50,7 +50,7 @@ def fit_samples(name: str, hsv: NDArray[Any], params: FitParams | None = None) -
 
 
 def hue_interval(hue: NDArray[np.int64], tail: float = 0.0) -> tuple[int, int]:
-    """First and last hue of the shortest arc that holds all but a share of 2 ``tail`` of them."""
+    """First and last hue of the shortest arc that contains all but a share of 2 ``tail``."""
     counts = np.bincount(np.asarray(hue) % HUES, minlength=HUES)
     need = max(int(np.ceil(counts.sum() * (1 - 2 * tail))), 1)
     twice = np.concatenate([[0], np.cumsum(np.tile(counts, 2))])
@@ -63,7 +63,7 @@ def hue_interval(hue: NDArray[np.int64], tail: float = 0.0) -> tuple[int, int]:
 
 
 def add_pixel(hue: HueRange, pixel: NDArray[Any], params: FitParams | None = None) -> HueRange:
-    """The eyedropper: the range grown just enough to take an HSV pixel with its neighbours."""
+    """The eyedropper: extends the range just enough to include an HSV pixel and its neighbours."""
     params = params or FitParams()
     h, s, v = (int(x) for x in np.asarray(pixel))
     margin = min(2, params.hue_margin)
@@ -88,10 +88,10 @@ def _with(interval: tuple[int, int], x: int, margin: int) -> tuple[int, int]:
 
 
 def remove_pixel(hue: HueRange, pixel: NDArray[Any]) -> HueRange:
-    """The eyedropper's other end: the range cut so that it leaves an HSV pixel out.
+    """The eyedropper in reverse: reduces the range so that it excludes an HSV pixel.
 
-    Of the six cuts that do so the one that takes the least share of its interval is made. A range
-    that would be empty is left as it is; so is one that does not hold the pixel.
+    Of the six possible cuts, the one that removes the smallest share of its interval is used. A
+    range that would become empty is unchanged; so is one that does not contain the pixel.
     """
     if not bool(hue.contains(np.asarray(pixel))):
         return hue
@@ -100,7 +100,7 @@ def remove_pixel(hue: HueRange, pixel: NDArray[Any]) -> HueRange:
 
 
 def _cuts(hue: HueRange, h: int, s: int, v: int) -> list[tuple[float, HueRange]]:
-    """Ranges without the pixel, each with the share of its interval that was lost."""
+    """Ranges without the pixel, each with the share of its interval that was removed."""
     out = []
     above, width = (h - hue.hue[0]) % HUES, hue.width
     if above < width:
@@ -132,7 +132,7 @@ class FoundHue:
 
 
 def parted(hues: tuple[HueRange, ...]) -> tuple[HueRange, ...]:
-    """The same ranges, neighbours that overlap in hue cut half-way between their centres."""
+    """The same ranges, with neighbours that overlap in hue split half-way between their centres."""
     out = list(hues)
     order = sorted(range(len(out)), key=lambda k: out[k].centre)
     for a, b in zip(order, order[1:] + order[:1], strict=True):
@@ -149,7 +149,7 @@ def parted(hues: tuple[HueRange, ...]) -> tuple[HueRange, ...]:
 class Clash:
     """``hue`` shares colours with ``other`` (another hue's name, or "room"); share in 0..1.
 
-    Of two hues: the share of the narrower interval. Of the room: the share of the image's pixels.
+    For two hues, the share of the narrower interval; for the room, the share of the image's pixels.
     """
 
     hue: str
@@ -158,7 +158,7 @@ class Clash:
 
 
 def clashes(profile: ColourProfile) -> tuple[Clash, ...]:
-    """Pairs of hues that take the same pixels."""
+    """Pairs of hues that include the same pixels."""
     out = []
     for i, a in enumerate(profile.hues):
         for b in profile.hues[i + 1 :]:
@@ -173,7 +173,7 @@ def clashes(profile: ColourProfile) -> tuple[Clash, ...]:
 def room_clashes(
     empty_room: Image, profile: ColourProfile, least_share: float = 1e-4
 ) -> tuple[Clash, ...]:
-    """Hues that a BGR image without the glove already shows, worst first."""
+    """Hues already present in a BGR image without the glove, worst first."""
     hsv = np.asarray(cv2.cvtColor(empty_room, cv2.COLOR_BGR2HSV), np.uint8)
     shares = [Clash(h.name, "room", float(h.contains(hsv).mean())) for h in profile.hues]
     worst = sorted(shares, key=lambda c: -c.share)

@@ -1,8 +1,8 @@
-"""Fitting a colour profile to the markers that are being tracked: no image has to be labelled.
+"""Fits a colour profile to tracked markers, without labelled images.
 
-The tracker knows which marker stands where, so every patch labels its own pixels. Where the profile
-misses the patches of a hue (the light has changed) what lies
-where its markers are expected serves.
+The tracker knows the position of each marker, so every patch labels its own pixels. Where the
+profile misses the patches of a hue (the light has changed), the pixels at the predicted positions
+of its markers are used.
 """
 
 from __future__ import annotations
@@ -29,24 +29,24 @@ from tracker.vision.colours import HUES, ColourProfile
 
 @dataclass(frozen=True)
 class MarkerFitParams:
-    """Which discs of an image are taken for cloth, and how ranges are drawn around them."""
+    """Criteria for discs of an image that are cloth, and parameters for ranges around them."""
 
-    core: float = 0.35  # of a blob's extent: radius of the disc that is surely cloth
-    least_visible: float = 0.6  # for a marker that no blob was matched with
-    sure: float = 1.5  # radii of the disc: largest 2σ of an expected marker's position
-    least_saturation: int = 60  # of a disc's median, to be cloth at all
+    core: float = 0.35  # of a blob's extent: radius of the disc that is certainly cloth
+    least_visible: float = 0.6  # for an unmatched marker
+    sure: float = 1.5  # radii of the disc: maximum 2σ of a predicted marker's position
+    least_saturation: int = 60  # of a disc's median, for cloth
     least_share: float = 0.6  # of a disc's median saturation and value, for a pixel of the cloth
-    hue_spread: int = 16  # of the middle 80 % of those; more is not one cloth
-    rim: int = 3  # of hue, beyond that middle
+    hue_spread: int = 16  # of the middle 80 % of those; a larger spread is not one cloth
+    rim: int = 3  # of hue, beyond those 80 %
     most_exposures: int = 64  # 8 s at the panel's rate
-    least_patches: int = 2  # for a hue to be fitted at all
+    least_patches: int = 2  # required to fit a hue
 
 
 @dataclass(frozen=True, eq=False)
 class SeenSide:
-    """One image: BGR image, blobs found, the blob of each marker (-1), where each is expected.
+    """One image: BGR image, detected blobs, the blob of each marker (-1), predicted positions.
 
-    ``cov`` (M, 2, 2) px² of the expected position; NaN where it is not known for this side.
+    ``cov`` (M, 2, 2) px² of the predicted position; NaN where it is not known for this side.
     """
 
     image: Image
@@ -62,7 +62,7 @@ def seen_sides(
     blobs: tuple[Blobs | None, Blobs | None],
     result: FrameResult,
 ) -> tuple[SeenSide, ...]:
-    """The sides of an exposure of which there are an image and blobs."""
+    """The sides of an exposure that have an image and blobs."""
     unknown = np.full_like(result.predicted_cov, np.nan)
     sides = (
         (left, blobs[0], result.match_left, result.predicted_left, result.predicted_cov),
@@ -76,8 +76,8 @@ def seen_sides(
 
 
 class MarkerSamples:
-    """Pixels of tracked markers over the last exposures: a hand that moves shows all its patches,
-    in all the light that falls on them."""
+    """Pixels of tracked markers over the last exposures: a moving hand shows all its patches, in
+    all the light that falls on them."""
 
     def __init__(
         self, glove: GloveModel, hue_names: Sequence[str], params: MarkerFitParams | None = None
@@ -87,24 +87,24 @@ class MarkerSamples:
         self._names = tuple(hue_names)
 
     def __len__(self) -> int:
-        """Exposures taken so far, of those that are kept."""
+        """Number of stored exposures."""
         return len(self._exposures)
 
     def copy(self) -> MarkerSamples:
-        """What was taken up to now, for a fit in another thread."""
+        """A copy of the present samples, for a fit in another thread."""
         out = MarkerSamples(self._glove, self._names, self._params)
         out._exposures.extend(self._exposures)
         return out
 
     def take(self, sides: Sequence[SeenSide], visible: Array) -> None:
-        """One more exposure. ``visible`` (M,) is the probability that a marker is seen."""
+        """Adds an exposure. ``visible`` (M,) is the probability that a marker is visible."""
         discs: dict[str, list[Image]] = {name: [] for name in self._names}
         for side in sides:
             _take_side(discs, side, visible, self._glove, self._params)
         self._exposures.append(discs)
 
     def fit(self, profile: ColourProfile) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
-        """A profile fitted to what was taken; hues of which too few patches were seen are kept."""
+        """A profile fitted to the samples; hues with too few patches are unchanged."""
         hues, found = [], []
         for old in profile.hues:
             mine = _alike([d for e in self._exposures for d in e[old.name]], self._params)
@@ -118,7 +118,7 @@ class MarkerSamples:
 
 
 def _alike(discs: list[Image], params: MarkerFitParams) -> list[Image]:
-    """Without the discs of another colour than most: a position that was expected wrongly."""
+    """Removes discs whose colour differs from the majority: wrong predictions."""
     if not discs:
         return discs
     middles = np.array([_middle_hue(d) for d in discs], np.int64)
@@ -159,7 +159,7 @@ def _take_side(
 
 
 def _is_sure(cov: Array, limit: float) -> bool:
-    """Whether the longer half axis of the 2σ ellipse stays under ``limit`` px."""
+    """Whether the longer half axis of the 2σ ellipse is below ``limit`` px."""
     return bool(np.isfinite(cov).all() and 2 * np.sqrt(np.linalg.eigvalsh(cov)[-1]) <= limit)
 
 
@@ -178,7 +178,7 @@ def disc_pixels(image: Image, uv: Array, radius: float) -> NDArray[np.uint8]:
 
 
 def _cloth(pixels: Image, params: MarkerFitParams) -> Image:
-    """The pixels (n, 3) of a disc that are its cloth: none where the glove beside the patch, or
+    """The pixels (n, 3) of a disc that are its cloth: none where the glove next to the patch, or
     another patch, fills it; without the rim where a slanted patch is narrower than the disc."""
     if len(pixels) == 0:
         return pixels

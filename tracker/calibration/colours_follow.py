@@ -24,21 +24,21 @@ from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
 FOLLOWED = notice("colours.followed")
-"""Reports each new profile: the light has changed, or the first colours were of another room."""
+"""Reports each new profile: the light has changed, or the initial colours were of another room."""
 
-APART = 0.2  # s between two images that are looked at
-KEPT, LEAST = 6, 3  # of them: a second, over which hands turn and shade evens out
-LEAST_MARKERS = 6  # matched in an image that counts
-TINT = 0.09  # ln of a channel against green: cloth in another light, more than shade does
-BRIGHT = 0.35  # ln of all channels and hues at once
-FOUND_PX = 10.0  # from where a marker was expected before the image was looked at
-LIKELY = 0.6  # of a marker, to be seen
-FEWER = 1  # markers an image that new colours may lack of the old ones
-MORE_OF_THE_ROOM = 4  # blobs in an image that new colours may find beyond the old ones
+APART = 0.2  # s between two evaluated images
+KEPT, LEAST = 6, 3  # stored images: over a second, shade averages out
+LEAST_MARKERS = 6  # matched, for an image to be used
+TINT = 0.09  # ln of a channel relative to green: another light, beyond the effect of shade
+BRIGHT = 0.35  # ln of all channels and hues together
+FOUND_PX = 10.0  # from the position predicted before the image was evaluated
+LIKELY = 0.6  # probability that a marker is visible
+FEWER = 1  # markers per image that new colours may miss compared with the old ones
+MORE_OF_THE_ROOM = 4  # additional background blobs per image that new colours may find
 
 
 class ExpectedHues(NamedTuple):
-    """An image, and the markers that it should show: uv (n, 2) px and the hue's name of each."""
+    """An image, and the markers expected in it: uv (n, 2) px and the hue's name of each."""
 
     image: Image
     uv: Array
@@ -46,8 +46,8 @@ class ExpectedHues(NamedTuple):
 
 
 class Look(NamedTuple):
-    """Both sides of an image with the markers known in them, those that should be seen, and ln BGR
-    (3,) of each hue's cloth."""
+    """Both sides of an image with their known markers, those expected, and ln BGR (3,) of each
+    hue's cloth."""
 
     sides: list[tuple[Image, KnownMarkers]]
     expected: list[ExpectedHues]
@@ -67,19 +67,19 @@ class ColourFollower:
         self._due = -np.inf
 
     def is_due(self, t: float) -> bool:
-        """Whether an image at ``t`` (s) is to be looked at, so that others need not be unpacked."""
+        """Whether an image at ``t`` (s) is to be evaluated, so that others need not be decoded."""
         return t >= self._due or t < self._due - 10 * APART
 
     def take(self, profile: ColourProfile) -> None:
-        """Someone else has changed the colours: follow these from now on."""
+        """Continue with a profile that was changed elsewhere."""
         self.profile, self._reference = profile, {}
         self._looks.clear()
 
     def look(
         self, frame: StereoFrame, blobs: BlobFrame, result: FrameResult
     ) -> ColourProfile | None:
-        """One more image, and what was made of it; colours for the light as it is now, if the old
-        ones no longer are."""
+        """Processes an image and its result; returns a profile for the present light if the old one
+        no longer fits."""
         matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
         if result.tracking != Tracking.TRACKING or matched < LEAST_MARKERS:
             return None
@@ -99,7 +99,7 @@ class ColourFollower:
         return self._learned(now)
 
     def _typical(self) -> dict[str, Array]:
-        """Median over the images kept, of hues that half of them show."""
+        """Median over the stored images, of hues present in at least half of them."""
         out = {}
         for name in self.profile.hue_names:
             seen = [look.tints[name] for look in self._looks if name in look.tints]
@@ -108,7 +108,7 @@ class ColourFollower:
         return out
 
     def _has_moved(self, now: Mapping[str, Array]) -> bool:
-        """Whether the light that the cloths tell of is another than when they were learned."""
+        """Whether the light differs from that at the time of learning, according to the cloth."""
         names = [name for name in now if name in self._reference]
         if len(names) < 2:
             return False
@@ -117,14 +117,14 @@ class ColourFollower:
         return bool(tint > TINT or abs(np.median(gain)) > BRIGHT)
 
     def _learned(self, now: dict[str, Array]) -> ColourProfile | None:
-        """New colours, where they serve the newest image as well as the old ones."""
+        """A new profile, if it is as good as the old one for the newest image."""
         if len(self._looks) < KEPT:
             return None
         samples, names = ColourSamples.of(self.profile.hue_names), self.profile.hue_names
         for look in self._looks:
             for image, known in look.sides:
                 samples.add(samples_of(image, known, names))
-        self._reference = now  # taken or not: it is asked again when the light has moved on
+        self._reference = now  # even if rejected: tested again when the light changes
         new = learn(self.profile, samples)
         (was, room), (found, others) = (self._on_newest(p) for p in (self.profile, new))
         if found < was - FEWER or others > room + MORE_OF_THE_ROOM:
@@ -133,7 +133,7 @@ class ColourFollower:
         return new
 
     def _on_newest(self, profile: ColourProfile) -> tuple[float, float]:
-        """Markers that the newest image should show and a profile finds, and other blobs, both per
+        """Expected markers of the newest image found with a profile, and other blobs, both per
         image."""
         detector, found, others = Detector(profile, *self._camera), 0, 0
         sides = self._looks[-1].expected
@@ -148,7 +148,7 @@ class ColourFollower:
 
 
 def _expected(frame: StereoFrame, result: FrameResult, glove: GloveModel) -> list[ExpectedHues]:
-    """Of each side that there is."""
+    """For each side that has an image."""
     out = []
     for image, uv in ((frame.left, result.predicted_left), (frame.right, result.predicted_right)):
         if image is not None:

@@ -1,8 +1,7 @@
-"""Colours learned from one image of the glove alone, where no packets tell the hand's posture.
+"""Learns colours from one image of the glove alone, when no packets determine the hand's posture.
 
-A glove shows many small patches of its hues close together, which stand out from one cloth. Of
-wide colours, as they are and in warmer and cooler light, those that show most of such a crowd
-serve.
+A glove shows many small patches of its hues close together on uniform cloth. Of several wide
+profiles, for neutral, warmer and cooler light, the one that finds most of such a cluster is used.
 """
 
 from __future__ import annotations
@@ -23,15 +22,15 @@ from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
 
-NEAR = 5.0  # extents of a blob, within which its neighbours are
-HAND = 11.0  # extents, from the middle of a hand to its farthest marker
-LIKE = 1.6  # ratio of extents of one glove's markers
-SAME = 4.0  # px between a patch and itself
+NEAR = 5.0  # extents of a blob, within which its neighbours are counted
+HAND = 11.0  # extents, from the centre of a hand to its farthest marker
+LIKE = 1.6  # maximum ratio of the extents of one glove's markers
+SAME = 4.0  # px, distance of two detections of one patch
 LEAST_PATCHES, LEAST_HUES = 8, 2
-PICKED_PX = 5.0  # around the pixel that was pointed at
-POINTED_PX = 10.0  # from the pixel that was pointed at to the middle of its marker
-MUCH_MORE = 1.5  # times the other things
-PICKED_CONTRAST = 0.1  # to be asked of patches like those that were pointed at
+PICKED_PX = 5.0  # around the selected pixel
+POINTED_PX = 10.0  # from the selected pixel to the centre of its marker
+MUCH_MORE = 1.5  # times the other blobs
+PICKED_CONTRAST = 0.1  # required of patches similar to the selected ones
 
 
 def learn_image(
@@ -39,7 +38,7 @@ def learn_image(
 ) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
     """A profile learned from a BGR image of the glove; ``marker_size`` m, ``fx`` px of the camera.
 
-    Raises GlovetrackError where no glove is seen for sure.
+    Raises GlovetrackError unless a glove is clearly visible.
     """
     best, crowd = Blobs.empty(), np.zeros(0, np.int64)
     calm = calmed(image)
@@ -54,7 +53,7 @@ def learn_image(
     hue = tuple(names[k] for k in best.hue[crowd])
     known = KnownMarkers(best.uv[crowd], best.size[crowd], hue, best.uv[crowd])
     samples = samples_of(image, known, names)
-    fitted = replace(learn(profile, samples), shape=profile.shape)  # too few pixels to ask for less
+    fitted = replace(learn(profile, samples), shape=profile.shape)  # too few pixels for new limits
     _refuse_worse(image, (profile, fitted), (marker_size, fx), best.uv[crowd])
     found = [
         FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))
@@ -65,7 +64,7 @@ def learn_image(
 
 
 class Pick(NamedTuple):
-    """A marker pointed at: the BGR image, uv (2,) px of its middle, and its hue's name."""
+    """A selected marker: the BGR image, uv (2,) px of its centre, and its hue's name."""
 
     image: Image
     uv: Array
@@ -75,11 +74,11 @@ class Pick(NamedTuple):
 def learn_picked(
     picks: Sequence[Pick], profile: ColourProfile, marker_size: float, fx: float
 ) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
-    """A profile learned from one marker of each hue that was pointed at, and from those like them
-    on the same glove; ``marker_size`` m, ``fx`` px.
+    """A profile learned from one selected marker of each hue, and from similar ones on the same
+    glove; ``marker_size`` m, ``fx`` px.
 
-    Raises GlovetrackError where a hue was not pointed at, no glove is seen around what was, or the
-    colours before serve better.
+    Raises GlovetrackError if no marker of a hue was selected, no glove is visible around them, or
+    the previous colours are better.
     """
     ranges = {p.hue: _around(p) for p in picks}
     missing = [name for name in profile.hue_names if name not in ranges]
@@ -109,7 +108,7 @@ def learn_picked(
 
 
 def _around(pick: Pick) -> HueRange:
-    """The range of the cloth that was pointed at."""
+    """The range of the selected cloth."""
     pixels = core_pixels(calmed(pick.image), pick.uv, PICKED_PX)
     hsv = np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0]
     return fit_samples(pick.hue, hsv)
@@ -120,8 +119,8 @@ def _refuse_worse_picked(
     profiles: tuple[ColourProfile, ColourProfile],
     camera: tuple[float, float],
 ) -> None:
-    """Raises GlovetrackError where the second profile shows fewer of the markers that were pointed
-    at than the first, or as many and much more of everything else."""
+    """Raises GlovetrackError if the second profile finds fewer of the selected markers than the
+    first, or as many and far more other blobs."""
     (was, other), (now, others) = (_of_picks(Detector(p, *camera), picks) for p in profiles)
     if now < was or (now == was and others > MUCH_MORE * other):
         raise GlovetrackError(
@@ -137,7 +136,7 @@ def _refuse_worse_picked(
 
 
 def _of_picks(detector: Detector, picks: Sequence[Pick]) -> tuple[int, int]:
-    """Markers that were pointed at and are found in their hue, and other blobs."""
+    """Number of selected markers found in their hue, and of other blobs."""
     names, shown, blobs = detector.profile.hue_names, 0, 0
     for image in _distinct(picks):
         found, _ = detector.detect(image)
@@ -159,8 +158,8 @@ def _refuse_worse(
     camera: tuple[float, float],
     glove: Array,
 ) -> None:
-    """Raises GlovetrackError where the second profile shows fewer patches of the ``glove`` (n, 2)
-    px than the first, or as many and more of the room."""
+    """Raises GlovetrackError if the second profile finds fewer patches of the ``glove`` (n, 2) px
+    than the first, or as many and more of the background."""
     (was, other), (now, others) = (_on_glove(Detector(p, *camera), image, glove) for p in profiles)
     if now < was or (now == was and others > other + 1):
         raise GlovetrackError(
@@ -175,7 +174,7 @@ def _refuse_worse(
 
 
 def _on_glove(detector: Detector, image: Image, glove: Array) -> tuple[int, int]:
-    """Blobs at one of these places (n, 2) px, and others."""
+    """Number of blobs at these positions (n, 2) px, and of others."""
     blobs, _ = detector.detect(image)
     apart = np.linalg.norm(blobs.uv[:, None] - glove[None], axis=2)
     there = int(np.count_nonzero(apart.min(axis=1, initial=np.inf) < SAME))
@@ -183,7 +182,7 @@ def _on_glove(detector: Detector, image: Image, glove: Array) -> tuple[int, int]
 
 
 def glove_of(blobs: Blobs) -> IntArray:
-    """Rows of the blobs that are the densest crowd of patches of like size."""
+    """Rows of the blobs that form the densest cluster of patches of similar size."""
     if len(blobs) == 0:
         return np.zeros(0, np.int64)
     extent = blobs.size.max(axis=1)

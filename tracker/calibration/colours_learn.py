@@ -1,8 +1,8 @@
-"""Learning which colours are whose: histograms of each hue's cloth, the glove's and the room's.
+"""Learns a class for each colour: histograms of each hue's cloth, the glove and the background.
 
 Colours are counted by chroma, which shade hardly changes, and by value. A colour belongs to a hue
-where it is more likely in that hue's cloth than in the room, in the glove or in another hue: the
-share of the image that each takes does not count, for markers are few and the room is large.
+if it is more likely in that hue's cloth than in the background, the glove or another hue: class
+frequencies are ignored, since markers are few and the background is large.
 """
 
 from __future__ import annotations
@@ -29,23 +29,23 @@ from tracker.vision.colours import (
 )
 
 CHROMA_BINS, VALUE_BINS = 48, 20
-CHROMA_SPREAD, VALUE_SPREAD = 1.2, 1.6  # sd in bins: other light, other shade, noise
-DARK = 12.0  # added to the value that chroma is relative to: dark pixels have none
-LEAST_DENSITY = 2e-6  # per bin, below which a colour was never met
-LEAST_PIXELS, LEAST_PATCHES = 60, 2  # of a hue, to learn it
-WIDE_HUE, WIDE_SATURATION, WIDE_VALUE = 4, 60, 35  # a hue's margin and floors of wide colours
-LIGHTS = ((1.0, 1.0), (0.75, 1.2), (0.55, 1.4), (1.25, 0.85), (1.5, 0.7))  # of blue and red
+CHROMA_SPREAD, VALUE_SPREAD = 1.2, 1.6  # sd in bins: covers other light, other shade, noise
+DARK = 12.0  # added to the value that chroma is relative to: dark pixels have no chroma
+LEAST_DENSITY = 2e-6  # per bin, below which a colour counts as not observed
+LEAST_PIXELS, LEAST_PATCHES = 60, 2  # of a hue, required to learn it
+WIDE_HUE, WIDE_SATURATION, WIDE_VALUE = 4, 60, 35  # a hue's margin and minimums of wide colours
+LIGHTS = ((1.0, 1.0), (0.75, 1.2), (0.55, 1.4), (1.25, 0.85), (1.5, 0.7))  # gains of blue and red
 TYPICAL = (200.0, 170.0)  # saturation and value of a marker
-TAUGHT = 1  # cells of learned colours to each side of one that was picked
-CLOTH_SHARE = 0.05  # of what is around a marker; at a finger's edge it is half, between two less
+TAUGHT = 1  # cells of learned colours to each side of a selected one
+CLOTH_SHARE = 0.05  # of the surroundings of a marker; half at a finger's edge, less between two
 SMOOTHING_PX = 5  # of noisy images
-CONTRAST = 0.15  # to be asked where the room's own colours are known: shade and noise take much
+CONTRAST = 0.15  # minimum, where background colours are known: shade and noise reduce it
 
 
 @dataclass
 class ColourSamples:
-    """BGR pixels (n, 3): of each hue's markers, of the glove beside them, and of the room; whether
-    each image was noisy, and so smoothed first."""
+    """BGR pixels (n, 3): of each hue's markers, of the glove around them, and of the background;
+    whether each image was noisy, and therefore smoothed first."""
 
     hues: dict[str, list[Image]]
     cloth: list[Image] = field(default_factory=list)
@@ -58,7 +58,7 @@ class ColourSamples:
         return ColourSamples({name: [] for name in names}, patches=dict.fromkeys(names, 0))
 
     def is_enough(self, name: str) -> bool:
-        """Whether a hue can be learned."""
+        """Whether there are enough samples to learn a hue."""
         return len(self.pixels(name)) >= LEAST_PIXELS and self.patches[name] >= LEAST_PATCHES
 
     def pixels(self, name: str) -> Image:
@@ -66,7 +66,7 @@ class ColourSamples:
         return np.concatenate([np.zeros((0, 3), np.uint8), *self.hues[name]])
 
     def add(self, other: ColourSamples) -> None:
-        """Take another image's, too."""
+        """Add the samples of another image."""
         for name, pixels in other.hues.items():
             self.hues[name] += pixels
             self.patches[name] += other.patches[name]
@@ -77,7 +77,7 @@ class ColourSamples:
 
 def learn(profile: ColourProfile, samples: ColourSamples, cloth: bool = True) -> ColourProfile:
     """``profile`` with intervals and classes learned from ``samples``; hues with too few pixels
-    stay as they are, by their intervals."""
+    keep their intervals."""
     enough = [h.name for h in profile.hues if samples.is_enough(h.name)]
     hues = []
     for old in profile.hues:
@@ -96,7 +96,7 @@ def learn(profile: ColourProfile, samples: ColourSamples, cloth: bool = True) ->
 def _classes(
     profile: ColourProfile, samples: ColourSamples, enough: Sequence[str]
 ) -> NDArray[np.uint8]:
-    """(LEARNED_CELLS,) as `LearnedColours` has them."""
+    """(LEARNED_CELLS,) as in `LearnedColours`."""
     cells = _cell_bins()
     worn = _density(samples.cloth).ravel()[cells]
     room = _density(samples.room).ravel()[cells]
@@ -117,14 +117,14 @@ def _classes(
     out[~met] = UNKNOWN
     hsv = _hsv(_cell_colours())
     for h in profile.hues:
-        if h.name not in enough:  # its markers are among what was taken for room and glove
+        if h.name not in enough:  # its markers are among the samples of background and glove
             out[h.contains(hsv) & ~is_hue] = UNKNOWN
     return out
 
 
 def _density(parts: Sequence[Image]) -> Array:
-    """(CHROMA_BINS, CHROMA_BINS, VALUE_BINS) share of the pixels, spread."""
-    from scipy.ndimage import gaussian_filter  # here: it loads much that a start does without
+    """(CHROMA_BINS, CHROMA_BINS, VALUE_BINS) share of the pixels, smoothed."""
+    from scipy.ndimage import gaussian_filter  # imported here, since it is slow to load
 
     counts = np.zeros(CHROMA_BINS * CHROMA_BINS * VALUE_BINS)
     total = 0
@@ -170,8 +170,8 @@ def _hsv(pixels: Image) -> Image:
 
 
 def taught(profile: ColourProfile, bgr: Image, hue: int) -> ColourProfile:
-    """``profile`` in which colours next to a BGR pixel (3,) are the hue's with this row, or the
-    room's where it is -1: what was learned yields to the eyedropper."""
+    """``profile`` in which colours next to a BGR pixel (3,) belong to the hue in this row, or to
+    the background where it is -1: the eyedropper overrides learned classes."""
     if profile.learned is None:
         return profile
     side = 1 << LEARNED_BITS
@@ -185,14 +185,14 @@ def taught(profile: ColourProfile, bgr: Image, hue: int) -> ColourProfile:
 
 
 def wide_profiles(profile: ColourProfile) -> Iterator[ColourProfile]:
-    """Wider colours, as they are and as warmer and cooler light shows them."""
+    """Wider profiles, for neutral, warmer and cooler light."""
     for blue, red in LIGHTS:
         hues = tuple(_lit(h, blue, red) for h in profile.hues)
         yield replace(profile, hues=hues, learned=None)
 
 
 def _lit(hue: HueRange, blue: float, red: float) -> HueRange:
-    """A hue's wide interval where the light has these gains."""
+    """A hue's wide interval in light with these gains."""
     saturation, value = TYPICAL
     hsv = np.array([[[hue.centre, saturation, value]]], np.uint8)
     bgr = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR).astype(float) * [blue, 1.0, red]

@@ -1,4 +1,4 @@
-"""Pixels of an image by whose they are, where markers are known: their cloth, glove and room."""
+"""Labels pixels of an image by its known markers: their cloth, the glove and the background."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame
 from tracker.vision.colours import HUES
 from tracker.vision.detector import smoothed
 
-CORE = 0.36  # of a marker's smaller extent: radius of the disc that is surely cloth
+CORE = 0.36  # of a marker's smaller extent: radius of the disc that is certainly cloth
 LEAST_SHARE = 0.5  # of a disc's median saturation and value, for a pixel of its cloth
-MOST_TURN = 20  # of hue, from the disc's middle one
-AWAY = 0.75  # the same, of the disc that may be
-RING = (0.85, 1.25)  # the same, of the ring that is the glove's cloth beside it
-HAND = 6.0  # the same, around each marker, of what is not the room
-DARKEST = 8.0  # added to channels before their logarithm: noise below says nothing
-ROOM_STEP = 7  # every so many-th pixel of the room is taken
+MOST_TURN = 20  # of hue, from the median of the disc
+AWAY = 0.75  # likewise, of the disc that may be cloth
+RING = (0.85, 1.25)  # likewise, of the ring of the glove's cloth around it
+HAND = 6.0  # likewise, around each marker, excluded from the background
+DARKEST = 8.0  # added to channels before their logarithm: below it, noise dominates
+ROOM_STEP = 7  # stride of background samples
 
 
 @dataclass(frozen=True, eq=False)
 class KnownMarkers:
-    """Markers in one image: uv (n, 2) px, ``size`` (n, 2) px along and across, the hue's name
-    of each; ``hand`` (k, 2) px further places that are not the room."""
+    """Markers in one image: uv (n, 2) px, ``size`` (n, 2) px along and across, the hue's name of
+    each; ``hand`` (k, 2) px further positions that are not background."""
 
     uv: Array
     size: Array
@@ -44,7 +44,7 @@ class KnownMarkers:
 
 
 def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
-    """BGR pixels of an image by whose they are; those of a noisy one when it is smoothed."""
+    """BGR pixels of an image by class; a noisy image is smoothed first."""
     out = ColourSamples.of(names)
     calm = calmed(image)
     out.noisy.append(calm is not image)
@@ -76,7 +76,7 @@ def calmed(image: Image) -> Image:
 
 
 def core_colours(sides: Sequence[tuple[Image, KnownMarkers]]) -> dict[str, Array]:
-    """ln BGR (3,) of each hue's markers: the median over their cores' means; of those seen."""
+    """ln BGR (3,) of each hue's visible markers: the median over the means of their cores."""
     means: dict[str, list[Array]] = {}
     for image, known in sides:
         for uv, size, name in zip(known.uv, known.size, known.hue, strict=True):
@@ -92,8 +92,8 @@ def core_pixels(image: Image, uv: Array, radius: float) -> Image:
 
 
 def _cloth(pixels: Image) -> Image:
-    """Of the BGR pixels (n, 3) of a disc those like most of them: a slanted patch, or one that
-    something covers in part, shows what is beside it."""
+    """The BGR pixels (n, 3) of a disc that are similar to the majority: a slanted or partly
+    occluded patch includes its surroundings."""
     if len(pixels) == 0:
         return pixels
     hsv = np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0].astype(np.int64)
@@ -111,7 +111,7 @@ def _disc(mask: NDArray[np.uint8], uv: Array, radius: float) -> None:
 def _pixels(
     image: Image, uv: Array, least: float, most: float, but: NDArray[np.uint8] | None = None
 ) -> Image:
-    """BGR pixels (n, 3) between two distances (px) from ``uv`` (2,), without those of ``but``."""
+    """BGR pixels (n, 3) between two distances (px) from ``uv`` (2,), except those in ``but``."""
     height, width = image.shape[:2]
     reach = int(np.ceil(most)) + 1
     column, row = (round(float(x)) for x in uv)
@@ -130,7 +130,7 @@ def _pixels(
 def known_sides(
     frame: StereoFrame, blobs: BlobFrame, result: FrameResult, glove: GloveModel
 ) -> list[tuple[Image, KnownMarkers]]:
-    """Both images with the markers that are known in them."""
+    """Both images with their known markers."""
     sides = (
         (frame.left, blobs.left, result.match_left, result.predicted_left),
         (frame.right, blobs.right, result.match_right, result.predicted_right),

@@ -1,9 +1,9 @@
 """A light meter for markers: finds lighting problems that cost markers, and recommends changes.
 
 Each image is analysed separately: patches of any colour are detected and distinguished from the
-room by the dark cloth around them. Their pixels and those of the cloth determine the light,
+background by the dark cloth around them. Their pixels and those of the cloth determine the light,
 independently of the fitted colours; the fitted colours determine the hue of each patch and which
-are missed.
+ones are missed.
 """
 
 from __future__ import annotations
@@ -39,18 +39,18 @@ class MeterParams:
     noise: float = NOISY
     warm: float = 1.3  # linear red / blue of the glove's grey cloth
     cold: float = 0.40
-    near_hues: float = 9.0  # between the middles of two hues, OpenCV units
-    room_blobs: int = 8  # of a hue, beside the hand
-    least_patches: int = 5  # to speak of patches at all
-    contrast: float = 1.5  # of a patch over the cloth around it, at least
-    cloth_level: float = 125.0  # that dark cloth has at most
+    near_hues: float = 9.0  # between the medians of two hues, OpenCV units
+    room_blobs: int = 8  # of a hue, outside the hand
+    least_patches: int = 5  # required to evaluate patches at all
+    contrast: float = 1.5  # of a patch to the cloth around it, minimum
+    cloth_level: float = 125.0  # maximum of dark cloth
     cloth_chroma: float = 48.0  # levels between its channels
     found_px: float = 4.0
     hand: float = 11.0  # half extent of a hand in diameters of a patch
 
 
 class Advice(NamedTuple):
-    """What is wrong, by a short word (`LIGHT`, or near, room, missed), and what to do."""
+    """A problem, by a short code (`LIGHT`, or near, room, missed), and what to do about it."""
 
     kind: str
     notice: Notice
@@ -58,9 +58,9 @@ class Advice(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class LightReading:
-    """Of one image: patches (n, 2) px with hue (n,) of the profile and whether found (n,); level,
-    noise in levels; warmth the linear red / blue of cloth, NaN where no patch is seen; room: blobs
-    of each hue that are no patches."""
+    """The result for one image: patches (n, 2) px with hue (n,) of the profile and whether found
+    (n,); level, noise in levels; warmth the linear red / blue of cloth, NaN where no patch is
+    visible; room: number of blobs of each hue that are not patches."""
 
     uv: Array
     hue: IntArray
@@ -74,19 +74,19 @@ class LightReading:
 
     @property
     def good(self) -> bool:
-        """Whether lamp and exposure will do as they are."""
+        """Whether lamp and exposure need no change."""
         return not any(a.kind in LIGHT for a in self.advice)
 
     @property
     def missed(self) -> Array:
-        """(k, 2) px of patches that the profile does not find."""
+        """(k, 2) px of patches that the profile misses."""
         return self.uv[~self.found]
 
 
 class LightMeter:
-    """Reads images for one profile. Making one takes a tenth of a second, a reading a hundredth.
+    """Evaluates images for one profile. Constructing one takes 0.1 s, an evaluation 0.01 s.
 
-    ``fx`` (px) is the camera's focal length, as of `Detector`.
+    ``fx`` (px) is the camera's focal length, as for `Detector`.
     """
 
     def __init__(
@@ -94,7 +94,7 @@ class LightMeter:
     ) -> None:
         self.profile, self.params = profile, params or MeterParams()
         self._narrow = Detector(profile, fx=fx)
-        # a patch whose hues lie astride one's quarters is whole in the other
+        # a patch whose hues span two quarters of one search is whole in the other
         shift = HUES // QUARTERS // 2
         self._any = tuple(Detector(any_colours(at), fx=fx) for at in (0, shift))
 
@@ -102,7 +102,7 @@ class LightMeter:
         """The light in a BGR image (h, w, 3) uint8 of the gloved hand."""
         p = self.params
         blobs, noise = self._narrow.detect(image)[0], noise_of(image)
-        # the noise of dark cloth has every colour that is wide enough
+        # the noise of dark cloth contains every sufficiently wide colour
         calm = smoothed(image) if noise > p.noise else image
         both = [_patches(calm, wide.detect(calm)[0], p) for wide in self._any]
         seen = _of_one_hand(_named(_whole(*both), self.profile), p)
@@ -123,7 +123,7 @@ class LightMeter:
 
 
 def any_colours(first: int) -> ColourProfile:
-    """All the hues there are at any brightness, in quarters of the circle from ``first`` on."""
+    """All hues at any brightness, in quarters of the circle from ``first`` on."""
     arc = HUES // QUARTERS
     starts = [(first + k * arc) % HUES for k in range(QUARTERS)]
     hues = (HueRange(str(at), (at, (at + arc - 1) % HUES), (80, 255), (30, 255)) for at in starts)
@@ -131,8 +131,8 @@ def any_colours(first: int) -> ColourProfile:
 
 
 def noise_of(image: Image, block: int = 16) -> float:
-    """Standard deviation (levels) of green where the image is smoothest: of blocks that are neither
-    black nor white, the one at a tenth from the least."""
+    """Standard deviation (levels) of green in smooth areas: the 10th percentile of blocks that are
+    neither black nor white."""
     h, w = (n // (2 * block) * 2 * block for n in image.shape[:2])
     rows = image[:h, :w, 1].reshape(h // block, block, w // block, block)[::2, :, ::2]
     blocks = np.ascontiguousarray(rows.swapaxes(1, 2)).reshape(-1, block * block)
@@ -145,7 +145,7 @@ def noise_of(image: Image, block: int = 16) -> float:
 
 
 class _Patches(NamedTuple):
-    """uv (n, 2), hue (n,), radius (n,) px, pixel (n, 3) BGR of their middles, cloth (n, 3) BGR
+    """uv (n, 2), hue (n,), radius (n,) px, pixel (n, 3) BGR of their centres, cloth (n, 3) BGR
     around them."""
 
     uv: Array
@@ -163,7 +163,7 @@ def _patches(image: Image, blobs: Blobs, p: MeterParams) -> _Patches:
     ring = np.column_stack([np.cos(turn), np.sin(turn)])
     spots = blobs.uv[:, None] + (1.35 * radius + 2.5)[:, None, None] * ring
     pixel, around = _at(soft, blobs.uv), _at(soft, spots)
-    # another patch or a finger's edge may lie to one side: the darker half of the ring is cloth
+    # another patch or a finger's edge may be on one side: the darker half of the ring is cloth
     order = np.argsort(around.max(axis=2), axis=1)[:, : len(turn) // 2]
     cloth = np.median(np.take_along_axis(around, order[..., None], axis=1), axis=1)
     dark = cloth.max(axis=1) < p.cloth_level
@@ -177,7 +177,7 @@ def _patches(image: Image, blobs: Blobs, p: MeterParams) -> _Patches:
 
 
 def _whole(one: _Patches, other: _Patches) -> _Patches:
-    """Those of two searches, each once: the larger where both have found it."""
+    """The union of two searches: the larger patch where both have found it."""
     gap = np.linalg.norm(one.uv[:, None] - other.uv[None], axis=2)
     same = gap < np.maximum(one.radius[:, None], other.radius[None])
     smaller = same & (one.radius[:, None] < other.radius[None])
@@ -187,7 +187,7 @@ def _whole(one: _Patches, other: _Patches) -> _Patches:
 
 
 def _named(seen: _Patches, profile: ColourProfile) -> _Patches:
-    """With the profile's hue nearest to each."""
+    """With the profile's nearest hue for each."""
     if len(seen.uv) == 0:
         return seen
     hsv = cv2.cvtColor(np.round(seen.pixel).astype(np.uint8)[None], cv2.COLOR_BGR2HSV)[0]
@@ -196,7 +196,7 @@ def _named(seen: _Patches, profile: ColourProfile) -> _Patches:
 
 
 def _of_one_hand(seen: _Patches, p: MeterParams) -> _Patches:
-    """Those around the place with the most: things on a desk are patches, too, but lie apart."""
+    """Those around the densest position: objects on a desk are patches too, but farther apart."""
     if len(seen.uv) == 0:
         return seen
     unit = 2 * float(np.median(seen.radius))
@@ -207,7 +207,7 @@ def _of_one_hand(seen: _Patches, p: MeterParams) -> _Patches:
 
 
 def _at(image: Image, uv: Array) -> Array:
-    """(…, 3) pixels nearest to uv (…, 2), those of the edge beyond it."""
+    """(…, 3) pixels nearest to uv (…, 2), clamped to the image."""
     h, w = image.shape[:2]
     column, row = np.round(uv[..., 0]).astype(int), np.round(uv[..., 1]).astype(int)
     return image[np.clip(row, 0, h - 1), np.clip(column, 0, w - 1)].astype(float)
@@ -220,16 +220,16 @@ def _near(uv: Array, hue: IntArray, blobs: Blobs, reach: float) -> NDArray[np.bo
 
 
 def _beside(blobs: Blobs, seen: _Patches) -> IntArray:
-    """Hues (k,) of the blobs that are no patches."""
+    """Hues (k,) of the blobs that are not patches."""
     gap = np.linalg.norm(blobs.uv[:, None] - seen.uv[None], axis=2)
     return blobs.hue[~np.any(gap < seen.radius[None] + 2, axis=1)]
 
 
 def _warmth(seen: _Patches, p: MeterParams) -> float:
-    """Linear red / blue of the cloth, NaN where too few patches are seen."""
+    """Linear red / blue of the cloth, NaN where too few patches are visible."""
     if len(seen.uv) < p.least_patches:
         return float("nan")
-    # what is lit counts more than what lies in the shade, where the light is another
+    # lit patches have more weight than shaded ones, where the light differs
     blue, _, red = np.mean((seen.cloth / 255) ** 2.2, axis=0)
     return float(red / max(blue, 1e-6))
 
@@ -261,7 +261,7 @@ def _advice(
 def _colour_advice(
     r: LightReading, seen: _Patches, profile: ColourProfile, p: MeterParams
 ) -> list[Advice]:
-    """Hues that look alike or that the room has too, and markers that are not found."""
+    """Hues that are similar or occur in the background, and missed markers."""
     out = []
     for a, b in near_hues(seen.pixel, seen.hue, p.near_hues):
         pair = (profile.hue_names[a], profile.hue_names[b])
@@ -280,7 +280,7 @@ def _colour_advice(
 
 
 def near_hues(pixel: Array, hue: IntArray, least: float) -> list[tuple[int, int]]:
-    """Pairs of hues whose patches (n, 3) BGR differ by less than ``least`` in the middle."""
+    """Pairs of hues whose patches (n, 3) BGR differ by less than ``least`` in the median."""
     if len(pixel) == 0:
         return []
     hsv = cv2.cvtColor(np.round(pixel).astype(np.uint8)[None], cv2.COLOR_BGR2HSV)[0]

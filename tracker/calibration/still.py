@@ -1,4 +1,4 @@
-"""Gyro biases and noise of every IMU while the hand lies still; a moving hand is refused."""
+"""Gyro biases and noise of every IMU while the hand is at rest; a moving hand is rejected."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ MOVING = {"still.imu_moves", "still.imu_biased"}
 
 @dataclass(frozen=True)
 class StillParams:
-    """Limits that a hand laid on a table keeps, and one held in the air does not."""
+    """Limits that a hand on a table meets, and one held in the air does not."""
 
     duration: float = 2.0  # s
     gyro_sd: float = 1.0 * DEGREE  # rad/s, of one axis
     drift: float = 0.5 * DEGREE  # rad/s, between the first and the second half
     accel_sd: float = 0.25  # m/s²
     gyro_bias: float = 10.0 * DEGREE  # rad/s, twice the data sheet's
-    gravity: float = 0.8  # m/s², twice what an offset of ±60 mg may add
-    answered: float = 0.8  # share of packets that must hold the IMU
+    gravity: float = 0.8  # m/s², twice the effect of an offset of ±60 mg
+    answered: float = 0.8  # share of packets in which the IMU must be valid
 
 
 @dataclass(frozen=True, eq=False)
 class StillImu:
     """One IMU: gyro_bias (3,) rad/s with its sd, gyro_noise rad/s/√Hz, accel (3,) mean m/s² in I.
 
-    ``trouble`` is None where the figures may be used.
+    ``trouble`` is None if the figures may be used.
     """
 
     name: str
@@ -45,7 +45,7 @@ class StillImu:
 
 @dataclass(frozen=True, eq=False)
 class StillPose:
-    """All IMUs in the glove's order; ``trouble`` says why the whole is refused."""
+    """All IMUs in the glove's order; ``trouble`` is the reason why all are rejected."""
 
     imus: tuple[StillImu, ...]
     trouble: Notice | None = None
@@ -58,7 +58,7 @@ class StillPose:
 def still_pose(
     samples: Sequence[ImuSample], names: Sequence[str], params: StillParams | None = None
 ) -> StillPose:
-    """What ``samples`` of a resting hand say of each of the IMUs ``names``."""
+    """Evaluates ``samples`` of a hand at rest for each of the IMUs ``names``."""
     p = params or StillParams()
     span = samples[-1].t - samples[0].t if samples else 0.0
     if span < 0.9 * p.duration:
@@ -85,7 +85,7 @@ def _one(
     return StillImu(
         name=name,
         gyro_bias=gyro.mean(axis=0),
-        # a slow drift is not averaged away: half of it is left in the mean
+        # a slow drift is not averaged out: half of it remains in the mean
         gyro_bias_sd=float(np.hypot(sd.max() / np.sqrt(len(gyro)), drift / 2)),
         gyro_noise=float(np.sqrt(np.mean(sd**2) / (rate_hz / 2))),
         accel=accel.mean(axis=0),

@@ -1,8 +1,8 @@
-"""Which IMU sits where: one finger moves at a time, and the IMUs that move with it are on it.
+"""Identifies the position of each IMU: one finger moves at a time, with the IMUs on it.
 
-Angular rates alone tell the finger; along a finger they add up from joint to joint, so the IMU that
-turns fastest is the outermost. The axis about which an IMU turns tells how it is mounted: a bending
-finger turns about its flexion axis, y of its B.
+Angular rates alone identify the finger; along a finger they add up from joint to joint, so the IMU
+that rotates fastest is the outermost. The axis of rotation of an IMU shows its mounting: a bending
+finger rotates about its flexion axis, y of its B.
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ INSTRUCTIONS = {HAND: notice("wiggle.hand"), "thumb": notice("wiggle.thumb")}
 
 @dataclass(frozen=True)
 class WiggleParams:
-    """``moved`` rad/s RMS at which an IMU moves; ``share`` of the fastest one's rate to move along
-    with it; ``distinct`` how much more it must move in one step than in all others."""
+    """``moved`` rad/s RMS above which an IMU moves; ``share`` of the fastest one's rate for one
+    that moves with it; ``distinct`` minimum ratio of its motion in one step to that in all
+    others."""
 
     duration: float = 4.0  # s
     moved: float = 20.0 * DEGREE
@@ -36,7 +37,7 @@ class WiggleParams:
 
 @dataclass(frozen=True)
 class WiggleStep:
-    """``part`` is "hand" or a finger; ``imus`` rows of the IMUs that the glove file puts there,
+    """``part`` is "hand" or a finger; ``imus`` rows of the IMUs on it according to the glove file,
     from the knuckle outwards."""
 
     part: str
@@ -47,7 +48,7 @@ class WiggleStep:
 @dataclass(frozen=True)
 class WiggleRow:
     """One IMU: ``state`` is "right", "elsewhere", "turned", "still", "silent" or "unclear";
-    ``segment`` where it was found, empty where unknown."""
+    ``segment`` where it was found, empty if unknown."""
 
     name: str
     state: str
@@ -81,7 +82,7 @@ def wiggle_steps(hand: HandModel, glove: GloveModel) -> list[WiggleStep]:
 
 
 def imu_motion(samples: Sequence[ImuSample]) -> Array:
-    """(n,) rad/s RMS of each IMU's angular rate about its mean, which is bias; NaN where silent."""
+    """(n,) rad/s RMS of each IMU's angular rate about its mean, which is bias; NaN if invalid."""
     if len(samples) < 2:
         return np.zeros(len(samples[0].gyro)) if samples else np.zeros(0)
     gyro = np.array([s.gyro for s in samples])
@@ -95,7 +96,7 @@ def imu_motion(samples: Sequence[ImuSample]) -> Array:
 
 
 def moving(motion: Array, params: WiggleParams | None = None) -> list[int]:
-    """Rows of the IMUs that move now, the fastest first."""
+    """Rows of the IMUs moving at present, the fastest first."""
     p = params or WiggleParams()
     known = np.nan_to_num(motion)
     if len(known) == 0 or known.max() < p.moved:
@@ -104,7 +105,7 @@ def moving(motion: Array, params: WiggleParams | None = None) -> list[int]:
 
 
 class WiggleTest:
-    """Collects the steps' samples; `result` judges what has come so far."""
+    """Collects the steps' samples; `result` evaluates those collected so far."""
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, params: WiggleParams | None = None
@@ -116,7 +117,7 @@ class WiggleTest:
         self._axis = np.full((len(self.steps), n, 3), np.nan)
 
     def add(self, step: int, samples: Sequence[ImuSample]) -> Notice | None:
-        """Take a step's samples. None if they can be used, else why they cannot."""
+        """Add a step's samples. Returns None if they can be used, else the reason why not."""
         motion = imu_motion(samples)
         if not moving(motion, self.params):
             return warning("wiggle.nothing_moved", instruction=self.steps[step].instruction)
@@ -125,16 +126,16 @@ class WiggleTest:
         return None
 
     def result(self) -> WiggleResult:
-        """What the steps together say."""
+        """The combined result of the steps."""
         parts = [self._found_part(i) for i in range(len(self.glove.imus))]
         places = self._places(parts)
         rows = tuple(self._row(i, parts[i], places.get(i, "")) for i in range(len(parts)))
         return WiggleResult(rows, _summary(rows, self.glove))
 
-    # --- where
+    # --- positions
 
     def _found_part(self, i: int) -> str:
-        """The part that IMU ``i`` moves with; "" where the steps do not agree."""
+        """The part with which IMU ``i`` moves; "" if the steps do not agree."""
         p, motion = self.params, np.nan_to_num(self._motion[:, i])
         fingers = [k for k, s in enumerate(self.steps) if s.part != HAND]
         best = max(fingers, key=lambda k: motion[k], default=None)
@@ -147,7 +148,7 @@ class WiggleTest:
         return self.steps[best].part
 
     def _places(self, parts: list[str]) -> dict[int, str]:
-        """Segment of each IMU whose part has as many IMUs as the glove file says."""
+        """Segment of each IMU whose part has as many IMUs as in the glove file."""
         out = {}
         for k, step in enumerate(self.steps):
             found = [i for i, part in enumerate(parts) if part == step.part]
@@ -158,7 +159,7 @@ class WiggleTest:
                 out[i] = self.glove.imus[j].segment
         return out
 
-    # --- words
+    # --- texts
 
     def _row(self, i: int, part: str, segment: str) -> WiggleRow:
         imu = self.glove.imus[i]
@@ -181,14 +182,14 @@ class WiggleTest:
         return WiggleRow(imu.name, "right", imu.segment, notice("wiggle.right"))
 
     def _turned(self, i: int, part: str) -> float:
-        """Angle (rad, up to 90°) between the axis it turned about and the flexion axis."""
+        """Angle (rad, up to 90°) between its axis of rotation and the flexion axis."""
         k = next(k for k, s in enumerate(self.steps) if s.part == part)
         axis_B = self.glove.imus[i].R_BI @ self._axis[k, i]
         return float(np.arccos(min(1.0, abs(float(axis_B[1])))))
 
 
 def _axes(samples: Sequence[ImuSample]) -> Array:
-    """(n, 3): the axis in I about which each IMU turned most; NaN where silent."""
+    """(n, 3): the main axis of rotation of each IMU in I; NaN if invalid."""
     gyro = np.array([s.gyro for s in samples])
     out = np.full(gyro.shape[1:], np.nan)
     for i in range(gyro.shape[1]):
@@ -203,7 +204,7 @@ def _part(segment: str) -> str:
 
 
 def _depth(hand: HandModel, segment: str) -> int:
-    """Joints between a segment and the dorsum."""
+    """Number of joints between a segment and the dorsum."""
     depth, row = 0, hand.index[segment]
     while hand.parent[row] >= 0:
         depth, row = depth + 1, hand.parent[row]

@@ -31,7 +31,7 @@ def exp3(v: Vector) -> Matrix:
 
 @kernel
 def mul3(A: Matrix, B: Matrix) -> Matrix:
-    """A B of two (3, 3): BLAS takes four times as long for so little."""
+    """A B of two (3, 3): BLAS takes four times as long at this size."""
     out = np.empty((3, 3))
     for i in range(3):
         for j in range(3):
@@ -76,10 +76,11 @@ def nearest_rotation(M: Matrix) -> Matrix:
     """The rotation R (3, 3) with the largest trace of R^T M, for any M (3, 3): Kabsch's.
 
     From the eigenvectors V of M^T M, by Jacobi's rotations, longest first: M V is orthogonal, and
-    the third axes follow from the first two, so that R never mirrors.
+    From the eigenvectors V of M^T M, by Jacobi rotations, in descending order: M V is orthogonal,
+    and the third axes follow from the first two, so that R is never a reflection.
     """
     A, V = tmul3(M, M), np.eye(3)
-    for _ in range(12):  # sweeps; a handful do
+    for _ in range(12):  # sweeps; a few suffice
         off = A[0, 1] ** 2 + A[0, 2] ** 2 + A[1, 2] ** 2
         if off <= 1e-32 * (A[0, 0] ** 2 + A[1, 1] ** 2 + A[2, 2] ** 2):
             break
@@ -96,7 +97,7 @@ def nearest_rotation(M: Matrix) -> Matrix:
 
 @kernel
 def _rotate_away(A: Written[Matrix], V: Written[Matrix], i: int, j: int) -> None:
-    """Jacobi's rotation that makes A[i, j] of a symmetric A (3, 3) zero; V (3, 3) turns along."""
+    """Jacobi rotation that makes A[i, j] of a symmetric A (3, 3) zero; also applied to V (3, 3)."""
     if A[i, j] == 0.0:
         return
     tau = (A[j, j] - A[i, i]) / (2.0 * A[i, j])
@@ -112,14 +113,14 @@ def _rotate_away(A: Written[Matrix], V: Written[Matrix], i: int, j: int) -> None
 
 @kernel
 def _normalised(v: Vector, instead: Vector) -> Vector:
-    """v (3,) at unit length; ``instead`` where it has none."""
+    """v (3,) at unit length; ``instead`` where it is zero."""
     length = np.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
     return v / length if length > 0.0 else instead.copy()
 
 
 @kernel
 def across3(v: Vector) -> Vector:
-    """A unit vector across v (3,)."""
+    """A unit vector perpendicular to v (3,)."""
     x = np.array([0.0, -v[2], v[1]]) if abs(v[0]) < 0.6 else np.array([-v[1], v[0], 0.0])
     return x / np.sqrt(np.sum(x * x))
 
@@ -184,7 +185,7 @@ def joint_angles3(R: Matrix, abducts: bool, twists: bool) -> tuple[float, float,
 
 @kernel
 def _unit(x: float, y: float) -> tuple[float, float]:
-    """Cosine and sine of the angle of (x, y); of zero where both are zero."""
+    """Cosine and sine of the angle of (x, y); of angle zero where both are zero."""
     length = np.sqrt(x * x + y * y)
     if length == 0.0:
         return 1.0, 0.0
@@ -240,7 +241,8 @@ def log3(R: Matrix) -> Vector:
 
 @kernel(nogil=False)
 def relative_rotations(R: Stack, parent: IntVector) -> Matrix:
-    """(n - 1, 3) rotation vectors of matrices (n, 3, 3), but for the first, against their parents.
+    """(n - 1, 3) rotation vectors of matrices (n, 3, 3), except the first, relative to their
+    parents.
 
     ``parent`` (n,) is the row of each.
     """

@@ -103,7 +103,7 @@ def _zyx(R: Array) -> Array:
     """(..., 3) abduction, flexion, twist of R = Rz(abduction) Ry(flexion) Rx(twist).
 
     Flexion is in [-π/2, π/2] by this formula alone, and a finger flexes further; so when the
-    cosine's sign is ambiguous the branch with the smaller |abduction| + |twist| is taken.
+    cosine's sign is ambiguous the branch with the smaller |abduction| + |twist| is used.
     """
     first = np.stack(
         [
@@ -125,14 +125,14 @@ NEAREST_ROUNDS = 12
 def joint_angles(R: Array, abducts: bool = True, twists: bool = True) -> Array:
     """(..., 3) abduction, flexion, twist of joint rotations R (..., 3, 3), for the axes it has.
 
-    Of a joint without twist, the Rz Ry nearest to R: that stays put near 90° of flexion, where
-    abduction and twist turn about the same line and Euler angles jump. Zero where there is no axis.
+    For a joint without twist, the Rz Ry nearest to R: this is continuous near 90° of flexion, where
+    abduction and twist have the same axis and Euler angles jump. Zero where there is no axis.
     """
     if twists:
         return _zyx(R)
     a = np.zeros(R.shape[:-2])
     b = np.arctan2(R[..., 0, 2] - R[..., 2, 0], R[..., 0, 0] + R[..., 2, 2])
-    for _ in range(NEAREST_ROUNDS if abducts else 0):  # either angle in turn, the other one held
+    for _ in range(NEAREST_ROUNDS if abducts else 0):  # alternate between the angles
         c, s = np.cos(b), np.sin(b)
         a = np.arctan2(
             R[..., 1, 0] * c + R[..., 1, 2] * s - R[..., 0, 1],

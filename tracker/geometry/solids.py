@@ -1,8 +1,8 @@
-"""Where lines meet capsules and boxes: the one place for occlusion, images and drawings.
+"""Intersection of lines with capsules and boxes, shared by occlusion, images and drawings.
 
-Two problems: whether a line of sight (from a to b) is cut, and at which depths a ray (o + t d)
-enters and leaves. All kernels take numbers and tuples of them alone: numba counts the references to
-each array that it hands on, which takes longer than all the arithmetic here. Lengths in m.
+Two problems: whether a line of sight (from a to b) is blocked, and at which depths a ray (o + t d)
+enters and leaves. All kernels take numbers and tuples of them only: numba's reference counting of
+passed arrays takes longer than all the arithmetic here. Lengths in m.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from tracker.kernels import kernel
 
 Vector3 = tuple[float, float, float]
 
-PARALLEL = 1e-12  # m, or of a ray's direction, along an axis: below it a line runs along a side
-SAME_WAY = 1e-15  # m², of the cross product per length: lines along each other
+PARALLEL = 1e-12  # m, or of a ray's direction, along an axis: below it a line is parallel to a side
+SAME_WAY = 1e-15  # m², of the cross product per length: parallel lines
 
 
 # --- a line of sight
@@ -24,23 +24,23 @@ SAME_WAY = 1e-15  # m², of the cross product per length: lines along each other
 def nearest_to_axis(
     dd: float, du: float, dw: float, uw: float, length: float
 ) -> tuple[float, float]:
-    """Where a line of sight a + t d, t in 0..1, and an axis x u, x in 0..length, are nearest: t, x.
+    """Closest points of a line of sight a + t d, t in 0..1, and an axis x u, x in 0..length: t, x.
 
-    From products of d, of the unit vector u and of w, which leads from the axis' begin to a.
+    From products of d, of the unit vector u and of w, the vector from the start of the axis to a.
     Ericson, Real-Time Collision Detection (2005), section 5.1.9.
     """
     cross = dd - du * du  # of the two directions, squared, over length squared
     t = 0.0
     if cross > SAME_WAY:
         t = min(max((du * uw - dw) / cross, 0.0), 1.0)
-    x = min(max(uw + t * du, 0.0), length)  # nearest on the axis to that point of the line
+    x = min(max(uw + t * du, 0.0), length)  # point of the axis nearest to that of the line
     t = min(max((x * du - dw) / dd, 0.0), 1.0)
     return t, min(max(uw + t * du, 0.0), length)
 
 
 @kernel(inline="always")
 def sight_cuts_capsule(a: Vector3, b: Vector3, length: float, radius: float) -> bool:
-    """Whether the line a-b comes within ``radius`` of the axis (0, 0, 0)-(length, 0, 0)."""
+    """Whether the line a-b is within ``radius`` of the axis (0, 0, 0)-(length, 0, 0)."""
     d0, d1, d2 = b[0] - a[0], b[1] - a[1], b[2] - a[2]
     dd = d0 * d0 + d1 * d1 + d2 * d2
     da = d0 * a[0] + d1 * a[1] + d2 * a[2]
@@ -51,7 +51,7 @@ def sight_cuts_capsule(a: Vector3, b: Vector3, length: float, radius: float) -> 
 
 @kernel(inline="always")
 def sight_cuts_box(a: Vector3, b: Vector3, lower: Vector3, upper: Vector3) -> bool:
-    """Whether the line a-b passes through the box between two corners (slab method)."""
+    """Whether the line a-b intersects the box between two corners (slab method)."""
     low, high = 0.0, 1.0
     for i in range(3):
         d = b[i] - a[i]
@@ -69,16 +69,17 @@ def sight_cuts_box(a: Vector3, b: Vector3, lower: Vector3, upper: Vector3) -> bo
 
 @kernel(error_model="numpy", inline="always")
 def capsule_depth(o: Vector3, d: Vector3, length: float, radius: float, side: float) -> float:
-    """Where o + t d enters (``side`` -1) or leaves (1) a capsule around x from 0 to ``length``.
+    """Depth at which o + t d enters (``side`` -1) or leaves (1) a capsule along x from 0 to
+    ``length``.
 
     0 where the ray misses.
     """
     a, b = d[1] * d[1] + d[2] * d[2], o[1] * d[1] + o[2] * d[2]
     c = o[1] * o[1] + o[2] * o[2] - radius * radius
     h = b * b - a * c
-    if h < 0.0:  # past the endless cylinder, which the balls lie in
+    if h < 0.0:  # misses the infinite cylinder, which contains the spheres
         return 0.0
-    end = length if side * d[0] > 0.0 else 0.0  # of a ray along the axis
+    end = length if side * d[0] > 0.0 else 0.0  # for a ray along the axis
     if length > 0.0 and a > PARALLEL * d[0] * d[0]:
         t = (-b + side * np.sqrt(h)) / a
         x = o[0] + t * d[0]

@@ -1,8 +1,7 @@
-"""The surface of a closed triangle mesh: its nearest point, and how far in or out one is.
+"""The surface of a closed triangle mesh: nearest point and signed distance.
 
 Triangles are in small groups with a bounding box each, so that only few of a large mesh are tested.
 Inside or outside is determined by the angle-weighted normal of the nearest face, edge or corner
-
 (Bærentzen & Aanæs 2005, doi:10.1109/TVCG.2005.49). Lengths in m.
 """
 
@@ -34,7 +33,7 @@ class Triangles(NamedTuple):
 
 
 class Nearest(NamedTuple):
-    """Of n points: nearest (n, 3) on the surface, normal (n, 3) there, of length 1 outwards, and
+    """For n points: nearest (n, 3) on the surface, normal (n, 3) there, outward of length 1, and
     distance (n,), negative inside."""
 
     point: Matrix
@@ -43,7 +42,8 @@ class Nearest(NamedTuple):
 
 
 def triangles_of(points: Array, faces: IntArray) -> Triangles:
-    """Of points (V, 3) and faces (F, 3), counter-clockwise from outside; those without area go."""
+    """From points (V, 3) and faces (F, 3), counter-clockwise from outside; degenerate ones are
+    omitted."""
     corners = points[faces]
     flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     whole = (flat * flat).sum(axis=1) > SMALLEST
@@ -85,7 +85,7 @@ def _normals(faces: IntArray, corners: Array, face: Array) -> Array:
 
 
 def _grouped(middle: Array) -> IntArray:
-    """(F,) an order in which `GROUP` triangles after each other lie near each other."""
+    """(F,) an order in which `GROUP` successive triangles are near each other."""
     out: list[IntArray] = []
     waiting = [np.arange(len(middle))]
     while waiting:
@@ -101,7 +101,7 @@ def _grouped(middle: Array) -> IntArray:
 
 
 def nearest(mesh: Triangles, points: Array) -> Nearest:
-    """Of points (n, 3)."""
+    """The nearest surface points of points (n, 3)."""
     n = len(points)
     out = Nearest(np.empty((n, 3)), np.empty((n, 3)), np.empty(n))
     _nearest(mesh, np.ascontiguousarray(points, float), out)
@@ -148,7 +148,7 @@ def _box_distance(low: Matrix, high: Matrix, g: int, p: tuple[float, float, floa
 def on_triangle(
     corners: Stack, k: int, p: tuple[float, float, float]
 ) -> tuple[tuple[float, float, float], int]:
-    """The point of a triangle nearest to p, and the row of `Triangles.normals` that it has.
+    """The point of a triangle nearest to p, and the applicable row of `Triangles.normals`.
 
     Ericson, Real-Time Collision Detection (2005), section 5.1.5.
     """

@@ -1,1 +1,1 @@
-"""Gestures of a tracked hand, in OpenXR's words: what it shows, when each begins and ends."""
+"""Gestures of a tracked hand, in OpenXR's terms: their values, and when each begins and ends."""

@@ -1,4 +1,4 @@
-"""Begin and end of gestures: hysteresis, a short delay, no gesture of a hand that is lost.
+"""Begin and end of gestures: hysteresis, a short delay, no gestures while the hand is lost.
 
 The confidence of a gesture is that of the measurement, not the extent of the gesture. A finger
 without a sensor is inferred from the others, and its pinch cannot be distinguished from its
@@ -29,9 +29,9 @@ LEAST_SD = 1e-4  # m
 
 
 def confidence(gesture: str, shape: GestureShape, params: GestureParams) -> float:
-    """0 to 1. Of a pinch: the probability that pads are within reach of one another, and that no
-    other finger's are nearer, as if the gaps' errors were normal and apart. Of the others: the
-    share of the fingers that sensors tell. 0 where a part is lost."""
+    """0 to 1. For a pinch: the probability that the pads are within reach of one another, and that
+    no other finger's are closer, with the errors of the gaps assumed normal and independent. For
+    the others: the share of the fingers measured by sensors. 0 where a part is lost."""
     if gesture in PINCHES:
         return _of_pinch(PINCHES.index(gesture), shape, params)
     known = [m and math.isfinite(b) for m, b in zip(shape.measured, shape.bend, strict=True)]
@@ -57,12 +57,12 @@ def _below(mean: float, sd: float) -> float:
 
 
 KIND = "gesture"
-WAIT = 0.03  # s that a value must last, to begin and to end: three packets
+WAIT = 0.03  # s for which a value must persist, to begin and to end: three packets
 
 
 class StartRule(NamedTuple):
-    """A gesture begins when its value has been above ``above`` for ``wait`` s, or ``plain_wait``
-    where it is above `PLAIN` by then."""
+    """A gesture begins when its value has been above ``above`` for ``wait`` s, or ``plain_wait`` if
+    it is then above `PLAIN`."""
 
     above: float = BEGINS_AT
     wait: float = WAIT
@@ -72,20 +72,20 @@ class StartRule(NamedTuple):
 USUAL = StartRule()
 PLAIN = 0.95
 UNSURE = {"open_palm": StartRule(PLAIN), "grasp": StartRule(0.75, 0.15, 0.06)}
-"""Where some fingers are inferred. Fingers that close take their neighbours along, but beside some
-that are straight or half bent others may differ: of simulated people who moved freely, ring and
-little finger inferred, 36 of 39 false starts in 31 minutes were of these two. Hands that bend or
-straighten pass by a grasp within 0.15 s."""
+"""Used where some fingers are inferred. Closing fingers move their neighbours along, but next to
+straight or half-bent fingers others may differ: of simulated people who moved freely, with ring and
+little finger inferred, 36 of 39 false starts in 31 minutes were of these two gestures. Hands that
+bend or straighten pass through a grasp within 0.15 s."""
 NEVER = StartRule(math.inf)
-MUCH_MORE = 0.2  # by which another posture's value must exceed that of the one that stands
-NEARER = 0.006  # m by which another finger's pad must be nearer than that of the pinch that stands
+MUCH_MORE = 0.2  # by which another posture's value must exceed that of the active one
+NEARER = 0.006  # m by which another finger's pad must be closer than that of the active pinch
 LOSES_AFTER = 0.1  # s for which a gesture continues after its features are lost
-LARGEST_SD = 0.012  # m, of the gap of a pinch that is believed to begin
+LARGEST_SD = 0.012  # m, of the gap of a pinch, above which it does not begin
 
 
 class Phase(NamedTuple):
-    """A gesture begins or ends; ``value`` 0 to 1 as it was then, ``confidence`` 0 to 1 of what is
-    measured and not inferred (`confidence`); 0 of a hand that is lost."""
+    """A gesture begins or ends; ``value`` 0 to 1 at that time, ``confidence`` 0 to 1 of what is
+    measured and not inferred (`confidence`); 0 while the hand is lost."""
 
     gesture: str
     begins: bool
@@ -96,16 +96,16 @@ class Phase(NamedTuple):
 
 @dataclass
 class _One:
-    """Where one gesture stands."""
+    """The state of one gesture."""
 
     active: bool = False
-    since: float = math.nan  # when what speaks for a change began
+    since: float = math.nan  # when the evidence for a change began
     known: float = -math.inf  # when the value was last known
     value: float = field(default=math.nan)
 
 
 class GestureRecogniser:
-    """Fed with one hand's estimates in order; the same estimates give the same gestures."""
+    """Processes one hand's estimates in order; the same estimates give the same gestures."""
 
     def __init__(
         self,
@@ -121,7 +121,7 @@ class GestureRecogniser:
 
     @property
     def active(self) -> tuple[str, ...]:
-        """Gestures that are shown now."""
+        """The active gestures."""
         return tuple(name for name, one in self._ones.items() if one.active)
 
     @property
@@ -134,11 +134,11 @@ class GestureRecogniser:
 
     @property
     def values(self) -> dict[str, float]:
-        """How much of each the last estimate shows, 0 to 1; NaN where that is lost."""
+        """Values of the last estimate, 0 to 1; NaN where the gesture is lost."""
         return {name: one.value for name, one in self._ones.items()}
 
     def feed(self, estimate: Estimate) -> list[Phase]:
-        """What begins and ends with an estimate."""
+        """Returns the gestures that begin or end with an estimate."""
         t, found = estimate.t, self._values(estimate)
         leader = _leader(found, self._ones, self._gaps())
         changing = []
@@ -154,7 +154,7 @@ class GestureRecogniser:
         return sorted(phases, key=lambda phase: phase.begins)  # one ends before the next begins
 
     def _in_the_way(self, name: str) -> list[str]:
-        """Those that end at once where another of their kind begins."""
+        """Active gestures that end immediately when another of their kind begins."""
         kind = PINCHES if name in PINCHES else POSTURES if name in POSTURES else ()
         return [other for other in kind if self._ones[other].active]
 
@@ -165,7 +165,7 @@ class GestureRecogniser:
         return Phase(name, one.active, t, _shown(one.value), sure)
 
     def _gaps(self) -> dict[str, float]:
-        """m between pads, by pinch; infinite where that is not known."""
+        """m between pads, by pinch; infinite where unknown."""
         gaps = self._shape.gap if self._shape else (math.inf,) * len(PINCHES)
         return {n: math.inf if math.isnan(g) else g for n, g in zip(PINCHES, gaps, strict=True)}
 
@@ -177,12 +177,12 @@ class GestureRecogniser:
         found = values(shape, self._params)
         for name, sd in zip(PINCHES, shape.gap_sd, strict=True):
             if sd > LARGEST_SD and not self._ones[name].active:
-                found[name] = math.nan  # too little is known of the gap
+                found[name] = math.nan  # the gap is too uncertain
         return found
 
     def _changes(self, name: str, t: float, leads: bool) -> bool:
-        """Whether a gesture begins or ends now. Its value may last for as long as it has to while
-        another one still leads: then it begins as soon as that does no more."""
+        """Whether a gesture begins or ends now. Its value may persist while another gesture still
+        has priority: then it begins as soon as that ends."""
         one, start = self._ones[name], USUAL
         if one.active and math.isnan(one.value):
             return t - one.known > LOSES_AFTER
@@ -200,8 +200,7 @@ class GestureRecogniser:
         return (leads or one.active) and t - one.since >= wait - 1e-9
 
     def _start(self, name: str) -> StartRule:
-        """What it takes to begin; of a posture of which nothing is measured that is more than there
-        can be."""
+        """The conditions to begin; for a posture without any measurement they cannot be met."""
         if name not in POSTURES or self._shape is None:
             return USUAL
         sure = confidence(name, self._shape, self._params)
@@ -211,11 +210,11 @@ class GestureRecogniser:
 
 
 def _leader(found: dict[str, float], ones: dict[str, _One], gap: dict[str, float]) -> set[str]:
-    """At most one pinch and, where there is none, one posture: that which stands, or has most; and
-    a poke of a hand that points.
+    """At most one pinch and, without a pinch, one posture: the active one, or the one with the
+    largest value; and a poke of a pointing hand.
 
-    Of two pinches it is that whose pads, by their ``gap`` (m), are the nearer. A pinch stands
-    before a grasp, which it looks like; a fist and a thumb up before a pinch.
+    Of two pinches it is the one whose pads, by their ``gap`` (m), are closer. A pinch has priority
+    over a grasp, which it resembles; a fist and a thumb up over a pinch.
     """
     pinch, posture = _pinch(found, ones, gap), _posture(found, ones)
     if pinch and posture in ("thumb_up", "fist"):
@@ -251,7 +250,7 @@ def _shown(value: float) -> float:
 
 
 def gesture_event(phase: Phase, side: str) -> Event:
-    """As sessions and streams have it (docs/sessions.md)."""
+    """The event for sessions and streams (docs/sessions.md)."""
     return Event(
         phase.t,
         KIND,

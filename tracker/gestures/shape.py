@@ -17,24 +17,24 @@ from tracker.hand.names import CHAINS, FINGERS
 from tracker.messages import Estimate, Validity
 
 UNKNOWN = math.nan
-NONE = -1  # the row of what a hand has not
+NONE = -1  # row of a missing part
 LOST, MEASURED = int(Validity.LOST), int(Validity.MEASURED)
-PAD = 0.004  # m before the tip: the middle of the pad, where thumb and finger meet
+PAD = 0.004  # m before the tip: centre of the pad, where thumb and finger touch
 FLEXIONS = ("mcp", "pip", "dip")
-THRUST = 0.2  # s that the way of a thrust is measured over
+THRUST = 0.2  # s over which a thrust is measured
 MOMENT = 1e-6  # s
 SHORTEST = 1e-6  # m
 
 
 class GestureShape(NamedTuple):
-    """One instant's; NaN where unknown, rows in the order of `FINGERS`.
+    """The features at one time; NaN where unknown, rows in the order of `FINGERS`.
 
-    bend (4,) rad: sum of a finger's three flexions; measured (4,): sensors tell one of them, else
-    all are inferred. thumb_bend rad: of the thumb's two outer joints. gap (4,) m: from the thumb's
-    end to each finger's, between surfaces, with gap_sd (4,) m.
-    thumb_off m: from the thumb's tip to the nearest of the index finger's bones.
-    across m: from the thumb's tip to the middle fingertip. thrust m: how much farther the index
-    fingertip went along its finger than to a side, in the last `THRUST` s.
+    bend (4,) rad: sum of a finger's three flexions; measured (4,): at least one of them is
+    measured, else all are inferred. thumb_bend rad: of the thumb's two outer joints. gap (4,) m:
+    from the thumb's end to each finger's, between surfaces, with gap_sd (4,) m. thumb_off m: from
+    the thumb's tip to the nearest of the index finger's bones. across m: from the thumb's tip to
+    the middle fingertip. thrust m: displacement of the index fingertip along its finger minus that
+    to a side, in the last `THRUST` s.
     """
 
     bend: tuple[float, ...]
@@ -48,8 +48,8 @@ class GestureShape(NamedTuple):
 
 
 class _PlainEstimate(NamedTuple):
-    """An estimate as Python numbers. There are so few that arrays would take ten times as long as
-    the arithmetic, which runs in the tracking thread."""
+    """An estimate as Python numbers. For so few values, arrays would take ten times as long as the
+    arithmetic, which runs in the tracking thread."""
 
     t: float
     p: list[list[float]]
@@ -60,7 +60,7 @@ class _PlainEstimate(NamedTuple):
 
 
 class ShapeReader:
-    """Reads shapes out of the estimates of one hand, in order."""
+    """Computes shapes from the estimates of one hand, in order."""
 
     def __init__(self, hand: HandModel, keypoint_names: tuple[str, ...]) -> None:
         row = {name: i for i, name in enumerate(keypoint_names)}
@@ -76,10 +76,10 @@ class ShapeReader:
         self._thumb_bend = angles("thumb", "mcp", "ip")
         self._ends = {f: points(f, "ip" if f == "thumb" else "dip", "tip") for f in CHAINS}
         self._index = points("index", "mcp", "pip", "dip", "tip")
-        self._way: deque[tuple[float, list[float]]] = deque()  # of the index fingertip
+        self._way: deque[tuple[float, list[float]]] = deque()  # trajectory of the index fingertip
 
     def read(self, estimate: Estimate) -> GestureShape:
-        """The shape that an estimate tells; a finger whose parts are lost is unknown."""
+        """The shape in an estimate; a finger with lost parts is unknown."""
         e = _PlainEstimate(
             estimate.t,
             estimate.keypoints.tolist(),
@@ -124,7 +124,7 @@ class ShapeReader:
         return UNKNOWN if _lost(rows, e.state) else math.dist(e.p[rows[0]], e.p[rows[1]])
 
     def _thrust(self, e: _PlainEstimate) -> float:
-        """Unknown until the fingertip has been seen for that long."""
+        """Unknown until the fingertip has been measured for `THRUST` s."""
         rows, way, t = (self._index[0], self._index[-1]), self._way, e.t
         if _lost(rows, e.state):
             way.clear()
@@ -149,7 +149,7 @@ class _Bone(NamedTuple):
 
 
 def _lost(rows: tuple[int, ...], states: list[int]) -> bool:
-    """Whether one of them is, or is no part of the hand."""
+    """Whether any of them is lost or missing."""
     return min(rows) < 0 or LOST in [states[row] for row in rows]
 
 
@@ -170,7 +170,7 @@ def _between(thumb: _Bone | None, other: _Bone | None) -> tuple[float, float]:
 
 
 def _ahead(before: list[float], tip: list[float], base: list[float]) -> float:
-    """m that a point went along its finger, less what it went to a side."""
+    """m that a point moved along its finger, minus its motion to a side."""
     length = max(math.dist(tip, base), SHORTEST)
     went = [x - y for x, y in zip(tip, before, strict=True)]
     along = sum(w * (x - y) / length for w, x, y in zip(went, tip, base, strict=True))
@@ -179,7 +179,7 @@ def _ahead(before: list[float], tip: list[float], base: list[float]) -> float:
 
 
 def _from_line(p: list[float], a: list[float], b: list[float]) -> float:
-    """m from a point to the piece of line between two."""
+    """m from a point to the line segment between two points."""
     d = [y - x for x, y in zip(a, b, strict=True)]
     share = sum((z - x) * w for z, x, w in zip(p, a, d, strict=True))
     share = min(max(share / max(sum(w * w for w in d), 1e-12), 0.0), 1.0)

@@ -1,8 +1,8 @@
-"""How much of each gesture a shape shows, from 0 to 1.
+"""The value of each gesture for a shape, from 0 to 1.
 
-OpenXR's XR_EXT_hand_interaction gives pinch, grasp, aim and poke such values; the others are the
-field's. A value is the least of its conditions, each a ramp over what people do, so a little more
-of an angle is a little more of a value and no threshold stands in two places.
+OpenXR's XR_EXT_hand_interaction defines such values for pinch, grasp, aim and poke; the others are
+common in the field. A value is the minimum of its conditions, each a ramp over the human range, so
+values are continuous and each threshold is defined once.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from tracker.hand.names import FINGERS
 
 PINCHES = tuple(f"pinch_{finger}" for finger in FINGERS)
 POSTURES = ("thumb_up", "fist", "point", "open_palm", "grasp")
-"""Of these a hand shows one at a time; the earlier is the more particular."""
+"""At most one of these is active at a time; earlier ones are more specific."""
 POKE = "poke"
-"""What a hand does while it points."""
+"""Performed in addition to pointing."""
 GESTURES = (*PINCHES, *POSTURES, POKE)
 BEGINS_AT, ENDS_AT = 0.6, 0.3
 """Values at which a gesture begins and ends."""
@@ -39,13 +39,13 @@ class Ramp(NamedTuple):
 
 
 class GestureParams(NamedTuple):
-    """Angles are sums of a finger's flexions. What is asked of a wearer in the guided poses (a fist
-    of 235° and straight fingers within 15°) lies well inside; free motion mostly between."""
+    """Angles are sums of a finger's flexions. The guided poses (a fist of 235° and straight fingers
+    within 15°) are well within the range; free motion is mostly in between."""
 
     clenched: Ramp = Ramp(math.radians(140.0), math.radians(195.0))
-    curled: Ramp = Ramp(math.radians(110.0), math.radians(165.0))  # beside a pointing finger
+    curled: Ramp = Ramp(math.radians(110.0), math.radians(165.0))  # next to a pointing finger
     straight: Ramp = Ramp(math.radians(75.0), math.radians(35.0))
-    around: Ramp = Ramp(math.radians(40.0), math.radians(90.0))  # about an object
+    around: Ramp = Ramp(math.radians(40.0), math.radians(90.0))  # around an object
     not_clenched: Ramp = Ramp(math.radians(205.0), math.radians(165.0))
     thumb_straight: Ramp = Ramp(math.radians(65.0), math.radians(35.0))
     thumb_away: Ramp = Ramp(0.040, 0.058)  # m from the index finger's bones
@@ -53,7 +53,7 @@ class GestureParams(NamedTuple):
     opposed: Ramp = Ramp(0.110, 0.085)  # m between the tips of thumb and middle finger
     apart: Ramp = Ramp(0.015, 0.030)  # and not yet closed
     touching: Ramp = Ramp(0.030, 0.004)  # m between pads
-    thrust: Ramp = Ramp(0.010, 0.025)  # m ahead in 0.2 s
+    thrust: Ramp = Ramp(0.010, 0.025)  # m forward in 0.2 s
 
 
 def values(shape: GestureShape, params: GestureParams) -> dict[str, float]:
@@ -73,22 +73,22 @@ def values(shape: GestureShape, params: GestureParams) -> dict[str, float]:
         "fist": _least(*clenched, p.thumb_near.of(s.thumb_off)),
         "point": point,
         "open_palm": _least(*straight, thumb_straight),
-        # fingers about an object, the thumb against them
+        # fingers around an object, with the thumb opposed
         "grasp": _least(*around, p.opposed.of(s.across), p.apart.of(s.across)),
-        POKE: _least(point, p.thrust.of(s.thrust)),  # the pointing finger is thrust ahead
+        POKE: _least(point, p.thrust.of(s.thrust)),  # thrust of the pointing finger
     }
 
 
 def _pinch(finger: int, s: GestureShape, p: GestureParams) -> float:
-    """In a fist a finger holds its pad to the palm, not to the thumb's; with the others out of the
-    way it may be bent as far, and pinches."""
+    """In a fist a finger's pad touches the palm, not the thumb's pad; if the other fingers are
+    extended it may be bent as far, and pinches."""
     others = (sum(s.bend) - s.bend[finger]) / (len(s.bend) - 1)
     bend = _least(s.bend[finger], others)
     return _least(p.touching.of(s.gap[finger]), p.not_clenched.of(bend))
 
 
 def _least(*conditions: float) -> float:
-    """NaN where one is unknown."""
+    """NaN where any is unknown."""
     least = math.inf
     for condition in conditions:
         if math.isnan(condition):

@@ -12,7 +12,7 @@ from tracker.hand.names import KEYPOINTS
 
 
 def load_glove(path: Path, hand: HandModel) -> GloveModel:
-    """Read a glove file for ``hand``. Raises FileError in words, with file, key and line."""
+    """Read a glove file for ``hand``. Raises FileError with file, key and line."""
     return parse_glove(read_text(Path(path)), hand, str(path))
 
 

@@ -1,6 +1,6 @@
 """Hand files, glove files and colour profiles by name or by path.
 
-A name is looked up in the user's own folder first, then among those that travel with the program.
+A name is searched for in the user's own folder first, then among the files included in the program.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ DEFAULT_COLOURS = "fabric-default"
 
 
 def user_folder(kind: str) -> Path:
-    """Where a user's own files of ``kind`` live; it need not exist."""
+    """The folder of a user's own files of ``kind``; it need not exist."""
     return user_data_path("glovetrack", appauthor=False) / kind
 
 
 def names(kind: str) -> list[str]:
-    """All names of ``kind``, the user's and ours, sorted."""
+    """All names of ``kind``, the user's and the included ones, sorted."""
     own = [p.stem for p in user_folder(kind).glob("*.toml")]
     ours = [p.name.removesuffix(".toml") for p in folder(kind).iterdir() if p.name[-5:] == ".toml"]
     return sorted({*own, *ours})
@@ -38,7 +38,7 @@ def names(kind: str) -> list[str]:
 def text(kind: str, name: str) -> str:
     """The text of a file given by name or path.
 
-    Raises FileError naming the choices.
+    Raises FileError that lists the choices.
     """
     path = Path(name)
     if path.suffix or len(path.parts) > 1:
@@ -65,7 +65,7 @@ def _named(kind: str, name: str) -> tuple[str, str]:
 
 
 def texts(glove: str = DEFAULT_GLOVE, hand: str | None = None) -> tuple[str, str]:
-    """(hand text, glove text) as `load` reads them, which it can. Raises FileError as it does."""
+    """(hand text, glove text) as read by `load`, and validated. Raises FileError as it does."""
     load(glove, hand)  # its errors name the files
     glove_text = text("gloves", glove)
     return text("hands", hand or glove_hand_name(glove_text, glove)), glove_text

@@ -1,4 +1,4 @@
-"""The same hand and glove of the other side: the mirror image in y of each segment's frame B."""
+"""The hand and glove of the other side: the mirror image in y of each segment's frame B."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tracker.messages import Array
 
 MIRROR = np.diag([1.0, -1.0, 1.0])
 TURNED = ("abduction", "twist")
-"""Axes about which a mirrored hand turns the other way; +flexion bends a finger on both sides."""
+"""Axes about which a mirrored hand rotates in reverse; +flexion bends a finger on both sides."""
 OTHER = {"left": "right", "right": "left"}
 
 
@@ -31,7 +31,7 @@ def mirrored_hand(hand: HandModel) -> HandModel:
 
 
 def mirrored_glove(glove: GloveModel) -> GloveModel:
-    """A glove of the other side with IMUs and patches at the same places of it."""
+    """A glove of the other side with mirrored IMUs and patches."""
     imus = tuple(
         replace(i, position=i.position * [1, -1, 1], R_BI=_rotation(i.R_BI)) for i in glove.imus
     )

@@ -1,7 +1,7 @@
 """A glove: IMUs and coloured markers fixed to the segments of a hand.
 
-Positions refer to the hand named in the glove's file. Arrays are laid out once, in file order
-(IMUs) or by id (markers), for the code that works on all of them at a time.
+Positions refer to the hand named in the glove's file. Arrays are in file order (IMUs) or ordered by
+id (markers), for vectorised code.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class ImuNoise:
     gyro_bias: float
     """rad/s/√s: random walk of the bias."""
     accel_bias: float
-    """m/s²/√s: the same of the accelerometer."""
+    """m/s²/√s: likewise for the accelerometer."""
 
 
 @dataclass(frozen=True, eq=False)

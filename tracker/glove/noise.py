@@ -1,4 +1,4 @@
-"""The noise of IMUs in the text of a glove file; everything else in the text stays unchanged."""
+"""Writes the noise of IMUs into the text of a glove file; the remaining text is unchanged."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _NOISE = re.compile(r"^\s*noise\s*=")
 
 
 def with_noise(text: str, noise: Mapping[str, ImuNoise]) -> str:
-    """The text of a glove file with the ``noise`` of IMUs by name, replacing what it had.
+    """The text of a glove file with the ``noise`` of IMUs by name, replacing earlier values.
 
     Raises FileError if the file does not have an IMU of one of the names.
     """

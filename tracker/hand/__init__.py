@@ -1,1 +1,1 @@
-"""The skeleton: its file, its kinematics, and the conventions of others."""
+"""The skeleton: its file, its kinematics, and conversion to other conventions."""

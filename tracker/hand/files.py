@@ -16,12 +16,12 @@ ROOT = "dorsum"
 
 
 def load_hand(path: Path) -> HandModel:
-    """Read a hand file. Raises FileError in words, with file, key and line."""
+    """Read a hand file. Raises FileError with file, key and line."""
     return parse_hand(read_text(Path(path)), str(path))
 
 
 def parse_hand(text: str, name: str = "hand.toml") -> HandModel:
-    """A hand from the text of its file; ``name`` stands for the file in messages."""
+    """A hand from the text of its file; ``name`` replaces the file name in messages."""
     root = read_toml(text, name)
     if root.integer("schema") != 1:
         raise root.fail("schema", "must be 1")
@@ -63,7 +63,7 @@ def _rest(t: TomlTable) -> np.ndarray:
 
 
 def _sorted(root: TomlTable, raw: dict[str, Segment]) -> tuple[Segment, ...]:
-    """Parents first, else in the conventions' order; complains about loops and orphans."""
+    """Parents first, otherwise in the conventions' order; raises for loops and orphans."""
     if ROOT not in raw:
         raise root.fail("segments", f"has no {ROOT}")
     for s in raw.values():

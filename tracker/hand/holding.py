@@ -1,7 +1,7 @@
-"""How well a guided pose is held, by what the tracker shows: for whoever leads the wearer.
+"""How well a guided pose is held according to the tracker, as feedback for the wearer.
 
-A pure function of one estimate. It judges what was measured; joints that are only inferred would
-tell the wearer what the tracker believes of him.
+A pure function of one estimate. It evaluates measured joints; inferred ones would only reflect the
+tracker's assumptions.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ from tracker.hand.names import CHAINS, FINGERS
 from tracker.hand.poses import GuidedPose, HeldFlexion
 from tracker.messages import Array, Estimate, Tracking, Validity
 
-ALLOWED = 2.5  # sds of a pose that a joint may be off, besides the tracker's own error
-OWN_ERROR = np.deg2rad(8.0)  # rad, of an angle that is shown
+ALLOWED = 2.5  # sds of a pose by which a joint may deviate, in addition to the tracker's own error
+OWN_ERROR = np.deg2rad(8.0)  # rad, of a displayed angle
 NOTHING_ARRIVES = "nothing"
-"""In place of a joint: the hand that is shown is a guess, for no sensor tells of it any more."""
+"""In place of a joint: the displayed hand is a guess, since no sensor measures it any more."""
 NEAR = (
     0.038  # m between the ends of two fingertips' axes: radii, where pads meet, the tracker's error
 )
-UNPLACED = 0.010  # m more if the mounting of the IMUs is not known from a camera
+UNPLACED = 0.010  # m added if the mounting of the IMUs was not estimated with a camera
 
 
 class Holding(NamedTuple):
-    """``is_held``, and if not what is most amiss: ``joint`` (or the finger to be touched), ``off``
-    rad or m by which it is, ``word`` a short advice in the user's words. One that is taken to be
-    held because nothing measures it has the ``joint``, too."""
+    """``is_held``, and if not the largest deviation: ``joint`` (or the finger to be touched),
+    ``off`` rad or m, ``word`` a short instruction for the user. A pose assumed to be held because
+    nothing measures it has the ``joint``, too."""
 
     is_held: bool
     joint: str = ""
@@ -37,7 +37,7 @@ class Holding(NamedTuple):
 
 
 def how_held(pose: GuidedPose, estimate: Estimate, hand: HandModel) -> Holding:
-    """How ``pose`` is held in ``estimate``."""
+    """Evaluates ``pose`` in ``estimate``."""
     if estimate.tracking == Tracking.SEARCHING:
         return Holding(False, word="Show the hand to the camera")
     if not (estimate.angle_state == int(Validity.MEASURED)).any():
@@ -54,7 +54,7 @@ def how_held(pose: GuidedPose, estimate: Estimate, hand: HandModel) -> Holding:
 
 
 def _joint(held: HeldFlexion, estimate: Estimate, hand: HandModel) -> tuple[float, Holding] | None:
-    """How many times farther off than allowed a joint is; None where nothing measures it."""
+    """The deviation of a joint relative to its limit; None where nothing measures it."""
     column = hand.angle_index.get(f"{held.joint}_flexion", -1)
     if column < 0 or estimate.angle_state[column] != int(Validity.MEASURED):
         return None
@@ -66,7 +66,7 @@ def _joint(held: HeldFlexion, estimate: Estimate, hand: HandModel) -> tuple[floa
 
 
 def _touch(finger: str, estimate: Estimate, hand: HandModel) -> tuple[float, Holding] | None:
-    """The same of the distance between two fingertips; no other may be nearer to the thumb's."""
+    """Likewise for the distance of two fingertips; no other may be closer to the thumb's."""
     known = [f for f in FINGERS if _is_measured(f, estimate, hand)]
     thumb = _tip("thumb", estimate, hand)
     if thumb is None or finger not in known:
@@ -91,6 +91,6 @@ def _tip(digit: str, estimate: Estimate, hand: HandModel) -> Array | None:
 
 
 def _is_measured(finger: str, estimate: Estimate, hand: HandModel) -> bool:
-    """Whether a sensor tells of the finger's middle joint."""
+    """Whether a sensor measures the finger's middle joint."""
     column = hand.angle_index.get(f"{finger}_pip_flexion", -1)
     return column >= 0 and estimate.angle_state[column] == int(Validity.MEASURED)

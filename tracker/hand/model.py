@@ -1,6 +1,6 @@
 """A hand: segments in a tree, joints with free axes and limits, synergies.
 
-Segments are stored parents first, so that one pass over them is a forward kinematics.
+Segments are stored parents first, so that a single pass computes the forward kinematics.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ class Segment:
 class Joint:
     """The joint at a segment's origin; ``limits`` (rad) per free axis name.
 
-    ``stiff`` are free axes that hardly turn, ``fist`` the share of the upper limit of flexion that
-    it takes in a fist.
+    ``stiff`` are free axes that hardly rotate, ``fist`` the flexion in a fist as a share of its
+    upper limit.
     """
 
     name: str
@@ -46,7 +46,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Synergy:
-    """angle = ratio * other + offset (rad), for a joint angle that nothing measures."""
+    """angle = ratio * other + offset (rad), for an unsensed joint angle."""
 
     angle: str
     of: str
@@ -56,12 +56,12 @@ class Synergy:
 
 @dataclass(frozen=True, eq=False)
 class HandModel:
-    """A skeleton of one side at nominal size; ``length_to`` names the segment at whose far end its
-    length ends."""
+    """A skeleton of one side at nominal size; its length is measured to the far end of the segment
+    ``length_to``."""
 
     name: str
     side: str  # "right" or "left"
-    length: float  # wrist to a fingertip, the middle finger's where the file says no other; m
+    length: float  # wrist to a fingertip, by default that of the middle finger; m
     length_to: str
     segments: tuple[Segment, ...]
     joints: tuple[Joint, ...]
@@ -140,7 +140,7 @@ class HandModel:
 
     @cached_property
     def keypoint_names(self) -> tuple[str, ...]:
-        """The 21 of the conventions that this skeleton has."""
+        """Those of the 21 keypoints of the conventions that this skeleton has."""
         return tuple(k for k, (segment, _) in KEYPOINTS.items() if segment in self.index)
 
     @cached_property
@@ -182,10 +182,10 @@ class HandModel:
         return so3.rz(abd) @ so3.ry(flex) @ so3.rx(twist)
 
     def apply_synergies(self, angles: Array, known: Array) -> tuple[Array, Array]:
-        """Fill angles that nothing measures. ``known`` (J,) bool.
+        """Fill unmeasured angles. ``known`` (J,) bool.
 
-        Returns the angles and the mask of those that a synergy gave. Synergies may chain; an angle
-        whose source is itself unknown keeps the value it came with.
+        Returns the angles and the mask of those computed by a synergy. Synergies may be chained; an
+        angle whose source is itself unknown keeps its value.
         """
         out, have = np.array(angles, float), np.array(known, bool)
         inferred = np.zeros(len(out), bool)
@@ -208,7 +208,7 @@ class HandModel:
 
 
 def _inferred_limits(angles: Array, inferred: Array, limits: Array) -> tuple[Array, Array]:
-    """Bounds that hold inferred angles to anatomy and leave measured ones alone."""
+    """Bounds that limit inferred angles to anatomy and leave measured ones unchanged."""
     low = np.where(inferred, limits[:, 0], -np.inf)
     high = np.where(inferred, limits[:, 1], np.inf)
     return low, high

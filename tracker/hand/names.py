@@ -9,7 +9,7 @@ SIDES = ("left", "right")
 """Sides of hands and gloves, in the order in which both hands are listed."""
 
 MARKED_KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
-"""What the markers of the glove show, and what accuracy is stated for (Lee et al. 2021)."""
+"""Joints measured by the markers of the glove, for which accuracy is stated (Lee et al. 2021)."""
 
 FINGERS = ("index", "middle", "ring", "little")
 
@@ -27,15 +27,15 @@ CHAINS = {
 }
 
 STIFF = {"thumb_proximal": ("abduction",)}
-"""Free axes that hardly turn, by the joint's child, where a hand file does not say."""
+"""Free axes that hardly rotate, by the joint's child; default for hand files."""
 
 FIST = dict.fromkeys(CHAINS["thumb"], 0.4) | {
     segment: 0.9 for finger in FINGERS for segment in CHAINS[finger]
 }
-"""Share of a joint's upper limit of flexion that it takes in a fist, by its child, likewise."""
+"""Flexion in a fist as a share of the joint's upper limit, by its child; default for hand files."""
 
 LENGTH_ALONG = ("dorsum", *CHAINS["middle"])
-"""Segments that the hand's length is measured along, as far as a hand has them, likewise."""
+"""Segments along which the hand's length is measured, if present; default for hand files."""
 
 # keypoint -> (segment it belongs to, whether it is that segment's tip)
 KEYPOINTS: dict[str, tuple[str, bool]] = {
@@ -55,9 +55,9 @@ AXES = ("abduction", "flexion", "twist")
 
 
 def bones(keypoints: Sequence[str]) -> list[tuple[int, int]]:
-    """Rows of ``keypoints`` that a bone joins: from the wrist along each finger to its tip.
+    """Rows of ``keypoints`` connected by a bone: from the wrist along each finger to its tip.
 
-    One that is missing is passed over, so its neighbours are joined.
+    A missing keypoint is skipped, so its neighbours are connected.
     """
     row = {name: i for i, name in enumerate(keypoints)}
     out: list[tuple[int, int]] = []

@@ -5,7 +5,7 @@ is B (x to the tip, z dorsal) with its axes renamed, x_X = -y_B, y_X = z_B, z_X 
 sides. OpenXR's world has y up and -z forward, which renames G's axes in the same way.
 
 The skeleton has no metacarpals of the fingers and no palm joint: these are placed on the dorsum and
-never better than inferred.
+are at best inferred.
 """
 
 from __future__ import annotations
@@ -49,13 +49,13 @@ KEYPOINT_OF = {
     **{f"{f}_tip": f"{f}_tip" for f in FINGERS},
 }
 
-METACARPAL_BASE = 0.25  # of the way from wrist to knuckle: where the carpus ends
+METACARPAL_BASE = 0.25  # of the distance from wrist to knuckle: distal end of the carpus
 PALM = 0.625  # the middle metacarpal's centre on the same line
 ON_DORSUM = (
     *zip(METACARPALS, KNUCKLES, [METACARPAL_BASE] * len(FINGERS), strict=True),
     (PALM_JOINT, JOINTS.index("middle_proximal"), PALM),
 )
-"""Joints without a keypoint, each with the knuckle and the share of the way to it."""
+"""Joints without a keypoint, each with the knuckle and the fraction of the distance to it."""
 
 # XrSpaceLocationFlags
 ORIENTATION_VALID, POSITION_VALID, ORIENTATION_TRACKED, POSITION_TRACKED = 1, 2, 4, 8
@@ -100,8 +100,8 @@ def to_openxr(estimate: Estimate, keypoint_names: Sequence[str], radii: Array) -
 
 @dataclass(frozen=True, eq=False)
 class PointMotion:
-    """How n points of a hand move; NaN where unknown. linear (n, 3) m/s and angular (n, 3) rad/s in
-    the axes of their positions; linear_sd, angular_sd (n,) as in a `Motion`."""
+    """The motion of n points of a hand; NaN where unknown. linear (n, 3) m/s and angular (n, 3)
+    rad/s in the axes of their positions; linear_sd, angular_sd (n,) as in a `Motion`."""
 
     linear: Array
     angular: Array
@@ -112,10 +112,10 @@ class PointMotion:
 def openxr_motion(
     estimate: Estimate, keypoint_names: Sequence[str], joints: OpenXrHand
 ) -> PointMotion:
-    """How the ``joints`` of an estimate, in the order of `JOINTS`, move in OpenXR's world.
+    """The motion of an estimate's ``joints``, in the order of `JOINTS`, in OpenXR's world.
 
-    Those on the dorsum move between wrist and knuckle and turn with the wrist; they are as unsure
-    as both.
+    Those on the dorsum are interpolated between wrist and knuckle and rotate with the wrist; their
+    variances are the sum of both.
     """
     m, nothing = estimate.motion, np.full((len(JOINTS), 3), np.nan)
     if m is None:
@@ -142,17 +142,17 @@ def _joint_sds(sd: Array, rows: IntArray) -> Array:
 
 
 def joint_radii(hand: HandModel) -> Array:
-    """(26,) m: half the thickness of the bone that a joint begins, or at a tip ends.
+    """(26,) m: half the thickness of the bone that starts at a joint, or ends at a tip.
 
-    Palm, wrist and the fingers' metacarpals have that of the dorsum; NaN where the hand has no
-    such bone.
+    Palm, wrist and the fingers' metacarpals have that of the dorsum; NaN where the hand has no such
+    bone.
     """
     found = (hand.index.get(_segment_at(joint)) for joint in JOINTS)
     return np.array([np.nan if i is None else hand.segments[i].radius for i in found])
 
 
 def _segment_at(joint: str) -> str:
-    """Name of the segment whose thickness a joint has."""
+    """Name of the segment that defines the thickness at a joint."""
     if joint in KEYPOINT_OF:
         return KEYPOINTS[KEYPOINT_OF[joint]][0]
     return KEYPOINTS["wrist"][0]
@@ -161,7 +161,7 @@ def _segment_at(joint: str) -> str:
 def openxr_joints(
     keypoints: Array, q: Array, state: IntArray, keypoint_names: Sequence[str], radii: Array
 ) -> OpenXrHand:
-    """The joints of one instant or of many at once.
+    """The joints at one or several times.
 
     keypoints (..., K, 3) m and q (..., K, 4) xyzw of each one's segment, both in G; state (..., K)
     of Validity; radii (26,) m.
@@ -210,8 +210,8 @@ def _add_palm(p: Array, q: Array, state: IntArray) -> None:
 
 
 def _along(bone: Array, q_wrist: Array) -> Array:
-    """(..., 4) joints whose -z is along ``bone`` (..., 3), with y as near to that of the wrist's
-    (..., 4) as can be."""
+    """(..., 4) joints whose -z is along ``bone`` (..., 3), with y as close to that of the wrist's
+    (..., 4) as possible."""
     z = _unit(-bone)
     x = _unit(_cross(_y_axis(q_wrist), z))
     R = np.stack([x, _cross(z, x), z], axis=-1)
@@ -223,7 +223,7 @@ def _unit(v: Array) -> Array:
 
 
 def _cross(a: Array, b: Array) -> Array:
-    """As np.cross, in a tenth of its time for a few rows."""
+    """As np.cross, ten times as fast for a few rows."""
     ahead, behind = [1, 2, 0], [2, 0, 1]
     return np.asarray(a[..., ahead] * b[..., behind] - a[..., behind] * b[..., ahead])
 

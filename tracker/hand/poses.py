@@ -1,7 +1,7 @@
-"""Poses that a wearer is asked to hold, so that the tracker learns what free motion does not show.
+"""Guided poses: a wearer holds them on request, to determine what free motion does not.
 
-What is true of each is what people manage (docs/sessions.md, "Guided poses"): values with standard
-deviations, not exact truth.
+Their values are those people achieve (docs/sessions.md, "Guided poses"), with standard deviations,
+not exact ones.
 """
 
 from __future__ import annotations
@@ -13,16 +13,17 @@ import numpy as np
 
 from tracker.hand.names import FINGERS
 
-HELD = 2.0  # s that each pose is held
-BETWEEN = 1.5  # s from one pose to the next
-LATE = 0.5  # s after the beginning by which a wearer has reached the pose
-EARLY = 0.2  # s before the end at which he may let it go
+HELD = 2.0  # s for which each pose is held
+BETWEEN = 1.5  # s between two poses
+LATE = 0.5  # s after the start by which a wearer has reached the pose
+EARLY = 0.2  # s before the end at which a wearer may release it
 
 
 class HeldFlexion(NamedTuple):
     """Flexion of a joint (``index_pip``) while a pose is held: value and sd, rad.
 
-    ``by_will``: the joint is held so whatever it does by itself, which it tells little of.
+    ``by_will``: the joint is held actively, so the value contains little information on its
+    synergy.
     """
 
     joint: str
@@ -33,8 +34,8 @@ class HeldFlexion(NamedTuple):
 
 @dataclass(frozen=True)
 class GuidedPose:
-    """``words`` tell the wearer what to do; ``touches`` is the finger whose pad the thumb's pad
-    touches, ``on_table``: fingertips and palm lie in one plane."""
+    """``words`` is the instruction to the wearer; ``touches`` is the finger whose pad the thumb's
+    pad touches, ``on_table``: fingertips and palm lie in one plane."""
 
     name: str
     words: str
@@ -46,8 +47,8 @@ class GuidedPose:
 def _each(
     mcp: tuple[float, float], pip: tuple[float, float], dip: tuple[float, float]
 ) -> tuple[HeldFlexion, ...]:
-    """Of all four fingers: value and sd in degrees. A table, or the other fingers, hold the end
-    joints as they are, whatever these do by themselves."""
+    """For all four fingers: value and sd in degrees. A table, or the other fingers, hold the end
+    joints in place, independent of their synergies."""
     return tuple(
         HeldFlexion(
             f"{finger}_{joint}", float(np.deg2rad(value)), float(np.deg2rad(sd)), joint == "dip"
@@ -89,4 +90,4 @@ POSES: dict[str, GuidedPose] = {
         ),
     )
 }
-"""By name, in the order in which a wearer is led through them."""
+"""By name, in the order in which a wearer performs them."""

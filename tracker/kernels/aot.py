@@ -1,10 +1,10 @@
 """numba's ahead-of-time compiler, in which each function keeps the options of its own decorator.
 
 numba.pycc compiles all functions of a module with one set of options, without fast-math and with
-Python's lock held, and has no public option for this. So one method of its compiler is replaced
-here and four others are disabled meanwhile, which depends on numba's internals: pyproject.toml
-keeps numba below the next minor version, and tests/kernels/test_aot.py shows whether another
-version still works.
+the GIL held, and has no public option for this. So one method of its compiler is replaced here and
+four others are disabled meanwhile, which depends on numba's internals: pyproject.toml pins numba
+below the next minor version, and tests/kernels/test_aot.py checks whether another version still
+works.
 """
 
 from __future__ import annotations
@@ -29,20 +29,20 @@ from numba.core.registry import cpu_target
 from numba.core.runtime import nrtdynmod
 
 with warnings.catch_warnings():
-    warnings.simplefilter("ignore")  # numba has said since 2023 that this may move elsewhere
+    warnings.simplefilter("ignore")  # numba has warned since 2023 that this may move
     from numba.pycc import CC
     from numba.pycc.compiler import ModuleCompiler
 
-PROCESSOR = ""  # what every processor of the kind understands
-ENVIRONMENT = "_ZN08NumbaEnv"  # how the names of functions' constants begin
-DYNAMIC_ERROR = "__excinfo_unwrap_args"  # and those of what makes an error's arguments
+PROCESSOR = ""  # baseline of the architecture
+ENVIRONMENT = "_ZN08NumbaEnv"  # prefix of the symbols of functions' constants
+DYNAMIC_ERROR = "__excinfo_unwrap_args"  # prefix of the symbols that build an error's arguments
 
 
 class ExtensionModule(CC):
-    """An extension module of compiled functions that needs no numba to run."""
+    """An extension module of compiled functions that does not need numba at run time."""
 
     def __init__(self, name: str, folder: Path, features: str = "") -> None:
-        """``features`` of processors, as LLVM has them, beside what every one understands."""
+        """``features`` of processors, as named by LLVM, in addition to the baseline."""
         super().__init__(name)
         self._features = features
         self.output_dir, self.target_cpu = str(folder), PROCESSOR
@@ -51,7 +51,8 @@ class ExtensionModule(CC):
     def add(
         self, name: str, types: tuple[Any, ...], function: Callable[..., Any], options: dict
     ) -> None:
-        """``function`` for arguments of numba's ``types``, with ``options`` as numba.njit has."""
+        """Add ``function`` for arguments of numba's ``types``, with ``options`` as for
+        numba.njit."""
         self.export(name, types)(function)
         self._options[name] = options
 
@@ -68,10 +69,9 @@ class ExtensionModule(CC):
 
 @contextmanager
 def _not_made_runnable() -> Iterator[None]:
-    """Functions that exported ones call, and that were not called before, are compiled for these
-    alone: for LLVM to link in, without machine code and wrappers of their own. That takes a quarter
-    less time. Called from Python afterwards they raise, so a process that compiles does nothing
-    else with them.
+    """Compiles the callees of exported functions only for LLVM to link them in, without machine
+    code and wrappers of their own. This takes a quarter less time. Calling them from Python
+    afterwards raises, so a process that compiles must not use them for anything else.
     """
 
     def unwrapped(_compiler: _FunctionCompiler, flags: Flags) -> Flags:
@@ -79,7 +79,7 @@ def _not_made_runnable() -> Iterator[None]:
         return flags
 
     def key(_context: CPUContext, _library: Any, _description: Any, _environment: Any) -> Any:
-        """numba wants one of C for each function. This one refuses whatever it is given."""
+        """numba requires a C callback for each function; this one rejects any arguments."""
         refusing: list[object] = []
         return refusing.index
 
@@ -93,15 +93,15 @@ def _not_made_runnable() -> Iterator[None]:
 
 @contextmanager
 def _unpickled_once() -> Iterator[None]:
-    """What a module keeps as a pickle is unpickled once, not whenever it is used, as numba has it.
+    """Unpickles a module's pickled objects once, instead of on each use as numba does.
 
-    Each array that a kernel returns asks for the type of arrays: 2 µs and an import, which in a
-    process with Qt, where imports are PySide's, is 10 µs of Python.
+    Each array that a kernel returns needs the array type: 2 µs and an import, which takes 10 µs in
+    a process with Qt, where PySide hooks imports.
     """
     unpickle = PythonAPI.unserialize
 
     def unserialize(api: Any, pickled: Any) -> Any:
-        """Code that puts out the object, as a new reference; Python's lock is held."""
+        """Emits code that returns the object as a new reference; the GIL is held."""
         if not isinstance(pickled, ir.GlobalVariable):
             return unpickle(api, pickled)
         name = f"{pickled.name}.kept"
@@ -121,7 +121,7 @@ def _unpickled_once() -> Iterator[None]:
 
 @contextmanager
 def _for_processors_with(features: str) -> Iterator[None]:
-    """Code of a module may use these; numba.pycc has no place to say so."""
+    """Allows a module's code to use these features; numba.pycc has no parameter for them."""
     with patch.object(AOTCPUCodegen, "_customize_tm_features", lambda _codegen: features):
         yield
 
@@ -130,7 +130,7 @@ class _Compiler(ModuleCompiler):
     options: dict[str, dict[str, Any]]
 
     def _cull_exports(self) -> Any:
-        """One LLVM library of all functions; what its base class keeps of them for the module."""
+        """One LLVM library of all functions; stores for the module what the base class does."""
         self.exported_function_types: dict[Any, Any] = {}
         self.function_environments: dict[Any, Any] = {}
         self.environment_gvs: dict[Any, str] = {}
@@ -154,7 +154,7 @@ class _Compiler(ModuleCompiler):
         )  # fmt: skip
         for function in library._final_module.functions:
             if function.name.startswith(DYNAMIC_ERROR):
-                function.linkage = "linkonce_odr"  # several functions bring the same
+                function.linkage = "linkonce_odr"  # several functions contain it
         made.library.get_function(made.fndesc.llvm_func_name).linkage = "internal"
         wrapper = made.library.get_function(made.fndesc.llvm_cpython_wrapper_name)
         wrapper.name = self._mangle_method_symbol(entry.symbol)
@@ -168,7 +168,8 @@ class _Compiler(ModuleCompiler):
 
 
 def _flags(options: dict[str, Any]) -> Flags:
-    """numba's flags for one function. The linked module holds the code, so none is made now."""
+    """numba's flags for one function. The linked module contains the code, so none is generated
+    now."""
     flags = Flags()
     flags.no_compile, flags.nrt = True, True
     cpu_target.options.parse_as_flags(flags, options)
@@ -185,7 +186,7 @@ def _environments(library: Any) -> dict[str, Any]:
 
 
 def _hide(library: Any, shown: list[str]) -> None:
-    """All but the module's own start stays inside."""
+    """Makes all symbols internal except the module's init function."""
     for function in library.get_defined_functions():
         if function.name not in shown:
             local = function.linkage in {Linkage.private, Linkage.internal}

@@ -1,8 +1,9 @@
-"""Names for the arrays that kernels take: each says numbers, dimensions and order.
+"""Type names for the arrays that kernels take: each specifies type, dimensions and order.
 
-A kernel's parameters are annotated with these, with float, int and bool, and with named tuples
-whose fields are; so its annotations are its signature. Arrays are contiguous (C order) unless said.
-What a kernel writes to is `Written`; all else it only reads, so that read-only arrays will do.
+A kernel's parameters are annotated with these, with float, int and bool, and with named tuples of
+such fields; so its annotations are its signature. Arrays are contiguous (C order) unless stated
+otherwise. An argument that a kernel modifies is marked `Written`; all others may be read-only
+arrays.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ Written: TypeAlias = Annotated[T, WRITTEN]
 Vector: TypeAlias = Annotated[NDArray[np.float64], "f8[1C]"]
 Matrix: TypeAlias = Annotated[NDArray[np.float64], "f8[2C]"]
 Stack: TypeAlias = Annotated[NDArray[np.float64], "f8[3C]"]
-"""Matrices one behind the other, as (n, 3, 3) rotations are."""
+"""A sequence of matrices, such as (n, 3, 3) rotations."""
 Stack4: TypeAlias = Annotated[NDArray[np.float64], "f8[4C]"]
 IntVector: TypeAlias = Annotated[NDArray[np.int64], "i8[1C]"]
 IntMatrix: TypeAlias = Annotated[NDArray[np.int64], "i8[2C]"]
@@ -34,7 +35,7 @@ Float32Vector: TypeAlias = Annotated[NDArray[np.float32], "f4[1C]"]
 ByteVector: TypeAlias = Annotated[NDArray[np.uint8], "u1[1C]"]
 ByteMatrix: TypeAlias = Annotated[NDArray[np.uint8], "u1[2C]"]
 ByteStack: TypeAlias = Annotated[NDArray[np.uint8], "u1[3C]"]
-"""Of an image (h, w, 3), blue, green and red."""
+"""An image (h, w, 3): blue, green and red."""
 Int8Vector: TypeAlias = Annotated[NDArray[np.int8], "i1[1C]"]
 UInt16Vector: TypeAlias = Annotated[NDArray[np.uint16], "u2[1C]"]
 Int16Vector: TypeAlias = Annotated[NDArray[np.int16], "i2[1C]"]

@@ -1,12 +1,12 @@
-"""Compiles the kernels ahead of time, for the types that their annotations say.
+"""Compiles the kernels ahead of time, for the types in their annotations.
 
-    python -m tracker.kernels.build                 # all parts that are not as they would become
+    python -m tracker.kernels.build                 # all parts that are out of date
     python -m tracker.kernels.build --for-demo      # those of them that the demo needs
     python -m tracker.kernels.build tracker_vision  # one part
 
-It takes a C++ compiler and some minutes, two parts at a time on two cores, and leaves the library
-beside this file (`tracker.kernels.parts`). What was compiled before, in any checkout, is taken
-from `tracker.kernels.kept`.
+Requires a C++ compiler and a few minutes, compiles two parts at a time on two cores, and writes the
+library to this folder (`tracker.kernels.parts`). Parts compiled earlier, in any checkout, are
+copied from `tracker.kernels.kept`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 
 from tracker.kernels.decorator import MODE
 
-os.environ[MODE] = "build"  # before any kernel is made
+os.environ[MODE] = "build"  # before any kernel is created
 
 import numba
 import numpy as np
@@ -64,7 +64,7 @@ def main(wanted: list[str]) -> None:
         tables = {part: tables[part] for part in wanted}
     old = [part for part, table in tables.items() if not parts.is_built(part, table)]
     for part in old:
-        parts.table_of(part).unlink(missing_ok=True)  # it is not to speak for a new module
+        parts.table_of(part).unlink(missing_ok=True)  # it must not describe a new module
     _get_dispatch()
     new = [part for part in old if not _fetch_part(part, tables[part])]
     _build_side_by_side({part: entries[part] for part in new})
@@ -72,7 +72,7 @@ def main(wanted: list[str]) -> None:
 
 
 def _fetch_part(part: str, table: str) -> bool:
-    """Whether the part was compiled before from the same, and lies here now."""
+    """Whether the part was compiled earlier from the same source, and is now in this folder."""
     if not kept.fetch(table, parts.module_of(part)):
         return False
     parts.table_of(part).write_text(table, "utf-8")
@@ -80,7 +80,7 @@ def _fetch_part(part: str, table: str) -> bool:
 
 
 def _entries() -> dict[str, list[Entry]]:
-    """What each part is to hold. SystemExit if a kernel cannot be compiled for it."""
+    """The functions of each part. SystemExit if a kernel cannot be compiled for it."""
     called = exported.exported()
     errors = [_error_of(signature, name) for name in exported.kernels()]
     errors += [_error_of(check_result, name) for name in called]
@@ -114,7 +114,7 @@ def _table(part: str, entries: list[Entry]) -> str:
 
 
 def _compiled_by() -> str:
-    """Versions of all that decides what a kernel's source becomes."""
+    """Versions of everything that affects a kernel's compiled code."""
     here = hashlib.sha256()
     for source in (__file__, aot.__file__, numba_types.__file__):
         here.update(Path(source).read_bytes())
@@ -161,7 +161,7 @@ def _build_part(part: str) -> None:
 
 
 def _get_dispatch() -> None:
-    """Compile what calls go through, unless that was done before."""
+    """Compile the dispatch module, unless that was done before."""
     made_of = f"{_compiled_by()}\n{(HERE / 'dispatch.c').read_text('utf-8')}"
     if kept.fetch(made_of, DISPATCH):
         return

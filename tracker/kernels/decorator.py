@@ -1,4 +1,4 @@
-"""The decorator `kernel`: which code a compiled function runs."""
+"""The decorator `kernel`, which selects the code that a function runs."""
 
 from __future__ import annotations
 
@@ -33,13 +33,12 @@ def kernel(
 
 
 def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]:
-    """Compile a function, ahead of time or when it is first called. Other options are numba's.
+    """Compile a function, ahead of time or on its first call. Other options are numba's.
 
-    ``nogil`` False is for those that take less than the time for which a thread that wants Python's
-    lock waits before it asks for it: to give it up and to want it back costs a busy process more.
-    ``wide`` is for those that go through images: they are compiled a second time, for processors
-    that take eight numbers at a time (`tracker.kernels.parts.WIDE`); without fast-math to the same
-    bits.
+    ``nogil`` False is for functions that take less time than the interval after which a waiting
+    thread requests the GIL: releasing and reacquiring it would cost a loaded process more. ``wide``
+    is for functions that process images: they are compiled a second time, for processors with
+    256-bit vectors (`tracker.kernels.parts.WIDE`); without fast-math the results are bit-identical.
     """
 
     def make(function: F) -> F:
@@ -50,16 +49,16 @@ def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]
 
 
 def are_compiled() -> bool:
-    """Whether no first call of a kernel imported so far waits for a compiler: there is a library,
-    and it was compiled from today's source. Takes some 20 ms; a kernel that is newer than the
-    library, and so unknown to it, is not missed.
+    """Whether no first call of an imported kernel requires compilation: the library exists and was
+    compiled from the present source. Takes about 20 ms; a kernel newer than the library, and so
+    unknown to it, is not detected.
     """
     library = _library()
     return library is not None and library.is_current()
 
 
 def compiler() -> str:
-    """numba and its version: the one that made the library, else the one that compiles now."""
+    """numba's version: the one that compiled the library, else the one that compiles now."""
     made = parts.compiler()
     if made is None:
         from numba import __version__
@@ -79,5 +78,5 @@ def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
 
 @cache
 def _library() -> Library | None:
-    """Looked for when the first kernel is made: the library's compiler sets the mode before."""
+    """Loaded when the first kernel is created: the library's compiler sets the mode before that."""
     return None if os.environ.get(MODE) in ("numba", "build") else load()

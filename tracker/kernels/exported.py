@@ -1,7 +1,7 @@
-"""Which kernels Python calls: these alone get an entry in the library.
+"""Finds the kernels that Python calls: only these get an entry in the library.
 
-A kernel that only kernels call is compiled into them. Read from the source, so that nothing has to
-be imported, nothing be said twice, and no list be kept.
+A kernel called only by kernels is compiled into them. Determined from the source, without importing
+it, so no list has to be maintained.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def kernels(root: Path = ROOT) -> list[str]:
 
 
 def exported(root: Path = ROOT) -> list[str]:
-    """Those of them that are named outside of kernels, in order."""
+    """Those of them that are used outside of kernels, in order."""
     sources = list(_sources(root))
     all_kernels = _all(sources)
     named = set[str]()
@@ -41,8 +41,8 @@ def _all(sources: list[tuple[str, bytes]]) -> set[str]:
 
 
 def _may_name(all_kernels: set[str], source: bytes) -> bool:
-    """Whether a kernel's name stands in it, and its module's too: in most it does not, and to parse
-    them all would take seconds."""
+    """Whether the source contains a kernel's name and its module's: most sources do not, and
+    parsing them all would take seconds."""
     words = {word.decode() for word in re.findall(rb"[A-Za-z_]\w*", source)}
     split = (name.rsplit(".", 2)[1:] for name in all_kernels)
     return b"@kernel" in source or any(words.issuperset(pair) for pair in split)
@@ -73,7 +73,7 @@ def is_kernel(node: ast.AST) -> TypeGuard[ast.FunctionDef]:
 
 
 def _named(module: str, tree: ast.Module) -> set[str]:
-    """Full names of all that is named outside of kernels, whether it is a kernel or not."""
+    """Full names of all names used outside of kernels, whether they are kernels or not."""
     outside = [n for part in tree.body if not is_kernel(part) for n in ast.walk(part)]
     meant = _imported(tree)
     found = set()
@@ -86,7 +86,7 @@ def _named(module: str, tree: ast.Module) -> set[str]:
 
 
 def _imported(tree: ast.Module) -> dict[str, str]:
-    """The full name of what each imported name stands for."""
+    """The full name behind each imported name."""
     meant: dict[str, str] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module:

@@ -1,7 +1,7 @@
-"""What a kernel's compiled code depends on, as a number: signature, code, and all that it reads.
+"""A hash of everything a kernel's compiled code depends on: signature, code, and globals.
 
-Two kernels with the same fingerprint compile to the same code. Lines and files do not count, so a
-comment changes nothing, and neither does where the program lies, or under which name.
+Two kernels with the same fingerprint compile to the same code. Line numbers and file names are not
+included, so comments, the installation folder and the package name have no effect.
 """
 
 from __future__ import annotations
@@ -20,17 +20,18 @@ Function = Callable[..., Any]
 
 
 def is_kernel(value: Any) -> bool:
-    """Whether `decorator.kernel` made it, in whatever form."""
+    """Whether it was created by `decorator.kernel`, in any form."""
     return hasattr(value, "py_func") and hasattr(value, "options")
 
 
 def is_ours(name: str) -> bool:
-    """Whether a module or function of this full name is the product's."""
+    """Whether a module or function with this full name belongs to the product."""
     return name in OURS or name.startswith(tuple(f"{package}." for package in OURS))
 
 
 def fingerprint(function: Function, options: dict[str, Any]) -> str:
-    """16 digits for a kernel of `decorator`. SignatureError as `signature` raises it."""
+    """16 hexadecimal digits for a kernel of `decorator`. Raises SignatureError as `signature`
+    does."""
     digest = hashlib.sha256()
     for part in [signature(function), *_parts(function, options, set())]:
         digest.update(part.encode())
@@ -39,7 +40,7 @@ def fingerprint(function: Function, options: dict[str, Any]) -> str:
 
 
 def _parts(function: Function, options: dict[str, Any], seen: set[Function]) -> list[str]:
-    """All that is read, kernels called by this one included, each once."""
+    """Everything that is read, including the called kernels, each once."""
     if function in seen:
         return [function.__qualname__]
     seen.add(function)
@@ -65,7 +66,7 @@ def _names(code: CodeType) -> list[str]:
 
 
 def _value(value: Any, names: list[str], seen: set[Function]) -> list[str]:
-    """A global that a kernel reads; of a module of ours what it reads there."""
+    """A global read by a kernel; for one of our modules the names read from it."""
     if is_kernel(value):
         return _parts(value.py_func, value.options, seen)
     if isinstance(value, np.ndarray):
@@ -76,7 +77,7 @@ def _value(value: Any, names: list[str], seen: set[Function]) -> list[str]:
         found = [getattr(value, name) for name in names if hasattr(value, name)]
         return [part for v in found for part in _value(v, names, seen)]
     if isinstance(value, type) and hasattr(value, "_fields"):
-        return [value.__qualname__, *value._fields]  # compiled code knows fields by their places
+        return [value.__qualname__, *value._fields]  # compiled code accesses fields by index
     if isinstance(value, (ModuleType, FunctionType, BuiltinFunctionType, type, np.ufunc)):
         return [value.__name__]
     raise TypeError(f"a kernel reads a global of type {type(value).__name__}")

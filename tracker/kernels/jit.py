@@ -1,4 +1,4 @@
-"""Kernels compiled by numba when they are first called; this alone imports numba."""
+"""Kernels compiled by numba on their first call; the only module that imports numba."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _log = logging.getLogger(__name__)
 
 
 def compiled(function: Callable[..., Any], options: dict[str, Any], *, cache: bool = True) -> Any:
-    """numba's function, which compiles for the types it meets and keeps that on the disk."""
+    """numba's dispatcher, which compiles for the argument types and caches the result on disk."""
     of_numba = {name: value for name, value in options.items() if name != "wide"}
     made = numba.njit(**{"nogil": True, **of_numba})(function)
     if cache and not numba.config.DISABLE_JIT:
@@ -23,14 +23,14 @@ def compiled(function: Callable[..., Any], options: dict[str, Any], *, cache: bo
 
 
 class KernelCache(FunctionCache):
-    """What numba keeps on the disk, emptied where it names what is no longer there.
+    """numba's disk cache, cleared where it refers to classes that no longer exist.
 
-    Its entries are pickles of argument types, and those of a named tuple its class: once that was
-    renamed or moved, numba cannot read them and would raise what pickle raises.
+    Its entries are pickles of argument types, and for a named tuple they refer to its class: if
+    that was renamed or moved, numba cannot read them and would raise the error of pickle.
     """
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """The function compiled for ``sig`` earlier; None where there is none that can be read."""
+        """The function compiled for ``sig`` earlier; None if there is no readable one."""
         try:
             return super().load_overload(sig, target_context)
         except (AttributeError, ImportError) as error:

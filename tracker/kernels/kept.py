@@ -1,8 +1,8 @@
-"""Compiled parts of the library that are kept for other checkouts, by what they were compiled from.
+"""A cache of compiled parts of the library, shared between checkouts, indexed by their source.
 
-They lie in the user's cache folder, or where GLOVETRACK_KERNEL_CACHE says, one folder for each
-content of a part's table: versions of compiler and Python, and each kernel's fingerprint. A folder
-that appears is complete, since it is renamed into its place.
+It is in the user's cache folder, or in GLOVETRACK_KERNEL_CACHE, with one folder for each content of
+a part's table: versions of compiler and Python, and each kernel's fingerprint. A folder is created
+under a temporary name and renamed, so it is always complete.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ import platformdirs
 from tracker.kernels.parts import HERE
 
 FOLDER = "GLOVETRACK_KERNEL_CACHE"
-"""Environment variable: the folder, or nothing at all for none."""
+"""Environment variable: the folder; empty disables the cache."""
 AT_MOST = 60
-"""Folders kept, some 1 MB each; those fetched or written last."""
+"""Number of folders, about 1 MB each; the most recently used are retained."""
 
 _log = logging.getLogger(__name__)
 
 
 def fetch(made_of: str, module: str) -> bool:
-    """Copy the extension ``module`` that was compiled from ``made_of`` beside this file.
+    """Copy the extension ``module`` that was compiled from ``made_of`` to this folder.
 
-    False where there is none.
+    Returns False where there is none.
     """
     folder = _folder()
     source = folder / _key(made_of) / _file(module) if folder else None
@@ -49,7 +49,7 @@ def fetch(made_of: str, module: str) -> bool:
 
 
 def keep(made_of: str, module: str) -> None:
-    """Keep the extension ``module`` beside this file; a cache that cannot be written is none."""
+    """Store the extension ``module`` of this folder; an unwritable cache is ignored."""
     folder = _folder()
     if folder is None or (folder / _key(made_of)).exists():
         return
@@ -64,9 +64,9 @@ def keep(made_of: str, module: str) -> None:
 
 
 def _is_trusted(path: Path) -> bool:
-    """Whether only this user, or the system's administrator, can change it: it is code."""
+    """Whether only this user or the administrator can modify it: it is code."""
     if not hasattr(os, "getuid"):
-        return True  # Windows: the user's cache folder is the user's own
+        return True  # Windows: the cache folder belongs to the user
     found = path.stat()
     return found.st_uid in (0, os.getuid()) and not found.st_mode & 0o022
 
@@ -88,7 +88,7 @@ def _file(module: str) -> str:
 
 
 def _forget(folder: Path) -> None:
-    """Remove the folders that have not been used for longest."""
+    """Remove the least recently used folders."""
     by_use = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
     for path in by_use[AT_MOST:]:
         shutil.rmtree(path, ignore_errors=True)

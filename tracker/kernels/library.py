@@ -1,6 +1,6 @@
-"""The library of kernels that were compiled ahead of time, and what runs in place of a missing one.
+"""The library of kernels compiled ahead of time, and the fallback for missing ones.
 
-`tracker.kernels.build` leaves extension modules beside this one: those of the library's parts
+`tracker.kernels.build` writes extension modules to this folder: those of the library's parts
 (`tracker.kernels.parts`), with a function for each kernel that Python calls, and `_dispatch`, which
 runs it if a call's arguments have the types that it was compiled for.
 """
@@ -26,9 +26,10 @@ Function = Callable[..., Any]
 
 
 class Library:
-    """Makes kernels that run compiled functions wherever these were made from the same source.
+    """Creates kernels that run compiled functions wherever these were compiled from the same
+    source.
 
-    ``compiled`` has modules and their tables.
+    ``compiled`` contains modules and their tables.
     """
 
     def __init__(self, kernel_type: type, compiled: Sequence[tuple[ModuleType, str]]) -> None:
@@ -42,7 +43,7 @@ class Library:
                 self._entries[name] = getattr(module, symbol), made_of, " ".join(words)
 
     def kernel(self, function: Function, options: dict[str, Any]) -> Any:
-        """A callable for ``function``; what it runs is decided when it is first called."""
+        """A callable for ``function``; its implementation is selected on the first call."""
         made = self._kernel_type(self)
         functools.update_wrapper(made, function)
         made.py_func, made.options, made.fallback = function, options, None
@@ -50,28 +51,29 @@ class Library:
         return made
 
     def is_current(self) -> bool:
-        """Whether all that it holds of the kernels made so far was compiled from their source."""
+        """Whether all entries for the kernels created so far were compiled from their source."""
         held = [made for name, made in list(self._made.items()) if name in self._entries]
         return all(self._is_of_its_source(made) for made in held)
 
-    # --- what a kernel asks
+    # --- called by kernels
 
     def miss(self, kernel: Any, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
-        """A call that the kernel's function does not fit: the first one, or one of other types."""
+        """Handles a call that does not match the compiled function: the first one, or other
+        types."""
         if named:
             return kernel(*args, *_in_order(kernel.py_func, len(args), named))
-        with self._filling:  # threads may call a kernel for the first time together
+        with self._filling:  # threads may call a kernel for the first time concurrently
             if kernel.fallback is None:
                 self._fill(kernel)
                 kernel.fallback = self._fallback(kernel)
         return kernel(*args) if kernel.finds(*args) else kernel.fallback(*args)
 
     def numba_type(self, kernel: Any) -> Any:
-        """numba compiles a kernel that calls this one: to it, this is a function of its own."""
+        """Used by numba to compile a kernel that calls this one, as a numba function."""
         return self._by_numba(kernel)._numba_type_
 
     def _fill(self, kernel: Any) -> None:
-        """Give a kernel its compiled function, if that was made from the same source."""
+        """Assign the compiled function to a kernel, if it was compiled from the same source."""
         if _name(kernel) in self._entries and self._is_of_its_source(kernel):
             compiled, _, words = self._entries[_name(kernel)]
             kernel.add(words, compiled)
@@ -81,7 +83,7 @@ class Library:
         return made_of == fingerprint(kernel.py_func, kernel.options)
 
     def _fallback(self, kernel: Any) -> Function:
-        """What runs for arguments that the library has nothing for."""
+        """The implementation for argument types that are not in the library."""
 
         def run(*args: Any) -> Any:
             function = self._by_numba(kernel)
@@ -112,8 +114,8 @@ def _name(kernel: Any) -> str:
 
 
 def load() -> Library | None:
-    """The library, or None where it was not built, or does not fit this Python or this source: a
-    checkout that was moved on has the one of before until it is built again."""
+    """The library, or None where it was not built, or does not match this Python or this source:
+    after an update of a checkout the library is out of date until it is built again."""
     try:
         dispatch = importlib.import_module(f"{__package__}._dispatch")
         if not hasattr(dispatch, "runs_wide"):
@@ -126,7 +128,7 @@ def load() -> Library | None:
 
 
 def _for_this_processor(dispatch: ModuleType) -> list[str]:
-    """Parts to be loaded, wide ones last: of two functions of a kernel the later one counts."""
+    """Parts to be loaded, wide ones last: for a kernel in two parts the later one is used."""
     built, runs_wide = parts.built(), dispatch.runs_wide()
     return sorted((p for p in built if runs_wide or not parts.is_wide(p)), key=parts.is_wide)
 
@@ -148,7 +150,7 @@ def _described(value: Any) -> str:
 
 
 def _in_order(function: Function, given: int, named: dict[str, Any]) -> list[Any]:
-    """Named arguments in the order of the function's own."""
+    """Named arguments in the order of the function's parameters."""
     code = function.__code__
     names = code.co_varnames[given : code.co_argcount]
     if set(named) != set(names):

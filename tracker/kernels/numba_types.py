@@ -19,7 +19,7 @@ _ARRAY = re.compile(r"(\w\d+)\[(\d)([CFA])\]")
 
 
 def arguments(function: Callable[..., Any]) -> tuple[Any, ...]:
-    """The types of a kernel's parameters. SignatureError if one does not say its type."""
+    """The types of a kernel's parameters. SignatureError if one has no type annotation."""
     return tuple(numba_type(a) for a in signature.parameters(function).values())
 
 

@@ -1,8 +1,8 @@
-"""The files of the library: a part for each package, so that parts compile side by side and an edit
-leaves the others as they are. Kernels of images have a second, wide part (`WIDE`).
+"""The files of the library: one part per package, so that parts are compiled in parallel and an
+edit does not affect the others. Kernels that process images have a second, wide part (`WIDE`).
 
-A part is an extension module with a function for each kernel that Python calls, and a table that
-says what each was compiled from, and for which types. Its first line says what compiled it.
+A part is an extension module with a function for each kernel that Python calls, and a table with
+the source fingerprint and types of each. Its first line contains the compiler's version.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from tracker.kernels.signature import INSTALLED_IN
 HERE = Path(__file__).parent
 PREFIX = "_compiled_"
 WIDE = "_wide"
-"""Ends the name of a part's second module, in which kernels of images (`decorator.kernel`) are
-compiled for processors with `WIDE_FEATURES`: those of the last ten years. Without fused multiply
-and add, which rounds once where others round twice: results are the same on all processors."""
+"""Suffix of a part's second module, in which kernels that process images (`decorator.kernel`) are
+compiled for processors with `WIDE_FEATURES`: those of the last ten years. Without fused
+multiply-add, which rounds once where others round twice: results are the same on all processors."""
 WIDE_FEATURES = "+avx2"
 DIVIDED = ("tracker_fusion", "tracker_simulation")
 NOT_FOR_THE_DEMO = (
@@ -30,12 +30,12 @@ NOT_FOR_THE_DEMO = (
     "tracker_simulation_desk",
     "tracker_simulation_recorded",
 )
-"""Parts that a first look at the demo does without; they are compiled after the others."""
+"""Parts that the demo does not need; they are compiled after the others."""
 
 
 def part_of(kernel: str) -> str:
-    """A kernel's part: ``tracker_vision`` for ``tracker.vision.cpd.parallax_em``; in the large
-    rooms of `DIVIDED` one for each room within, as ``tracker_fusion_chain``."""
+    """A kernel's part: ``tracker_vision`` for ``tracker.vision.cpd.parallax_em``; for the large
+    packages in `DIVIDED` one for each subpackage, such as ``tracker_fusion_chain``."""
     names = kernel.removeprefix(INSTALLED_IN).split(".")
     depth = 3 if "_".join(names[:2]) in DIVIDED and len(names) > 4 else 2
     return "_".join(names[:depth])
@@ -47,12 +47,12 @@ def module_of(part: str) -> str:
 
 
 def is_wide(part: str) -> bool:
-    """Whether a part is for some processors only."""
+    """Whether a part is only for processors with `WIDE_FEATURES`."""
     return part.endswith(WIDE)
 
 
 def can_be_wide() -> bool:
-    """Whether this kind of machine has processors that run wide parts."""
+    """Whether this architecture has processors that run wide parts."""
     return platform.machine().lower() in ("x86_64", "amd64")
 
 
@@ -66,9 +66,10 @@ def built() -> list[str]:
 
 
 def compiler() -> str | None:
-    """What the library's tables say in their first line, "numba 0.68.1"; None without a library.
+    """The compiler in the first line of the library's tables, "numba 0.68.1"; None without a
+    library.
 
-    The bundle of the program has that library and no numba.
+    The bundle of the program includes that library but not numba.
     """
     for part in built():
         with table_of(part).open(encoding="utf-8") as table:
@@ -79,13 +80,13 @@ def compiler() -> str | None:
 
 
 def is_built(part: str, table: str) -> bool:
-    """Whether the part is there and was compiled from what ``table`` says."""
+    """Whether the part exists and was compiled from the source described in ``table``."""
     there = any((HERE / (module_of(part) + suffix)).exists() for suffix in EXTENSION_SUFFIXES)
     return there and table_of(part).exists() and table_of(part).read_text("utf-8") == table
 
 
 def remove_others(parts: Iterable[str]) -> None:
-    """Files of the library that belong to none of these."""
+    """Delete files of the library that do not belong to any of these."""
     names = {module_of(part) for part in parts}
     for path in HERE.glob(f"{PREFIX.rstrip('_')}*"):
         if path.name.partition(".")[0] not in names:

@@ -1,10 +1,10 @@
-"""A kernel's signature, which is what its parameters' annotations say.
+"""A kernel's signature, derived from its parameters' annotations.
 
-As text a parameter is one word: ``f8``, ``i8[1C]``, ``(f8,f8)``, ``a.b.State(x:f8,P:f8[2Cw])``.
-A number is its numpy type: kind and bytes. An array adds its dimensions, its order (C, F, or A for
-any), and ``w`` if the kernel writes to it. A tuple has its members in brackets, a named one its
-class before and its fields' names within them. Numbers other than int, float, bool and complex are
-numpy's types; arrays are the names of `tracker.kernels.arrays`.
+As text a parameter is one word: ``f8``, ``i8[1C]``, ``(f8,f8)``, ``a.b.State(x:f8,P:f8[2Cw])``. A
+number is its numpy type: kind and bytes. An array adds its dimensions, its order (C, F, or A for
+any), and ``w`` if the kernel writes to it. A tuple has its members in brackets, a named one also
+its class and its fields' names. Numbers other than int, float, bool and complex are numpy's types;
+arrays are the names of `tracker.kernels.arrays`.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ import numpy as np
 from tracker.kernels.arrays import WRITTEN
 
 INSTALLED_IN = (__package__ or "").removesuffix("tracker.kernels")
-"""What stands before the packages' names: nothing in this tree, ``glovetrack.`` in a wheel."""
+"""Prefix of the packages' names: empty in this tree, ``glovetrack.`` in a wheel."""
 NUMBERS = {bool: "b1", int: "i8", float: "f8", complex: "c16"}
 Annotation = Any
 
 
 class SignatureError(TypeError):
-    """An annotation that does not say which type a kernel is to be compiled for."""
+    """An annotation that does not specify the type for which a kernel is compiled."""
 
 
 def signature(function: Callable[..., Any]) -> str:
-    """All parameters' words with blanks between. SignatureError if one does not say its type."""
+    """The words of all parameters, separated by spaces. SignatureError if one has no type."""
     words = []
     for name, annotation in parameters(function).items():
         try:
@@ -64,7 +64,7 @@ def check_result(function: Callable[..., Any]) -> None:
 
 
 def word(annotation: Annotation, written: bool = False) -> str:
-    """What stands for one parameter, or for a tuple's member; ``written``: the tuple is."""
+    """The word for one parameter, or for a tuple's member; ``written``: the tuple is."""
     written = written or is_written(annotation)
     plain = without_marks(annotation)
     inside = members(annotation)
@@ -82,7 +82,7 @@ def word(annotation: Annotation, written: bool = False) -> str:
 
 
 def members(annotation: Annotation) -> list[tuple[str, Annotation]] | None:
-    """A tuple's members, each with ``name:`` before it in a named one; None for anything else."""
+    """A tuple's members, prefixed with ``name:`` for a named tuple; None for anything else."""
     plain = without_marks(annotation)
     if isinstance(plain, type) and issubclass(plain, tuple) and hasattr(plain, "_fields"):
         hints = get_type_hints(plain, include_extras=True)
@@ -93,7 +93,7 @@ def members(annotation: Annotation) -> list[tuple[str, Annotation]] | None:
 
 
 def array_word(annotation: Annotation) -> str | None:
-    """What `tracker.kernels.arrays` calls an array."""
+    """The word for an array type of `tracker.kernels.arrays`."""
     words = [mark for mark in _marks(annotation) if isinstance(mark, str)]
     return words[0] if words else None
 
@@ -112,7 +112,7 @@ def _marks(annotation: Annotation) -> tuple[Any, ...]:
 
 
 def _class_name(plain: Annotation) -> str:
-    """Where a named tuple's class is found in this tree; nothing for a plain tuple."""
+    """The full name of a named tuple's class in this tree; empty for a plain tuple."""
     if not isinstance(plain, type):
         return ""
     return f"{plain.__module__.removeprefix(INSTALLED_IN)}.{plain.__qualname__}"

@@ -1,1 +1,1 @@
-"""From pixels to blobs, and from blobs to points: colours, detection, the stereo rig, CPD."""
+"""Detection of blobs in images, and stereo points from blobs: colours, detector, rig, CPD."""

@@ -1,4 +1,4 @@
-"""Optimal assignment where staying alone has a price (the Hungarian method, compiled)."""
+"""Optimal assignment with a cost for unmatched rows (the Hungarian method, compiled)."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Vector, Writte
 
 
 class _Prices(NamedTuple):
-    """What reduces the costs: u (n,) of rows, v (m + n,) of columns."""
+    """Dual variables that reduce the costs: u (n,) of rows, v (m + n,) of columns."""
 
     u: Written[Vector]
     v: Written[Vector]
 
 
 class _Paths(NamedTuple):
-    """Shortest ways to all columns (m + n,): their cost, the column before each (-1: none), and
-    whether a column is done."""
+    """Shortest paths to all columns (m + n,): their cost, the preceding column (-1: none), and
+    whether a column is final."""
 
     distance: Written[Vector]
     previous: Written[IntVector]
@@ -28,11 +28,11 @@ class _Paths(NamedTuple):
 
 @kernel
 def assign(cost: Matrix, alone: float) -> IntVector:
-    """(m,) row of cost (n, m) for each column, -1 for none, with the least total cost.
+    """(m,) row of cost (n, m) for each column, -1 for none, with the minimum total cost.
 
-    A row without a column costs ``alone``, as if it had a column of its own: rows are brought in
-    one by one along shortest augmenting paths in reduced costs (Jonker and Volgenant 1987,
-    doi:10.1007/BF02278710). Column m + i stands for row i being alone.
+    A row without a column costs ``alone``, as if it had a column of its own: rows are added one at
+    a time along shortest augmenting paths in reduced costs (Jonker and Volgenant 1987,
+    doi:10.1007/BF02278710). Column m + i represents an unmatched row i.
     """
     n, m = cost.shape
     row_of = np.full(m + n, -1, np.int64)
@@ -50,7 +50,7 @@ def assign(cost: Matrix, alone: float) -> IntVector:
                 break
             row = row_of[at]
         _reprice(first, reached, row_of, prices, paths)
-        while at >= 0:  # hand the columns on along the path
+        while at >= 0:  # reassign the columns along the path
             before = paths.previous[at]
             row_of[at] = first if before < 0 else row_of[before]
             at = before
@@ -67,7 +67,8 @@ def _relax(
     reached: float,
     came_by: int,
 ) -> int:
-    """Shorten the ways to all columns through ``row``; the nearest column not done yet."""
+    """Shorten the paths to all columns through ``row``; returns the nearest column not yet
+    final."""
     m, u, v = cost.shape[1], prices.u, prices.v
     distance, previous, done = paths.distance, paths.previous, paths.done
     nearest, least = -1, np.inf
@@ -85,7 +86,7 @@ def _relax(
 
 @kernel
 def _reprice(first: int, reached: float, row_of: IntVector, prices: _Prices, paths: _Paths) -> None:
-    """Prices under which the shortest path costs nothing and no pair less."""
+    """Dual variables for which the shortest path costs 0 and no pair has a negative cost."""
     u, v, distance, done = prices.u, prices.v, paths.distance, paths.done
     u[first] += reached
     for j in range(len(v)):

@@ -1,7 +1,7 @@
-"""The glove's own cloth in an image, around the blobs: what an outline of the hand is seen by.
+"""The glove's own cloth in an image, around the blobs, from which outlines of the hand are found.
 
-A map of every second pixel, in squares of 8 by 8 of them that are a number of 64 bits each: some
-hundred numbers an image, which can be kept as long as blobs are.
+A map of every second pixel, in tiles of 8 by 8 samples that are a 64-bit number each: a few hundred
+numbers per image, which can be stored like blobs.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ from tracker.kernels.arrays import (
 from tracker.messages import Blobs, Cloth
 from tracker.vision.hue_table import HueTable, colour_class
 
-SIDE, STEP = 8, 2  # pixels looked at along a tile, and px between two of them
+SIDE, STEP = 8, 2  # samples along a tile, and px between two samples
 TILE = SIDE * STEP  # px
-REACH = 4.0  # times a blob's longer side: a thumb's last marker is this far from its tip
+REACH = 4.0  # times a blob's longer side: the distance from a thumb's last marker to its tip
 
 
 class ClothMap(NamedTuple):
-    """`Cloth` laid out over its image: bits and known (rows, columns), 0 where nothing is known."""
+    """`Cloth` as an image: bits and known (rows, columns), 0 where unknown."""
 
     bits: IntMatrix
     known: ByteMatrix
 
 
 def cloth_around(image: NDArray[np.uint8], table: HueTable, blobs: Blobs) -> Cloth:
-    """Of a BGR image (h, w, 3), within `REACH` of its blobs."""
+    """The cloth in a BGR image (h, w, 3), within `REACH` of its blobs."""
     rows, columns = image.shape[0] // TILE, image.shape[1] // TILE
     wanted = np.zeros((rows, columns), np.uint8)
     mark_tiles(wanted, blobs.uv, blobs.size)
@@ -47,7 +47,7 @@ def cloth_around(image: NDArray[np.uint8], table: HueTable, blobs: Blobs) -> Clo
 
 
 def cloth_map(cloth: Cloth) -> ClothMap:
-    """To look pixels up in."""
+    """Converts to a form that can be indexed by pixels."""
     bits = np.zeros((cloth.rows, cloth.columns), np.int64)
     known = np.zeros((cloth.rows, cloth.columns), np.uint8)
     bits.reshape(-1)[cloth.tile] = cloth.bits
@@ -57,11 +57,11 @@ def cloth_map(cloth: Cloth) -> ClothMap:
 
 @kernel
 def mark_tiles(wanted: Written[ByteMatrix], uv: Matrix, size: Matrix) -> None:
-    """1 for the tiles that are within `REACH` of blobs uv, size (n, 2) px."""
+    """Sets 1 for the tiles within `REACH` of blobs uv, size (n, 2) px."""
     rows, columns = wanted.shape
     for k in range(len(uv)):
         reach = REACH * max(size[k, 0], size[k, 1]) / TILE
-        x, y = uv[k, 0] / TILE - 0.5, uv[k, 1] / TILE - 0.5  # counted from the tiles' middles
+        x, y = uv[k, 0] / TILE - 0.5, uv[k, 1] / TILE - 0.5  # relative to the tiles' centres
         for j in range(max(int(y - reach), 0), min(int(y + reach) + 2, rows)):
             for i in range(max(int(x - reach), 0), min(int(x + reach) + 2, columns)):
                 if (j - y) ** 2 + (i - x) ** 2 <= reach**2:
@@ -72,7 +72,7 @@ def mark_tiles(wanted: Written[ByteMatrix], uv: Matrix, size: Matrix) -> None:
 def cloth_tiles(
     image: ByteStack, wanted: ByteMatrix, cells: UInt16Vector, patterns: Int8Vector
 ) -> tuple[IntVector, IntVector]:
-    """tile and bits (n,) of a `Cloth`, of the tiles that are 1 in ``wanted`` (rows, columns)."""
+    """tile and bits (n,) of a `Cloth`, for the tiles that are 1 in ``wanted`` (rows, columns)."""
     rows, columns = wanted.shape
     tile, bits = np.empty(rows * columns, np.int64), np.empty(rows * columns, np.int64)
     n = 0

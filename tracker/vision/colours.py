@@ -1,4 +1,4 @@
-"""The colour profile: which pixels are cloth of which hue, and what shape a patch may have.
+"""The colour profile: the pixel values of each hue, and the limits on the shape of a patch.
 
 OpenCV units: hue 0..179 (2° each), saturation and value 0..255. A hue range whose first number is
 the larger one wraps through 0.
@@ -24,15 +24,15 @@ from tracker.messages import IntArray
 HUES = 180
 LEVELS = 256
 SCHEMA = 1
-LEARNED_BITS = 6  # of each channel that tell what was learned of a colour
+LEARNED_BITS = 6  # bits per channel that index the learned colours
 LEARNED_CELLS = 1 << 3 * LEARNED_BITS
 SMOOTHING_PX = (0, 3, 5, 7)
-ROOM, WORN, UNKNOWN = 0, 254, 255  # classes of a colour: the room's, the glove's cloth, never met
+ROOM, WORN, UNKNOWN = 0, 254, 255  # learned classes: background, glove cloth, not observed
 
 
 @dataclass(frozen=True)
 class HueRange:
-    """One hue by name; both ends of every interval belong to it."""
+    """One hue by name; all intervals include both ends."""
 
     name: str
     hue: tuple[int, int]
@@ -41,16 +41,16 @@ class HueRange:
 
     @property
     def centre(self) -> float:
-        """The middle of the hue interval, 0 up to 180."""
+        """The middle of the hue interval, from 0 up to 180 (exclusive)."""
         return (self.hue[0] + self.width / 2) % HUES
 
     @property
     def width(self) -> int:
-        """From the first hue to the last, wrapping."""
+        """Number of hue values between the first and the last, with wrapping."""
         return (self.hue[1] - self.hue[0]) % HUES
 
     def contains(self, hsv: NDArray[Any]) -> NDArray[np.bool_]:
-        """Which pixels (…, 3) in HSV belong to it; shape (…)."""
+        """Which pixels (…, 3) in HSV lie in the intervals; shape (…)."""
         pixel = np.asarray(hsv).astype(np.int64)
         inside = (pixel[..., 0] - self.hue[0]) % HUES <= self.width
         for channel, (low, high) in ((1, self.saturation), (2, self.value)):
@@ -58,7 +58,7 @@ class HueRange:
         return inside
 
     def overlaps(self, other: HueRange) -> bool:
-        """Whether some pixel belongs to both."""
+        """Whether the intervals of both hues intersect."""
         hues = (other.hue[0] - self.hue[0]) % HUES <= self.width
         hues = hues or (self.hue[0] - other.hue[0]) % HUES <= other.width
         return hues and all(
@@ -69,22 +69,23 @@ class HueRange:
 
 @dataclass(frozen=True)
 class ShapeLimits:
-    """What a patch may look like: size against the expected one, and two shape factors."""
+    """Limits on a patch: size relative to the expected one, two shape factors, and contrast."""
 
     size: tuple[float, float] = (0.35, 1.6)
-    convexity: float = 0.85  # area / hull area, at least
-    circularity: float = 0.45  # 4 pi area / perimeter², at least
-    contrast: float = 0.25  # of its mean against what is around it, at least
+    convexity: float = 0.85  # area / hull area, minimum
+    circularity: float = 0.45  # 4 pi area / perimeter², minimum
+    contrast: float = 0.25  # of its mean to its surroundings, minimum
 
 
 @dataclass(frozen=True)
 class LearnedColours:
-    """What was learned of the colours of markers, cloth and room, for `LEARNED_CELLS` colours.
+    """Learned classes of `LEARNED_CELLS` colours: markers, cloth and background.
 
-    ``packed`` holds a class for each, by b << 12 | g << 6 | r of the channels' upper six bits:
-    k + 1 for hue k, `ROOM`, `WORN` (the glove's own cloth) or `UNKNOWN`. ``cloth`` is the least
-    share of what is around a marker that is the glove's cloth. ``smoothing_px``: width of the
-    filter that noisy images were smoothed with before, as those to be searched have to be; 0: none.
+    ``packed`` has a class for each, indexed by b << 12 | g << 6 | r of the channels' upper six
+    bits: k + 1 for hue k, `ROOM`, `WORN` (the glove's own cloth) or `UNKNOWN`. ``cloth`` is the
+    minimum share of the glove's cloth in the surroundings of a marker. ``smoothing_px``: width of
+    the smoothing filter applied to noisy images before learning, and therefore before detection; 0:
+    none.
     """
 
     packed: bytes  # zlib
@@ -97,16 +98,16 @@ class LearnedColours:
         return LearnedColours(zlib.compress(classes.tobytes(), 9), cloth, smoothing_px)
 
     def classes(self) -> NDArray[np.uint8]:
-        """(LEARNED_CELLS,) of each colour."""
+        """(LEARNED_CELLS,) class of each colour."""
         return np.frombuffer(zlib.decompress(self.packed), np.uint8)
 
 
 @dataclass(frozen=True)
 class ColourProfile:
-    """Hues in the order that blobs are numbered by. A pixel of two hues counts as the first.
+    """Hues in the order of the blobs' hue numbers. A pixel in two hues counts as the first.
 
-    What was ``learned`` decides within the intervals: a colour that the room has too counts as the
-    room's, and one that was never met counts as the intervals say.
+    Within the intervals ``learned`` decides: a colour also seen in the background counts as
+    background, and for one that was not observed the intervals alone decide.
     """
 
     name: str
@@ -123,17 +124,17 @@ class ColourProfile:
 def hue_rows(names: tuple[str, ...], among: tuple[str, ...]) -> IntArray:
     """Row of each of ``names`` in ``among``, -1 where it is not there."""
     rows = np.array([among.index(n) if n in among else -1 for n in names], np.int64)
-    rows.setflags(write=False)  # all who ask share it
+    rows.setflags(write=False)  # shared by all callers
     return rows
 
 
 def load_profile(path: Path) -> ColourProfile:
-    """Read a profile. Raises FileError that names file, key and line."""
+    """Read a profile. Raises FileError with file, key and line."""
     return parse_profile(read_text(path), path.name)
 
 
 def parse_profile(text: str, name: str = "colours.toml") -> ColourProfile:
-    """A profile from TOML text; ``name`` stands for the file in messages."""
+    """A profile from TOML text; ``name`` replaces the file name in messages."""
     root = read_toml(text, name)
     if (schema := root.integer("schema")) != SCHEMA:
         raise root.fail("schema", f"is {schema}; this version reads {SCHEMA}")
@@ -200,7 +201,7 @@ def _shape(table: TomlTable) -> ShapeLimits:
 
 
 def profile_to_toml(profile: ColourProfile) -> str:
-    """The file that `parse_profile` reads back as an equal profile."""
+    """The file text, from which `parse_profile` reads an equal profile."""
     hues = {
         h.name: {key: [int(v) for v in getattr(h, key)] for key in ("hue", "saturation", "value")}
         for h in profile.hues

@@ -1,8 +1,8 @@
 """Connected regions of one hue, grown from seed pixels by horizontal runs.
 
 A seed is a pixel of a hue on a sparse grid; from it the whole 8-connected region is filled at full
-resolution. With a grid of every pixel that is a full scan; with a coarser one the same regions come
-out, bit for bit, save those so small that the grid misses them.
+resolution. A grid with a stride of 1 px is a full scan; a coarser one finds identical regions,
+except for those too small to contain a seed.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from tracker.vision.hue_table import HueTable, colour_class
 RUN = 6
 """Columns of a run (n, RUN): row, first and last column, then the same of the run from which it was
 reached."""
-RAGGED, RAGGED_SPARE = 4, 24  # runs a row, and beyond that, from which a region is background
-NO_ROW = -9  # as the row of a run that was reached from none
+RAGGED, RAGGED_SPARE = 4, 24  # runs per row, plus a constant: the limit for a region
+NO_ROW = -9  # row of the predecessor of a run without one
 
 
 class Scan(NamedTuple):
-    """An image (h, w, 3) that is searched, and where it has been.
+    """An image (h, w, 3) being searched, and the pixels visited so far.
 
-    ``visited`` (h, w) has ``mark`` where a region was met, and less where none was: a number for
-    each call saves clearing an image's worth of memory. ``runs``: a `run_buffer` for regions of at
-    most ``extent`` px.
+    ``visited`` (h, w) is ``mark`` where a region was found, and less elsewhere: a new number for
+    each call avoids clearing the array. ``runs``: a `run_buffer` for regions of at most ``extent``
+    px.
     """
 
     image: ByteStack
@@ -48,7 +48,8 @@ class Scan(NamedTuple):
 
 
 def run_buffer(extent: int) -> Int32Matrix:
-    """Memory for the runs of one region of at most ``extent`` px, and of what is looked at next."""
+    """Memory for the runs of one region of at most ``extent`` px, and for those to be tested
+    next."""
     return np.empty(((extent + 4) * (extent // 2 + 4), RUN), np.int32)
 
 
@@ -80,24 +81,24 @@ def _run(
 
 @kernel
 def fill(scan: Scan, y: int, x: int, hue: int) -> tuple[int, bool]:
-    """All runs of the 8-connected region that (x, y) belongs to, into the scan's ``runs``.
+    """Writes all runs of the 8-connected region around (x, y) to the scan's ``runs``.
 
-    The list of runs is at once the queue of those whose neighbours are still to be looked at. A
-    region longer than the extent or full of holes is background (a wall whose colour is on the
-    border of a hue comes and goes with the noise): it is left as soon as that is known and marked
-    mark + hue, and what later touches such a mark belongs to it. Returns how many runs there are,
-    and whether the region is whole.
+    The list of runs also serves as the queue of those whose neighbours are not yet tested. A region
+    longer than the extent or full of holes is background (such as a wall whose colour is at the
+    limit of a hue, which flickers with the noise): the fill stops as soon as that is known and
+    marks it mark + hue, and later regions that touch such a mark are part of it. Returns the number
+    of runs, and whether the region is complete.
     """
     image, visited, mark, runs = scan.image, scan.visited, scan.mark, scan.runs
     cells, patterns, extent = scan.table.cells, scan.table.patterns, scan.extent
     height, width = image.shape[0], image.shape[1]
-    # 1. the seed's own run begins the list
+    # 1. the list starts with the seed's own run
     first, last = _run(image, visited, mark, y, x, hue, cells, patterns)
     runs[0, 0], runs[0, 1], runs[0, 2], runs[0, 3] = y, first, last, NO_ROW
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
     while done < n and whole:
-        # 2. the next run whose neighbours are still to be looked at
+        # 2. the next run whose neighbours are not yet tested
         row, first, last = int(runs[done, 0]), int(runs[done, 1]), int(runs[done, 2])
         from_row, skip, after = int(runs[done, 3]), runs[done, 4] - 1, runs[done, 5] + 2
         done += 1
@@ -125,7 +126,7 @@ def fill(scan: Scan, y: int, x: int, hue: int) -> tuple[int, bool]:
                     break
                 else:
                     k += 1
-        # 4. background is left at once
+        # 4. stop at background
         ragged = n > RAGGED * (bottom - top + 1) + RAGGED_SPARE
         whole = whole and not ragged and max(high - low, bottom - top) <= extent
     if not whole:
@@ -140,7 +141,7 @@ def moments(runs: Int32Matrix) -> tuple[float, float, float, float, float, float
 
     Second moments include a pixel's own extent (1/12), so that they are those of the area.
     """
-    u0, v0 = runs[0, 1], runs[0, 0]  # sums near zero keep their digits
+    u0, v0 = runs[0, 1], runs[0, 0]  # offsets to zero preserve precision
     area, su, sv, suu, suv, svv = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for k in range(len(runs)):
         a, b, v = float(runs[k, 1] - u0), float(runs[k, 2] - u0), float(runs[k, 0] - v0)
@@ -160,7 +161,7 @@ def moments(runs: Int32Matrix) -> tuple[float, float, float, float, float, float
 
 @kernel
 def bounds(runs: Int32Matrix) -> tuple[int, int, int, int]:
-    """Least and greatest column, least and greatest row."""
+    """First and last column, first and last row."""
     top, left, right = runs[0, 0], runs[0, 1], runs[0, 2]
     bottom = top
     for k in range(1, len(runs)):
@@ -171,12 +172,13 @@ def bounds(runs: Int32Matrix) -> tuple[int, int, int, int]:
 
 @kernel
 def hull(runs: Int32Matrix, top: int, bottom: int) -> tuple[float, float]:
-    """Pixels inside the convex hull of a region's pixel centres, and the region's girth (px).
+    """Number of pixels inside the convex hull of a region's pixel centres, and its perimeter (px).
 
     top and bottom are the region's first and last row.
 
-    By Pick's theorem the hull holds area + boundary / 2 + 1 pixels, so that a digitally convex
-    region has convexity 1 at any size. The girth is the hull's, plus π for the pixels' own extent.
+    By Pick's theorem the hull contains area + boundary / 2 + 1 pixels, so that a digitally convex
+    region has convexity 1 at any size. The perimeter is the hull's, plus π for the pixels' own
+    extent.
     """
     rows = bottom - top + 1
     side = np.empty((2, rows), np.int64)
@@ -188,7 +190,7 @@ def hull(runs: Int32Matrix, top: int, bottom: int) -> tuple[float, float]:
     pixels = 1.0 + 0.5 * ((side[1, 0] - side[0, 0]) + (side[1, -1] - side[0, -1]))
     girth = float(side[1, 0] - side[0, 0] + side[1, -1] - side[0, -1]) + np.pi
     for s in range(2):
-        sign = 2 * s - 1  # the left side bulges to smaller columns
+        sign = 2 * s - 1  # the left side is convex towards smaller columns
         n = _chain(side[s], sign, chain)
         for k in range(n - 1):
             r0, r1 = chain[k], chain[k + 1]
@@ -235,10 +237,10 @@ def axes(uu: float, uv: float, vv: float) -> tuple[float, float, float]:
 
 @kernel
 def waist(runs: Int32Matrix, u: float, v: float, angle: float) -> tuple[float, float]:
-    """Where a region is narrowest across its long axis, and how narrow.
+    """The narrowest cross-section along a region's long axis.
 
-    Returns the position along the axis (px from the centroid) and its width over the smaller of the
-    greatest widths on either side; 1 where there is no waist.
+    Returns the position along the axis (px from the centroid) and its width divided by the smaller
+    of the maximum widths on either side; 1 where there is no waist.
     """
     c, s = np.cos(angle), np.sin(angle)
     reach = 0.0
@@ -251,7 +253,7 @@ def waist(runs: Int32Matrix, u: float, v: float, angle: float) -> tuple[float, f
         for x in range(runs[k, 1], runs[k, 2] + 1):
             t = (x - u) * c + (runs[k, 0] - v) * s + half
             i = int(t)
-            width[i] += 1.0 - (t - i)  # shared between two bins, or aliasing would carve waists
+            width[i] += 1.0 - (t - i)  # distributed over two bins, or aliasing would create waists
             width[i + 1] += t - i
     return _narrowest(width, half)
 
@@ -262,7 +264,7 @@ def _narrowest(width: Vector, half: int) -> tuple[float, float]:
     smooth = np.zeros(n)
     for i in range(1, n - 1):
         smooth[i] = 0.25 * width[i - 1] + 0.5 * width[i] + 0.25 * width[i + 1]
-    after = np.zeros(n)  # widest from the next bin on
+    after = np.zeros(n)  # maximum width from the next bin on
     for i in range(n - 2, -1, -1):
         after[i] = max(after[i + 1], smooth[i + 1])
     position, ratio, before = 0.0, 1.0, smooth[0]
@@ -278,9 +280,9 @@ def _narrowest(width: Vector, half: int) -> tuple[float, float]:
 def cut(
     runs: Int32Matrix, u: float, v: float, angle: float, position: float
 ) -> tuple[Int32Matrix, int]:
-    """Runs parted by the line across the long axis at ``position``: first those before it.
+    """Runs divided by the line across the long axis at ``position``: first those before it.
 
-    Returns the runs and how many of them lie before the line.
+    Returns the runs and the number of those before the line.
     """
     c, s = np.cos(angle), np.sin(angle)
     out = np.empty((2 * len(runs), RUN), np.int32)

@@ -1,4 +1,4 @@
-"""Which blob is which marker, with the filter's prediction as guide.
+"""Matching of blobs with markers, guided by the filter's prediction.
 
 `assigned` works on one image: an optimal assignment under Mahalanobis distance.
 `match_translation` works on stereo points as Lee et al. 2021 do (eqs. 1 to 3): a 3-DOF CPD.
@@ -24,7 +24,7 @@ from tracker.vision.cpd import (
     translation_em,
 )
 
-FORBIDDEN = 1e6  # a cost that no dummy lets through
+FORBIDDEN = 1e6  # a cost above that of any dummy
 
 
 @dataclass(frozen=True)
@@ -33,13 +33,13 @@ class GateParams:
 
     gate: float = 18.0  # Mahalanobis² of two degrees of freedom
     gate_px: float = 80.0
-    dummy_cost: float = 16.0  # of leaving a blob unexplained
+    dummy_cost: float = 16.0  # of leaving a blob unmatched
     min_prior: float = 1e-3  # keeps ln p finite
 
 
 class ExpectedPixels(NamedTuple):
-    """Markers where one image should show them: uv (m, 2) px, innovation covariance S (m, 2, 2),
-    hue (m,), and prior (m,) of being seen, above zero."""
+    """Predicted markers in one image: uv (m, 2) px, innovation covariance S (m, 2, 2), hue (m,),
+    and prior (m,) of visibility, above zero."""
 
     uv: Matrix
     S: Stack
@@ -49,8 +49,8 @@ class ExpectedPixels(NamedTuple):
 
 @kernel(nogil=False)
 def misfit(left: Matrix, right: Matrix, match: IntMatrix, uv: Stack) -> float:
-    """px, the median distance of blobs of the left and the right image from where markers were
-    expected, uv (2, M, 2), of those that a match (2, M) has; infinite where it has none."""
+    """px, the median distance of the blobs of the left and right image from the predictions uv
+    (2, M, 2) of the markers that match (2, M) assigns; infinite without matches."""
     apart = np.empty(match.size)
     n = 0
     for c in range(2):
@@ -71,7 +71,7 @@ def misfit(left: Matrix, right: Matrix, match: IntMatrix, uv: Stack) -> float:
 def assigned(
     blobs: HuedPixels, markers: ExpectedPixels, gate: float, gate_px: float, dummy_cost: float
 ) -> IntVector:
-    """The optimal assignment among the pairs that are cheaper than two lone ones; (m,) blobs."""
+    """The optimal assignment among pairs cheaper than leaving both unmatched; (m,) blobs."""
     cost = _gated_costs(blobs, markers, gate, gate_px)
     out = assign(cost, dummy_cost)
     for j in range(len(out)):
@@ -115,7 +115,7 @@ class TranslationParams:
 
     @cached_property
     def mixture(self) -> TranslationMixture:
-        """What the EM takes of it."""
+        """The parameters of the EM."""
         return TranslationMixture(
             self.outlier, self.volume, self.sd_first, self.sd_last, self.iterations
         )
@@ -139,11 +139,11 @@ def match_translation(
     cov: Array,
     params: TranslationParams | None = None,
 ) -> TranslationMatch:
-    """Markers of stereo points by 3-DOF CPD per hue (Lee et al. 2021, eqs. 1 to 3).
+    """Matches stereo points with markers by 3-DOF CPD per hue (Lee et al. 2021, eqs. 1 to 3).
 
     points_G (n, 3) and markers_G (M, 3) m, prior (M,) of being seen by both cameras, cov (3, 3) or
-    (n, 3, 3) m² the noise of triangulation in G. A point takes its likeliest marker; of several
-    points on one marker the nearest stays. ``eta`` serves the assignment only.
+    (n, 3, 3) m² the noise of triangulation in G. A point is assigned its most likely marker; of
+    several points on one marker the nearest is used. ``eta`` serves the assignment only.
     """
     params = params or TranslationParams()
     n = len(points_G)
@@ -164,7 +164,7 @@ def match_translation(
 
 @kernel
 def normalised(prior: Vector, hue: IntVector) -> Vector:
-    """Priors that sum to one within each hue; a hue of zeros stays so."""
+    """Priors normalised to a sum of one within each hue; a hue of zeros is unchanged."""
     out = np.zeros(len(prior))
     for j in range(len(prior)):
         total = 0.0
@@ -180,7 +180,7 @@ def normalised(prior: Vector, hue: IntVector) -> Vector:
 def _likeliest(
     P: Matrix, points: Matrix, markers: Matrix, eta: Vector, min_posterior: float, reach: float
 ) -> tuple[IntVector, Vector]:
-    """MAP marker of each point within the limits, and each marker given once."""
+    """MAP marker of each point within the limits, each marker assigned once."""
     n, m = P.shape
     out, posterior = np.full(n, -1, np.int64), np.zeros(n)
     owner, least = np.full(m, -1, np.int64), np.full(m, reach)

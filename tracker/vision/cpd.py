@@ -1,9 +1,9 @@
-"""Coherent point drift in the two small forms that tracking needs.
+"""Coherent point drift in two specialised forms.
 
 A Gaussian mixture on one set is moved to fit the other by expectation and maximisation (Myronenko &
 Song 2010, doi:10.1109/TPAMI.2010.46). Only points of one hue can correspond. Noise is given rather
-than estimated where it is known, and the outlier term is a uniform density over a volume: the
-w / N of eq. 2 of Lee et al. 2021 has no unit of density.
+than estimated where it is known, and the outlier term is a uniform density over a volume: the w / N
+of eq. 2 of Lee et al. 2021 does not have the unit of a density.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class HuedPixels(NamedTuple):
 
 
 class HuedPoints(NamedTuple):
-    """Points seen: p (n, 3) m, hue (n,), and the noise cov (n, 3, 3) m²."""
+    """Measured points: p (n, 3) m, hue (n,), and the noise cov (n, 3, 3) m²."""
 
     p: Matrix
     hue: IntVector
@@ -33,8 +33,7 @@ class HuedPoints(NamedTuple):
 
 
 class ExpectedMarkers(NamedTuple):
-    """Markers where they are expected: p (m, 3) m, hue (m,), and prior (m,) that sums to one within
-    each hue."""
+    """Predicted markers: p (m, 3) m, hue (m,), and prior (m,) that sums to one within each hue."""
 
     p: Matrix
     hue: IntVector
@@ -42,8 +41,8 @@ class ExpectedMarkers(NamedTuple):
 
 
 class ParallaxMixture(NamedTuple):
-    """Of `parallax_em`: least and greatest sd along u and the sd along v, px; the share
-    ``outlier`` of blobs without a partner; steps."""
+    """Parameters of `parallax_em`: minimum and maximum sd along u and the sd along v, px; the share
+    ``outlier`` of unmatched blobs; number of iterations."""
 
     sd_u_min: float
     sd_u_max: float
@@ -53,8 +52,8 @@ class ParallaxMixture(NamedTuple):
 
 
 class TranslationMixture(NamedTuple):
-    """Of `translation_em`: the share ``outlier`` (w_c of eq. 2), uniform over ``volume`` m³; the sd
-    that is added to the noise at first and at last, m; steps."""
+    """Parameters of `translation_em`: the share ``outlier`` (w_c of eq. 2), uniform over ``volume``
+    m³; the first and last sd added to the noise, m; number of iterations."""
 
     outlier: float
     volume: float
@@ -69,12 +68,12 @@ def parallax_em(
 ) -> tuple[float, float]:
     """One horizontal parallax between two images: l_i = r_j + (zeta, 0). Pixels, rectified.
 
-    It starts at ``zeta``, and the sd along u at its greatest: a hand spans 10 to 20 px of
-    disparity, so it must not collapse. Returns zeta and that SD.
+    It starts at ``zeta``, and the sd along u at its maximum: a hand spans 10 to 20 px of disparity,
+    so it must not collapse. Returns zeta and that sd.
     """
     l_uv, l_hue, r_uv, r_hue = left.uv, left.hue, right.uv, right.hue
     s, sd_v = mixture.sd_u_max, mixture.sd_v
-    # an outlier is uniform over the ellipse of three sd about the expected position
+    # an outlier is uniform over the ellipse of three sd about the predicted position
     floor = mixture.outlier / (1.0 - mixture.outlier) * 2.0 / 9.0
     for _ in range(mixture.iterations):
         # 1. expectation: each left blob's posterior over its partners, as sums over p, p u, p u²
@@ -110,10 +109,11 @@ def parallax_em(
 def translation_em(
     points: HuedPoints, markers: ExpectedMarkers, mixture: TranslationMixture
 ) -> tuple[Vector, Matrix]:
-    """One 3-DOF translation between expected markers and points seen: o_i ~ N(m_j + eta, C_i).
+    """One 3-DOF translation between predicted markers and measured points: o_i ~ N(m_j + eta, C_i).
 
-    C_i = cov_i + s² I, where s falls from sd_first to sd_last geometrically. The outlier density is
-    outlier / volume (eq. 2). Returns eta (3,) m and the posterior P (n, m) of the last expectation.
+    C_i = cov_i + s² I, where s decreases from sd_first to sd_last geometrically. The outlier
+    density is outlier / volume (eq. 2). Returns eta (3,) m and the posterior P (n, m) of the last
+    expectation.
     """
     n, outlier, iterations = len(points.p), mixture.outlier, mixture.iterations
     p, hue, cov = points.p, points.hue, points.cov
@@ -126,12 +126,12 @@ def translation_em(
         information[:] = 0.0
         weighted[:] = 0.0
         for i in range(n):
-            # 1. the Gaussian about each marker, of this point's noise and the annealed SD
+            # 1. the Gaussian about each marker, from this point's noise and the annealed sd
             det = _inverse3(cov[i], s * s, inverse)
             scale = (1.0 - outlier) / math.sqrt((2.0 * math.pi) ** 3 * det)
             # 2. expectation: the point's posterior over markers and outliers, eqs. 2 and 3
             total = uniform + _expect(P[i], p[i], hue[i], markers, eta, inverse, scale)
-            # 3. its part of the normal equations of eta
+            # 3. its contribution to the normal equations of eta
             _maximise(P[i], total, inverse, p[i], markers.p, information, weighted)
         if step < iterations:
             if information[0, 0] < 1e-9:
@@ -163,7 +163,7 @@ def _expect(
         z = point[2] - p[j, 2] - eta[2]
         d2 = W[0, 0] * x * x + W[1, 1] * y * y + W[2, 2] * z * z
         d2 += 2.0 * (W[0, 1] * x * y + W[0, 2] * x * z + W[1, 2] * y * z)
-        if d2 < 80.0:  # beyond, the density is nothing beside the outliers'
+        if d2 < 80.0:  # beyond, the density is negligible compared with the outliers'
             row[j] = scale * prior[j] * math.exp(-0.5 * d2)
             total += row[j]
     return total

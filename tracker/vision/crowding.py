@@ -1,4 +1,4 @@
-"""A bound on the blobs of an image, so that no scene takes longer to match than it lasts."""
+"""A limit on the blobs of an image, so that matching is faster than real time in any scene."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ import numpy as np
 from tracker.messages import Array, BlobFrame, Blobs, IntArray
 
 MOST_BLOBS = 256
-"""In one image. Two gloves have 74 markers, and a cluttered desk adds some tens; matching and the
-search for a hand compare pairs of blobs, so that 900 took 1.5 s for each second of a session."""
+"""Per image. Two gloves have 74 markers, and a cluttered desk adds some tens; matching and the
+search for a hand compare pairs of blobs: 900 of them took 1.5 s per second of a session."""
 REPORT_INTERVAL = 10.0
-"""s, of the images' stamps, between two reports of ignored blobs."""
+"""s, in image timestamps, between two reports of ignored blobs."""
 CELL = 32.0
-"""px; where blobs are ignored those that share a cell of this size with many others go first."""
+"""px; blobs in a cell of this size with many others are ignored first."""
 
 
 def thinned(frame: BlobFrame) -> tuple[BlobFrame, int]:
-    """The frame with at most `MOST_BLOBS` in each image, and how many blobs that leaves out."""
+    """The frame with at most `MOST_BLOBS` in each image, and the number of blobs removed."""
     left, right = _thinned(frame.left), _thinned(frame.right)
     if left is frame.left and right is frame.right:
         return frame, 0
@@ -27,14 +27,14 @@ def thinned(frame: BlobFrame) -> tuple[BlobFrame, int]:
 
 
 class BlobLimit:
-    """Limits the blobs of each image to `MOST_BLOBS` and counts those that it ignored."""
+    """Limits the blobs of each image to `MOST_BLOBS` and counts the ignored ones."""
 
     def __init__(self) -> None:
         self.ignored = 0
         self._report_due = -np.inf  # s
 
     def limit(self, frame: BlobFrame) -> tuple[BlobFrame, bool]:
-        """Returns the limited frame, and whether the ignored blobs are to be reported now."""
+        """Returns the limited frame, and whether the ignored blobs should be reported now."""
         frame, ignored = thinned(frame)
         self.ignored += ignored
         if not ignored or frame.t < self._report_due:
@@ -48,7 +48,7 @@ def _count(blobs: Blobs | None) -> int:
 
 
 def _thinned(blobs: Blobs | None) -> Blobs | None:
-    """In the order in which they came; ``blobs`` itself where there are few enough."""
+    """The original order is preserved; returns ``blobs`` itself where there are few enough."""
     if blobs is None or len(blobs) <= MOST_BLOBS:
         return blobs
     rank = _rank_in_cell(blobs.uv, blobs.score)
@@ -63,7 +63,8 @@ def _thinned(blobs: Blobs | None) -> Blobs | None:
 
 
 def _rank_in_cell(uv: Array, score: Array) -> IntArray:
-    """(n,) how many blobs of the same cell have a higher score, or the same and came before."""
+    """(n,) number of blobs in the same cell with a higher score, or an equal score and a lower
+    index."""
     cell = np.floor(np.nan_to_num(uv) / CELL)
     order = np.lexsort((-score, cell[:, 1], cell[:, 0]))
     in_order = cell[order]

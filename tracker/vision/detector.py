@@ -1,7 +1,7 @@
-"""Coloured blobs in one image: pixels of a hue, regions of pixels, regions of the right shape.
+"""Coloured blobs in one image: pixels of a hue, connected regions, and shape tests.
 
 The requirements are those of Lee et al. 2021: HSV within the intervals of a profile; size for the
-marker's distance, convexity and circularity. A foreshortened disc is an ellipse and stays.
+marker's distance, convexity and circularity. A foreshortened disc is an ellipse, which passes.
 """
 
 from __future__ import annotations
@@ -42,15 +42,15 @@ REASONS = (
 )  # in the order of `shape_tests`
 NOWHERE = ExpectedBlobs(np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64), np.zeros(0))
 HIGHEST_MARK = 255
-LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are background
+LARGE = 2.0  # times the largest blob: two touching ones are split, larger regions are background
 
 
 @dataclass(frozen=True)
 class DetectorParams:
-    """How an image is searched, and how far away markers may be where nothing is predicted."""
+    """Search parameters, and the distance range of markers without a prediction."""
 
     stride: int = 4  # of the seeds' grid; 1 scans every pixel
-    hint_stride: int = 3  # the same around predicted markers, where nothing else is searched
+    hint_stride: int = 3  # around predicted markers, where only these regions are searched
     min_area_px: float = 6.0
     nearest: float = 0.15  # m
     farthest: float = 0.90  # m
@@ -58,10 +58,10 @@ class DetectorParams:
 
 @dataclass(frozen=True, eq=False)
 class DetectionHints:
-    """Where markers of one image are expected, in pixels as recorded.
+    """Predicted markers of one image, in pixels as recorded.
 
-    uv (n, 2); radius_px (n,) within which the marker is surely; hue (n,) index into the profile's
-    hues; size_px (n,) expected extent of a marker seen square on, None where unknown.
+    uv (n, 2); radius_px (n,) within which the marker certainly is; hue (n,) index into the
+    profile's hues; size_px (n,) expected extent of a marker seen head-on, None where unknown.
     """
 
     uv: Array
@@ -71,9 +71,9 @@ class DetectionHints:
 
 
 class Detector:
-    """One colour profile, made ready. Calls are independent of each other and may be concurrent.
+    """A detector for one colour profile. Calls are independent of each other and may be concurrent.
 
-    ``marker_size`` (m) and the camera's focal length ``fx`` (px) give the size that blobs may have.
+    ``marker_size`` (m) and the camera's focal length ``fx`` (px) determine the range of blob sizes.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class Detector:
         )  # fmt: skip
 
     def with_params(self, params: DetectorParams) -> Detector:
-        """Another detector for the same colours; the table is shared."""
+        """Another detector for the same colours; both share the hue table."""
         other = copy(self)
         other._set(params, self._metre_px)
         return other
@@ -107,16 +107,16 @@ class Detector:
     def detect(
         self, image: Image, hints: DetectionHints | None = None
     ) -> tuple[Blobs, RejectedBlobs]:
-        """Blobs of a BGR image (h, w, 3) uint8, and what had the hue but not the shape.
+        """Blobs of a BGR image (h, w, 3) uint8, and regions rejected by their shape.
 
-        With ``hints`` only what they stand for is looked for.
+        With ``hints`` only the regions around them are searched.
         """
         return self._find(self._calmed(image), hints)
 
     def detect_worn(
         self, image: Image, hints: DetectionHints | None = None
     ) -> tuple[Blobs, RejectedBlobs]:
-        """The same, with the glove's cloth around the blobs where the colours know it."""
+        """As `detect`, with the glove's cloth around the blobs if the profile includes it."""
         pixels = self._calmed(image)
         blobs, rejected = self._find(pixels, hints)
         if self.profile.learned is not None:
@@ -124,7 +124,7 @@ class Detector:
         return blobs, rejected
 
     def _calmed(self, image: Image) -> Image:
-        """The image as its colours were learned."""
+        """The image, smoothed as for the learning of its colours."""
         pixels, learned = _checked(image), self.profile.learned
         if learned is not None and learned.smoothing_px:
             pixels = smoothed(pixels, learned.smoothing_px)
@@ -143,7 +143,8 @@ class Detector:
         return blobs, RejectedBlobs(found.other_uv, found.other_hue, why)
 
     def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
-        """Rows (first and last column, first and last row, stride) to look for seeds in."""
+        """Rows (first and last column, first and last row, stride) of the regions to scan for
+        seeds."""
         if hints is None:
             return np.array([[0, width - 1, 0, height - 1, self.params.stride]], np.int64)
         stride = self.params.hint_stride
@@ -151,15 +152,15 @@ class Detector:
 
 
 class _Scratch(threading.local):
-    """Memory kept from call to call: fresh memory costs as much as the search."""
+    """Memory reused between calls: allocating it would take as long as the search."""
 
     def __init__(self) -> None:
         self._visited, self._mark = np.zeros((0, 0), np.uint8), 1
         self._runs, self._extent = run_buffer(0), 0
 
     def visited(self, height: int, width: int, hues: int) -> tuple[NDArray[np.uint8], int]:
-        """(height, width) numbers and the least that is above all of them, enough for ``hues``
-        more; good until this thread's next call."""
+        """(height, width) marks and a number above all of them, with room for ``hues`` more; valid
+        until this thread's next call."""
         if self._visited.shape != (height, width):
             self._visited, self._mark = np.zeros((height, width), np.uint8), 1
         elif self._mark + hues > HIGHEST_MARK:
@@ -169,7 +170,7 @@ class _Scratch(threading.local):
         return self._visited, mark
 
     def runs(self, extent: int) -> Int32Matrix:
-        """`run_buffer` for at least this extent (px), good until this thread's next call."""
+        """`run_buffer` for at least this extent (px), valid until this thread's next call."""
         if extent > self._extent:
             self._runs, self._extent = run_buffer(extent), extent
         return self._runs
@@ -180,7 +181,7 @@ def detect_frame(
     frame: StereoFrame,
     hints: tuple[DetectionHints, DetectionHints] | None = None,
 ) -> BlobFrame:
-    """Both images of an exposure; a side without an image stays None."""
+    """Both images of an exposure; a side without an image is None."""
     sides: list[Blobs | None] = []
     rejected: list[RejectedBlobs | None] = []
     for k, image in enumerate((frame.left, frame.right)):
@@ -201,12 +202,12 @@ def detect_frame(
 
 
 def smoothed(image: Image, width_px: int = 5) -> Image:
-    """A noisy image without most of its noise: a marker is much wider than what is smoothed."""
+    """Denoises an image: a marker is much wider than the filter."""
     return np.asarray(cv2.GaussianBlur(image, (width_px, width_px), 0), np.uint8)
 
 
 def _expected(hints: DetectionHints | None) -> ExpectedBlobs:
-    """Sizes to be met; none where none is known."""
+    """Expected sizes; empty where none is known."""
     if hints is None or hints.size_px is None:
         return NOWHERE
     return ExpectedBlobs(hints.uv, hints.radius_px, hints.hue, hints.size_px)

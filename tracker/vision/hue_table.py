@@ -1,9 +1,9 @@
-"""From a BGR pixel to its hue class, exactly as OpenCV's HSV intervals decide.
+"""The hue class of a BGR pixel, identical to OpenCV's HSV intervals.
 
-Colours are looked up in two steps: 32³ cells of 8³ colours each say which pattern their classes
-follow, and patterns hold the class of each colour within a cell. All cells of one class share a
-pattern. What an image needs of both stays in the processor's caches, and there is no case to tell
-apart: on a coloured background a wrong guess of the processor costs more than the second look.
+The lookup has two steps: each of 32³ cells of 8³ colours has the number of a pattern, and a pattern
+contains the class of each colour within a cell. All cells of one class share a pattern. The parts
+of both that an image needs remain in the processor's caches, and there is no branch: on a coloured
+background a misprediction costs more than the second lookup.
 """
 
 from __future__ import annotations
@@ -35,23 +35,23 @@ from tracker.vision.colours import (
     ColourProfile,
 )
 
-MAX_HUES = 30  # bits of a mask
+MAX_HUES = 30  # limited by the bits of a mask
 
-CELL_BITS = 3  # of each channel that a cell leaves open
+CELL_BITS = 3  # bits per channel within a cell
 CELLS = LEVELS >> CELL_BITS  # along each channel
 CELL_SIDE = 1 << CELL_BITS
 CELL_COLOURS = CELL_SIDE**3
 CLOTH = -1
-VIVID_SATURATION = 86  # from which max - min is at least a third of max, and so half of min
+VIVID_SATURATION = 86  # above which max - min is at least a third of max, and so half of min
 
 
 class HueTable(NamedTuple):
     """Classes are 0 for none of a profile's hues, k + 1 for its hue k, and `CLOTH` for the glove's
-    own, where that was learned.
+    own cloth, if that was learned.
 
-    cells (2^15,) numbers of patterns, by b << 10 | g << 5 | r of the channels' upper five bits;
-    patterns (512 n,) classes, by number << 9 | b << 6 | g << 3 | r of their lower three. vivid is 1
-    where `is_vivid` holds for all colours of a hue, else 0.
+    cells (2^15,) pattern numbers, indexed by b << 10 | g << 5 | r of the channels' upper five bits;
+    patterns (512 n,) classes, indexed by number << 9 | b << 6 | g << 3 | r of their lower three.
+    vivid is 1 where `is_vivid` is true for all colours of a hue, else 0.
     """
 
     cells: UInt16Vector
@@ -88,7 +88,7 @@ def hue_table(profile: ColourProfile) -> HueTable:
 
 
 def _masks(profile: ColourProfile) -> IntMatrix:
-    """(3, 256): bit k of row hue, saturation or value says whether hue k takes that level."""
+    """(3, 256): bit k of row hue, saturation or value is set if hue k includes that level."""
     out = np.zeros((3, LEVELS), np.int64)
     hue, level = np.arange(HUES), np.arange(LEVELS)
     for k, h in enumerate(profile.hues):
@@ -120,7 +120,7 @@ def in_intervals(b: int, g: int, r: int, masks: IntMatrix, hue: int) -> bool:
 
 @kernel
 def interval_bits(b: int, g: int, r: int, masks: IntMatrix) -> int:
-    """Bit k for hue k that takes a colour, with the fixed-point HSV of OpenCV's cvtColor."""
+    """Bit k is set if hue k includes the colour, with the fixed-point HSV of OpenCV's cvtColor."""
     v = max(b, g, r)
     d = v - min(b, g, r)
     s = (d * _SATURATION[v] + 2048) >> 12
@@ -138,8 +138,8 @@ def interval_bits(b: int, g: int, r: int, masks: IntMatrix) -> int:
 
 @kernel
 def known_class(b: int, g: int, r: int, masks: IntMatrix, known: ByteVector) -> int:
-    """Class of one colour, with what was learned of it: a colour of the room has none though it
-    lies within a hue's intervals, one of a hue must lie within that hue's."""
+    """Class of one colour, including learned colours: a colour of the background has none even
+    within a hue's intervals, one of a hue must lie within that hue's."""
     shift = 8 - LEARNED_BITS
     cell = ((b >> shift) << LEARNED_BITS | g >> shift) << LEARNED_BITS | r >> shift
     learned = int(known[cell])
@@ -158,7 +158,7 @@ def colour_class(
 ) -> int:
     """Class of one pixel of a BGR image.
 
-    Unsigned indices spare a look at whether they count from the end.
+    Unsigned indices avoid the test for negative ones.
     """
     v, u, bits, low = np.uintp(y), np.uintp(x), np.uintp(CELL_BITS), np.uintp(CELL_SIDE - 1)
     b, g, r = np.uintp(image[v, u, 0]), np.uintp(image[v, u, 1]), np.uintp(image[v, u, 2])
@@ -170,7 +170,7 @@ def colour_class(
 
 @kernel(inline="always")
 def is_vivid(b: int, g: int, r: int) -> np.bool_:
-    """Whether the channels (uint8) differ by half the least: cheaper than any table for greys."""
+    """Whether the channels (uint8) differ by half the smallest: faster than a table for greys."""
     least = min(min(b, g), r)
     return np.uint8(max(max(b, g), r) - least) >= np.uint8(least >> 1)
 
@@ -183,9 +183,9 @@ def _fill_table(
     cells: Written[UInt16Vector],
     patterns: Written[Int8Vector],
 ) -> int:
-    """Fill both arrays; returns how many patterns there are. Those of one class come first.
+    """Fills both arrays; returns the number of patterns. Those of a single class come first.
 
-    ``known`` is what was learned, as `tracker.vision.colours.LearnedColours.classes` has it.
+    ``known`` are the learned classes, as from `tracker.vision.colours.LearnedColours.classes`.
     """
     for k in range(hues + 1):
         patterns[k * CELL_COLOURS : (k + 1) * CELL_COLOURS] = k
@@ -208,7 +208,7 @@ def _fill_table(
 def _fill_pattern(
     b: int, g: int, r: int, masks: IntMatrix, known: ByteVector, own: Written[Int8Vector]
 ) -> None:
-    """The classes of the cell with this darkest corner."""
+    """Fills the classes of the cell with this darkest corner."""
     index = 0
     for i in range(b, b + CELL_SIDE):
         for j in range(g, g + CELL_SIDE):

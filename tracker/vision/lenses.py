@@ -1,6 +1,7 @@
-"""Tracking with one camera of two, or with a device that has only one.
+"""Tracking with one of two cameras, or with a device that has only one.
 
-A device with one camera is a `StereoRig` whose other camera gives no images: see `one_camera_rig`.
+A device with one camera is a `StereoRig` whose other camera produces no images: see
+`one_camera_rig`.
 """
 
 from __future__ import annotations
@@ -15,12 +16,12 @@ from tracker.messages import BlobFrame, CameraPose
 from tracker.vision.rig import Camera, StereoRig
 
 LENSES = ("both", "left", "right")
-"""What `tracker.engine.settings.Settings.lenses` may say."""
-UNUSED_BASELINE = 0.06  # m, of the camera that is not there
+"""The values of `tracker.engine.settings.Settings.lenses`."""
+UNUSED_BASELINE = 0.06  # m, baseline of a rig without a right camera
 
 
 def check_lenses(lenses: str, rig: StereoRig | None = None) -> None:
-    """Raises ConfigError for a word that is none of `LENSES`, and for the right camera where there
+    """Raises ConfigError for a value that is not in `LENSES`, and for the right camera where there
     is only one."""
     if lenses not in LENSES:
         raise ConfigError(notice("camera.lenses", lenses=lenses, known=LENSES))
@@ -29,7 +30,7 @@ def check_lenses(lenses: str, rig: StereoRig | None = None) -> None:
 
 
 def through(frame: BlobFrame, lenses: str) -> BlobFrame:
-    """What the cameras in use see of it."""
+    """The part of a frame from the cameras in use."""
     if lenses == "left" and frame.right is not None:
         return replace(frame, right=None, rejected_right=None)
     if lenses == "right" and frame.left is not None:
@@ -48,5 +49,5 @@ def one_camera_rig(camera: Camera, pose: CameraPose) -> StereoRig:
 
 
 def with_one_camera(rig: StereoRig) -> StereoRig:
-    """What is left of a stereo camera whose right one is taken away."""
+    """A stereo rig without its right camera."""
     return one_camera_rig(rig.left, rig.pose)

@@ -1,4 +1,4 @@
-"""Where markers are expected in images yet to come, and which of those are searched whole."""
+"""Predicts the markers in future images, and plans which images are searched completely."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from tracker.vision.detector import DetectionHints
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig
 
 MARGIN_PX = 12.0
-SPARING_EVERY, SPARING_LONGEST = 30, 0.3  # of a `SearchPlan` on a computer that is too slow
-SPEED_SD = 0.5  # m/s by which a hand may differ from the speed it had
-SHORTEST, LONGEST = 0.005, 0.1  # s between two predictions that give a speed
-CLOSE = 0.05  # m; nearer than this a radius in pixels means nothing
+SPARING_EVERY, SPARING_LONGEST = 30, 0.3  # `SearchPlan` parameters on an overloaded computer
+SPEED_SD = 0.5  # m/s, sd of a hand's change of velocity
+SHORTEST, LONGEST = 0.005, 0.1  # s between two predictions from which a velocity is computed
+CLOSE = 0.05  # m; at a smaller distance a radius in pixels is meaningless
 
 
 class MovingMarkers(NamedTuple):
-    """Of `RegionPrediction`: p_G (n, 3) m, v_G (n, 3) m/s, sd (n,) m, size (n,) m."""
+    """The arrays of a `RegionPrediction`: p_G (n, 3) m, v_G (n, 3) m/s, sd (n,) m, size (n,) m."""
 
     p_G: Matrix
     v_G: Matrix
@@ -44,7 +44,8 @@ class PosedCamera(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class RegionPrediction:
-    """Markers expected at ``t``, and how they move; written by the engine, read by vision.
+    """Markers predicted for ``t``, and their motion; written by the engine, read by the vision
+    thread.
 
     p_G (n, 3) m and v_G (n, 3) m/s in G, sd (n,) m, size (n,) m, hue (n,) index into ``hue_names``.
     """
@@ -56,10 +57,10 @@ class RegionPrediction:
     size: Array
     hue: IntArray
     hue_names: tuple[str, ...]
-    right_late: float = 0.0  # s that the right camera exposes later than the left one
+    right_late: float = 0.0  # s by which the right camera exposes later than the left one
 
     def after(self, before: RegionPrediction | None) -> RegionPrediction:
-        """The same, moving as it has since ``before`` where that is a little while ago."""
+        """A copy with the velocity since ``before``, if that is recent."""
         if before is None or before.p_G.shape != self.p_G.shape:
             return self
         since = self.t - before.t
@@ -68,7 +69,7 @@ class RegionPrediction:
         return replace(self, v_G=(self.p_G - before.p_G) / since)
 
     def at(self, t: float, hue_names: tuple[str, ...]) -> RegionPrediction:
-        """Moved on to ``t``, hues numbered as in ``hue_names``; they must be among them."""
+        """Extrapolated to ``t``, hues numbered as in ``hue_names``, which must include them."""
         hue = hue_rows(self.hue_names, hue_names)[self.hue]
         p_G = self.p_G + (t - self.t) * self.v_G
         return replace(self, t=t, p_G=p_G, hue=hue, hue_names=hue_names)
@@ -78,6 +79,7 @@ class RegionPrediction:
     ) -> tuple[DetectionHints, DetectionHints]:
         """Positions in the two images taken at ``t``, hues numbered as in ``hue_names``.
 
+        A hue that is not among them has number -1.
         A hue that is not among them has number -1.
         """
         hue = hue_rows(self.hue_names, hue_names)[self.hue]
@@ -93,7 +95,7 @@ class RegionPrediction:
 
 
 def together(predictions: Sequence[RegionPrediction]) -> RegionPrediction:
-    """Of several hands as of one, at the latest of their instants."""
+    """Combines several hands' predictions, at the latest of their times."""
     if len(predictions) == 1:
         return predictions[0]
     t = max(p.t for p in predictions)
@@ -118,8 +120,8 @@ def seen_soon(
     """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near an image,
     ``ahead`` s later.
 
-    Not near is what lies behind the camera, or so far outside the image that a lens polynomial
-    means nothing.
+    Markers behind the camera, or so far outside the image that a lens polynomial is invalid, are
+    excluded.
     """
     p_G, v_G, sd, size = markers.p_G, markers.v_G, markers.sd, markers.size
     R_GC, p_GC, width, height = view.R_GC, view.p_GC, view.width, view.height
@@ -143,9 +145,10 @@ def seen_soon(
 
 
 class SearchPlan:
-    """Regions around what is expected, and every few images the whole, to see what is not.
+    """Searches regions around predictions, and every few images the complete image.
 
-    On a computer that is too slow the whole is searched seldom, and older predictions serve.
+    On an overloaded computer complete searches are less frequent, and older predictions are
+    accepted.
     """
 
     def __init__(self, every: int = 6, longest: float = 0.1) -> None:
@@ -161,10 +164,10 @@ class SearchPlan:
         hue_names: tuple[str, ...],
         sparing: bool = False,
     ) -> tuple[DetectionHints, DetectionHints] | None:
-        """For the image at ``t``; None where it should be searched whole.
+        """Hints for the image at ``t``; None where it should be searched completely.
 
-        That is every ``every``-th, any without a prediction not older than ``longest`` s, and any
-        in which nothing at all is expected. ``sparing``: on a computer that is too slow.
+        That is every ``every``-th image, any without a prediction at most ``longest`` s old, and
+        any in which no marker is predicted. ``sparing``: on an overloaded computer.
         """
         every, longest = (SPARING_EVERY, SPARING_LONGEST) if sparing else self._limits
         self._since_whole += 1

@@ -19,7 +19,7 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose
 
-NEAREST = 0.01  # m in front of the camera, below which nothing is projected
+NEAREST = 0.01  # m in front of the camera, minimum depth for projection
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +60,7 @@ class Camera:
 
 
 class StereoIntrinsics(NamedTuple):
-    """Of both rectified cameras: focal lengths and middle, px; and the baseline, m."""
+    """Of both rectified cameras: focal lengths and principal point, px; and the baseline, m."""
 
     fx: float
     fy: float
@@ -71,9 +71,9 @@ class StereoIntrinsics(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StereoRig:
-    """Two cameras and, for a fixed rig, where it stands in G.
+    """Two cameras and, for a fixed rig, its pose in G.
 
-    A device with ``one_camera`` has the left one alone; the right one then stands for none, see
+    A device with ``one_camera`` has only the left one; the right one is then a placeholder, see
     `tracker.vision.lenses.one_camera_rig`.
     """
 
@@ -90,12 +90,12 @@ class StereoRig:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Of the cameras that there are, the left one first."""
+        """The sides of the existing cameras, the left one first."""
         return ("left",) if self.one_camera else ("left", "right")
 
     @cached_property
     def intrinsics(self) -> StereoIntrinsics:
-        """What kernels take of the rig."""
+        """The rig's parameters for kernels."""
         return StereoIntrinsics(self.fx, self.fy, self.cx, self.cy, self.baseline)
 
     @cached_property
@@ -170,7 +170,7 @@ def ideal_rig(
 ) -> StereoRig:
     """A distortion-free rig, by default of the ZED Mini's field of view (Lee et al. 2021).
 
-    90° by 60° on 1280 by 720 are not square pixels by themselves (fx 640, fy 623.5); both are kept.
+    90° by 60° on 1280 by 720 do not give square pixels (fx 640, fy 623.5); both angles are exact.
     """
     fx = width / 2 / np.tan(np.deg2rad(hfov_deg) / 2)
     fy = height / 2 / np.tan(np.deg2rad(vfov_deg) / 2)
@@ -184,7 +184,8 @@ def ideal_rig(
 
 
 def default_pose() -> CameraPose:
-    """The evaluation's stand: 0.40 m above the origin of G, looking forward and 60° down."""
+    """The camera pose of the evaluation: 0.40 m above the origin of G, facing forward and 60°
+    down."""
     down = np.deg2rad(60.0)
     z = np.array([np.cos(down), 0.0, -np.sin(down)])  # optical axis in G
     x = np.array([0.0, -1.0, 0.0])  # image right is G's -y

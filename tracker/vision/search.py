@@ -1,4 +1,4 @@
-"""The detector's inner loop: seeds on a grid, regions, and what each region measures."""
+"""The detector's inner loop: seeds on a grid, regions, and the measurements of each region."""
 
 from __future__ import annotations
 
@@ -23,26 +23,26 @@ from tracker.vision.hue_table import CLOTH, colour_class, is_vivid
 HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
 CONTRAST, CLOTH_SHARE = 11, 12
 COLUMNS = 13
-RIM_PX = 2  # from a region to what is looked at around it
+RIM_PX = 2  # from a region to the sampled surroundings
 
 WORD = 8  # bytes
 
-SPLIT_ELONGATION = 1.45  # long over short axis, from which a region may be two
+SPLIT_ELONGATION = 1.45  # long over short axis, above which a region may be two blobs
 SPLIT_WAIST = 0.70  # width of the waist over that of the narrower half
-SPLIT_THICKNESS = 5.0  # px; pixels carve waists into thinner regions
-NO_WAIST = 0.98  # convexity above which there is none; two discs with such a waist have 0.956
+SPLIT_THICKNESS = 5.0  # px; pixel noise creates waists in thinner regions
+NO_WAIST = 0.98  # convexity above which there is no waist; two discs with one have 0.956
 SPLIT_CONVEXITY = 0.88  # of each half
 
 
 @kernel(wide=True)
 def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
-    """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
+    """Measurements (n, COLUMNS) of all regions that contain a seed, in the order of the seeds.
 
     windows (k, 5): first and last column, first and last row, and the grid's stride. Regions below
-    ``min_area`` px², and what `fill` takes for background, give no row. A seed must lie in a square
-    of 2 x 2 px of its hue: noise on a colour at the border of a hue makes specks and threads by the
-    hundred, and to fill each would take as long as all markers. Every other row of the grid is
-    shifted by half a stride.
+    ``min_area`` px², and background as classified by `fill`, give no row. A seed must lie in a
+    square of 2 x 2 px of its hue: noise on a colour at the limit of a hue produces specks and
+    threads by the hundred, and filling each would take as long as all markers. Every other row of
+    the grid is shifted by half a stride.
     """
     image, visited, mark, runs = scan.image, scan.visited, scan.mark, scan.runs
     cells, patterns, vivid = scan.table.cells, scan.table.patterns, scan.table.vivid
@@ -62,7 +62,7 @@ def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
             else:
                 seeds = _classify(image, y, first, windows[k, 1], stride, cells, patterns, line)
             for word in range((seeds + WORD - 1) // WORD):
-                # 2. words of eight seeds in which one has a hue
+                # 2. words of eight seeds of which at least one has a hue
                 if line[word] == 0:
                     continue
                 for seed in range(word * WORD, min((word + 1) * WORD, seeds)):
@@ -70,13 +70,13 @@ def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
                     hue = int(line.view(np.int8)[seed])
                     if hue <= 0 or visited[y, x] >= mark:
                         continue
-                    # 3. the region, unless a thread or background
+                    # 3. the region, unless it is a thread or background
                     if not _is_broad(image, y, x, hue, cells, patterns):
                         continue
                     used, whole = fill(scan, y, x, hue)
                     if not whole:
                         continue
-                    # 4. what it measures, as one blob or two
+                    # 4. its measurements, as one blob or two
                     if n + 2 > len(out):
                         out = np.concatenate((out, np.empty_like(out)))
                     n += _measure_parts(scan, runs[:used], hue, min_area, out[n : n + 2])
@@ -89,7 +89,7 @@ def _is_broad(
 ) -> np.bool_:
     """Whether (x, y) is in a square of 2 x 2 px of ``hue``, or at the image's edge.
 
-    The neighbours are looked at without a branch, which on noise would be guessed wrong.
+    The neighbours are tested without a branch, which noise would make unpredictable.
     """
     if y < 1 or x < 1 or y > image.shape[0] - 2 or x > image.shape[1] - 2:
         return np.bool_(True)
@@ -113,10 +113,10 @@ def _classify(
     patterns: Int8Vector,
     line: Written[IntVector],
 ) -> int:
-    """What `colour_class` gives for every ``stride``-th pixel of a row, a byte each, into ``line``.
+    """Writes `colour_class` of every ``stride``-th pixel of a row, a byte each, to ``line``.
 
-    Bytes are written without a branch and looked at eight at a time, since most are zero; those
-    that fill up the last word are. Returns how many pixels there are.
+    Bytes are written without a branch and tested eight at a time, since most are zero; the
+    remainder of the last word is zero. Returns the number of pixels.
     """
     count = (last - first) // stride + 1
     if count <= 0:
@@ -166,7 +166,7 @@ def _classify_vivid(
 def _measure_parts(
     scan: Scan, runs: Int32Matrix, hue: int, min_area: float, rows: Written[Matrix]
 ) -> int:
-    """Measure a region as one blob, or as two where a waist says so; returns how many."""
+    """Measure a region as one blob, or as two if it has a waist; returns the number of blobs."""
     if not _measure(scan, runs, hue, min_area, rows[0]):
         return 0
     if rows[0, MAJOR] < SPLIT_ELONGATION * rows[0, MINOR] or rows[0, MINOR] < SPLIT_THICKNESS:
@@ -193,7 +193,7 @@ def _measure_parts(
 def _measure(
     scan: Scan, runs: Int32Matrix, hue: int, min_area: float, row: Written[Vector]
 ) -> bool:
-    """Fill one row; False where the region is a speck."""
+    """Fill one row; False where the region is too small."""
     area, u, v, uu, uv, vv = moments(runs)
     if area < min_area:
         return False
@@ -214,10 +214,10 @@ def _measure(
 
 @kernel
 def _surroundings(scan: Scan, runs: Int32Matrix, top: int, bottom: int) -> tuple[float, float]:
-    """How far a region's mean colour is from that around it (largest difference of a channel over
-    the region's brightest channel), and the share of what is around it that is the glove's cloth.
+    """Contrast of a region's mean colour to its surroundings (largest difference of a channel over
+    the region's brightest channel), and the share of the glove's cloth in them.
 
-    Around it are the pixels `RIM_PX` left and right of each of its rows, above and below it.
+    The surroundings are the pixels `RIM_PX` left and right of each of its rows, above and below it.
     """
     image, cells, patterns = scan.image, scan.table.cells, scan.table.patterns
     rows = bottom - top + 1

@@ -1,4 +1,4 @@
-"""Which regions have the shape of a marker, and where to look for one; compiled."""
+"""Shape tests for regions, and the image windows to search; compiled."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ SQUARE_CIRCULARITY = np.pi / 4
 
 
 class RegionLimits(NamedTuple):
-    """What a marker's region must keep: least and greatest long axis, px; the same as a ratio to
-    the size that is expected; least convexity, circularity, contrast to what is around and share of
-    the glove's cloth in that."""
+    """Limits of a marker's region: minimum and maximum long axis, px, and relative to the expected
+    size; minimum convexity, circularity, contrast to the surroundings and share of the glove's
+    cloth in them."""
 
     shortest: float
     longest: float
@@ -30,8 +30,8 @@ class RegionLimits(NamedTuple):
 
 
 class ExpectedBlobs(NamedTuple):
-    """Where markers are expected: uv (k, 2) px, radius (k,) px within which one is surely, hue (k,)
-    and size (k,) px."""
+    """Predicted markers: uv (k, 2) px, radius (k,) px within which one certainly is, hue (k,) and
+    size (k,) px."""
 
     uv: Matrix
     radius: Vector
@@ -40,7 +40,7 @@ class ExpectedBlobs(NamedTuple):
 
 
 class Sorted(NamedTuple):
-    """Regions that failed nothing: uv (n, 2), size (n, 2) px, hue (n,) and score (n,) in 0..1; the
+    """Regions that pass all tests: uv (n, 2), size (n, 2) px, hue (n,) and score (n,) in 0..1; the
     others: uv (m, 2) px, hue (m,) and reason (m,)."""
 
     uv: Matrix
@@ -54,9 +54,9 @@ class Sorted(NamedTuple):
 
 @kernel(nogil=False)
 def first_failure(rows: Matrix, limits: RegionLimits, expected: ExpectedBlobs) -> IntVector:
-    """(n,) the first requirement that each region of rows (n, COLUMNS) fails, -1 for none.
+    """(n,) the first test that each region of rows (n, COLUMNS) fails, -1 for none.
 
-    Where markers of a region's hue are expected, one of their sizes must suit as well.
+    Where markers of a region's hue are predicted, it must also match one of their sizes.
     """
     out = np.full(len(rows), -1, np.int64)
     for i in range(len(rows)):
@@ -79,7 +79,7 @@ def first_failure(rows: Matrix, limits: RegionLimits, expected: ExpectedBlobs) -
 
 @kernel
 def _suits(row: Vector, limits: RegionLimits, expected: ExpectedBlobs) -> bool:
-    """Whether a marker expected here has this size, or none is expected here."""
+    """Whether a marker predicted here has this size, or none is predicted here."""
     near = False
     for k in range(len(expected.size)):
         if expected.hue[k] != row[search.HUE]:
@@ -97,7 +97,7 @@ def _suits(row: Vector, limits: RegionLimits, expected: ExpectedBlobs) -> bool:
 def parted(
     rows: Matrix, reason: IntVector
 ) -> tuple[Matrix, Matrix, IntVector, Vector, Matrix, IntVector, IntVector]:
-    """The members of `Sorted`: regions (n, COLUMNS) by what they fail, as `first_failure` says."""
+    """The members of `Sorted`: regions (n, COLUMNS) by the result of `first_failure`."""
     n, m = 0, 0
     for i in range(len(rows)):
         n += reason[i] < 0
@@ -124,10 +124,10 @@ def parted(
 
 @kernel(nogil=False)
 def windows_around(uv: Matrix, radius: Vector, width: int, height: int, stride: int) -> IntMatrix:
-    """(k, 5) first and last column, first and last row, stride: squares cut to the image.
+    """(k, 5) first and last column, first and last row, stride: squares clipped to the image.
 
     Positions that are not finite, or whose square lies outside, have no row. Where the squares
-    overlap so much that one rectangle around all is smaller, it takes their place.
+    overlap so much that one rectangle around all is smaller, it replaces them.
     """
     out = np.empty((len(uv), 5), np.int64)
     n, area = 0, 0

@@ -1,7 +1,8 @@
-"""Blobs shared out between hands before one camera: a marker belongs to one hand.
+"""Assigns blobs to hands in view of one camera: a marker belongs to one hand.
 
-All gloves wear the same few hues, so a blob near two hands may be either's. What each hand expects
-of its own markers, and hides of the other's, decides for both at once, image by image.
+All gloves use the same few hues, so a blob near two hands may belong to either. The predicted
+markers of each hand, and their occlusion by the other, are matched jointly for both hands, image by
+image.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ from tracker.vision.rig import StereoIntrinsics, StereoRig, projected
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, seen_from, visibility_at
 
 EVERYONE = -1
-"""Owner of a blob that no hand expects: each may look at it."""
+"""Owner of a blob near no hand: every hand may use it."""
 OTHERS = -1
-"""Hue of a blob that belongs to another hand: no glove wears it."""
+"""Hue of a blob that belongs to another hand: no glove has it."""
 
 
 class _Limits(NamedTuple):
-    """`SharingParams` as the kernels take them."""
+    """`SharingParams` for kernels."""
 
     pixel_sd_px: float
     gate: float
@@ -41,24 +42,24 @@ class _Limits(NamedTuple):
 
 @dataclass(frozen=True)
 class SharingParams:
-    """How a blob finds its hand."""
+    """Parameters of the assignment of blobs to hands."""
 
     placement_sd: float = 0.002  # m, of a marker on its segment
     pixel_sd_px: float = 1.0
     gate: GateParams = field(default_factory=GateParams)
-    near: float = 72.0  # Mahalanobis² of a marker, within which a blob has its hand at least
+    near: float = 72.0  # Mahalanobis² of a marker, within which a blob is assigned to a hand
 
     @cached_property
     def limits(self) -> _Limits:
-        """What the kernels take of it."""
+        """The parameters for kernels."""
         g = self.gate
         return _Limits(self.pixel_sd_px, g.gate, g.gate_px, g.dummy_cost, g.min_prior, self.near)
 
 
 class HandInView(NamedTuple):
-    """A hand as it is expected in an image: markers (m rows) with hue (m,), numbered as the image's
-    blobs, and sd (m,) m; its segments, which hide what is behind them; and which ids (m,) of the
-    glove's ``total`` markers they are."""
+    """A hand predicted in an image: markers (m rows) with hue (m,), numbered as the image's blobs,
+    and sd (m,) m; its segments, which occlude; and the ids (m,) of these among the glove's
+    ``total`` markers."""
 
     markers: MarkerRows
     hue: IntArray
@@ -69,8 +70,8 @@ class HandInView(NamedTuple):
 
 
 class _Markers(NamedTuple):
-    """Markers of all hands: p_C (m, 3) m where they are expected and variance (m,) m² of that, hue
-    and the hand (m,) of each."""
+    """Markers of all hands: predicted p_C (m, 3) m and its variance (m,) m², hue and the hand (m,)
+    of each."""
 
     p_C: Matrix
     variance: Vector
@@ -85,9 +86,9 @@ def share(
     pose: CameraPose,
     params: SharingParams | None = None,
 ) -> list[BlobFrame]:
-    """The frame for each hand: of blobs that are another's the hue is `OTHERS`; rows stay.
+    """The frame for each hand: blobs of another hand get the hue `OTHERS`; rows are unchanged.
 
-    A hand whose place is unknown is None: it may look at what the others do not explain.
+    A hand with unknown position is None: it may use the blobs that the others do not explain.
     """
     params = params or SharingParams()
     known = [(i, hand) for i, hand in enumerate(hands) if hand is not None]
@@ -108,7 +109,8 @@ def share(
 def _priors(
     hands: Sequence[HandInView], rig: StereoRig, pose: CameraPose
 ) -> tuple[list[Array], list[Array]]:
-    """(2, m) of each hand's markers to be seen where hands hide one another, and of each alone."""
+    """(2, m) visibility priors of each hand's markers with mutual occlusion, and of each hand
+    alone."""
     markers, body = _together(hands)
     uv = seen_from(markers.p_G, rig, pose)
     prior = visibility_at(uv, body, markers, rig, pose)
@@ -124,8 +126,8 @@ def _priors(
 
 
 def _unhidden(hand: HandInView, prior: Array, alone: Array) -> Array:
-    """(2, total) of the glove's markers: what of their prior (2, m) ``alone`` the other hand
-    leaves."""
+    """(2, total) of the glove's markers: the factor that the other hand leaves of their prior
+    (2, m) ``alone``."""
     out = np.ones((2, hand.total))
     out[:, hand.ids] = np.where(alone > 0.0, prior / np.maximum(alone, 1e-12), 1.0)
     return out
@@ -177,12 +179,12 @@ def owners_in(
     limits: _Limits,
 ) -> IntVector:
     """(n,) the hand of each blob of the left (0) or the right ``camera``, `EVERYONE` where none is
-    near; prior (m,) of the markers to be seen by it."""
+    near; prior (m,) that it sees each marker."""
     owner = np.full(len(seen.uv), EVERYONE)
     shift = rig.baseline if camera else 0.0
     uv = projected(markers.p_C, shift, rig.fx, rig.fy, rig.cx, rig.cy)
     rows = np.flatnonzero(np.isfinite(uv[:, 0]))
-    if len(rows) == 0:  # each hand that is known lies wholly under another
+    if len(rows) == 0:  # each known hand is completely occluded by another
         return owner
     # 1. The markers of all hands compete for all blobs.
     there = ExpectedPixels(
@@ -195,7 +197,7 @@ def owners_in(
     for k in range(len(rows)):
         if found[k] >= 0:
             owner[found[k]] = markers.hand[rows[k]]
-    # 2. What is no one's marker for sure stays with the hand that is likeliest to have it there.
+    # 2. Unmatched blobs are assigned to the hand most likely to have a marker there.
     for i in range(len(owner)):
         if owner[i] == EVERYONE:
             k = _likeliest(seen.uv[i], seen.hue[i], there, limits.near)
@@ -205,7 +207,7 @@ def owners_in(
 
 @kernel(nogil=False)
 def taken_twice(a: IntVector, b: IntVector) -> int:
-    """How many blobs are in both of two matches, in which -1 is none."""
+    """Number of blobs in both of two matches, in which -1 is none."""
     count = 0
     for i in range(len(a)):
         if a[i] < 0:
@@ -258,7 +260,7 @@ def _likeliest(uv: Vector, hue: int, markers: ExpectedPixels, near: float) -> in
 
 
 def _together(hands: Sequence[HandInView]) -> tuple[MarkerRows, PosedHand]:
-    """All markers, and the bodies of all hands as one, whose segments stand one after the other."""
+    """All markers, and the bodies of all hands as one, with concatenated segments."""
     before = np.cumsum([0, *(len(h.body.p_GB) for h in hands)])
     segment = [h.markers.segment + n for h, n in zip(hands, before, strict=False)]
     markers = MarkerRows(

@@ -1,7 +1,8 @@
-"""From blobs of two images to points: matching by one parallax, or every pair that could be.
+"""Stereo points from the blobs of two images: matching by one parallax, or all possible pairs.
 
-Pixels are rectified, so that partners share a row. `match_stereo` is what Lee et al. 2021 do while
-tracking; `all_pairs` feeds a search from nothing, where wrong pairs find no company.
+Pixels are rectified, so that matching blobs are on one row. `match_stereo` is the method of Lee et
+al. 2021 during tracking; `all_pairs` is for a search without a prior, where wrong pairs find no
+support.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ class StereoParams:
 
     row_px: float = 3.0  # |dv|, the first outlier condition
     parallax_px: float = 45.0  # |du - zeta|, the second
-    unit_u_px: float = 8.0  # du of this size counts as much as one pixel of dv
+    unit_u_px: float = 8.0  # du of this size has the weight of one pixel of dv
     sd_u_min_px: float = 6.0
     sd_u_max_px: float = 30.0
     sd_v_px: float = 1.0
@@ -35,7 +36,7 @@ class StereoParams:
 
     @cached_property
     def mixture(self) -> ParallaxMixture:
-        """What the EM takes of it."""
+        """The parameters of the EM."""
         return ParallaxMixture(
             self.sd_u_min_px, self.sd_u_max_px, self.sd_v_px, self.outlier, self.iterations
         )
@@ -43,7 +44,7 @@ class StereoParams:
 
 @dataclass(frozen=True)
 class PairParams:
-    """Which pairs are possible at all."""
+    """Limits on possible pairs."""
 
     row_px: float = 3.0
     nearest: float = 0.18  # m
@@ -71,7 +72,7 @@ def match_stereo(
     params: StereoParams | None = None,
     z_hint: float | None = None,
 ) -> StereoMatches:
-    """One partner at most for each blob. ``z_hint`` is the hand's distance (m) where known."""
+    """At most one match for each blob. ``z_hint`` is the hand's distance (m) where known."""
     params = params or StereoParams()
     left, right = HuedPixels(_pixels(left_uv), left_hue), HuedPixels(_pixels(right_uv), right_hue)
     focal = rig.fx * rig.baseline
@@ -92,7 +93,7 @@ def all_pairs(
     rig: StereoRig,
     params: PairParams | None = None,
 ) -> StereoMatches:
-    """Every same-hue pair on one row whose depth is possible; a blob may stand in several."""
+    """Every same-hue pair on one row with a possible depth; a blob may be in several."""
     params = params or PairParams()
     left, right = _pixels(left_uv), _pixels(right_uv)
     focal = rig.fx * rig.baseline
@@ -123,10 +124,10 @@ def commonest_parallax(
     limits: tuple[float, float],
     width_px: float,
 ) -> float:
-    """The disparity in ``limits`` (px) that most same-hue pairs agree on within ``width_px``.
+    """The disparity in ``limits`` (px) that most same-hue pairs support within ``width_px``.
 
-    A start for the EM where the hand's distance is unknown. Each left blob votes once: many
-    partners of one blob are no agreement.
+    Initial value for the EM where the hand's distance is unknown. Each left blob votes once: many
+    candidates of one blob are not support.
     """
     best, best_votes = 0.5 * (limits[0] + limits[1]), 0.0
     l_uv, r_uv = left.uv, right.uv
@@ -147,7 +148,7 @@ def commonest_parallax(
 def _votes(
     left: HuedPixels, right: HuedPixels, zeta: float, row_px: float, width_px: float
 ) -> float:
-    """How many left blobs have a partner near the parallax, each 1 at it and 0 at 4 widths."""
+    """Number of left blobs with a candidate near the parallax, each 1 at it and 0 at 4 widths."""
     total, reach, l_uv, r_uv = 0.0, 4.0 * width_px, left.uv, right.uv
     for i in range(len(l_uv)):
         nearest = reach
@@ -167,7 +168,7 @@ def _mutual_nearest(
     row_px: float,
     parallax_px: float,
 ) -> tuple[IntVector, IntVector]:
-    """Pairs that are each other's nearest after the shift and meet both outlier conditions."""
+    """Pairs that are mutual nearest neighbours after the shift and meet both outlier conditions."""
     l_uv, l_hue, r_uv, r_hue = left.uv, left.hue, right.uv, right.hue
     n, m = len(l_uv), len(r_uv)
     partner, back = np.full(n, -1, np.int64), np.full(m, -1, np.int64)

@@ -1,8 +1,8 @@
-"""Where a finger ends in an image, by the glove's cloth (docs/chain.md, "Fingertips in the cloth").
+"""Locates a fingertip in an image by the glove's cloth (docs/chain.md, "Fingertips in the cloth").
 
-A fingertip is a ball: wherever it points, its outline is a disc, full of the glove's colours, with
-none of them around it but where the finger comes from. Each place that the disc may have is judged
-by both; what the image says of it is what is left when the expectation is taken off again.
+A fingertip is a sphere: in any orientation its outline is a disc, filled with the glove's colours,
+and without them around it except towards the finger. Each candidate position of the disc is
+evaluated by both; the measurement is the result with the prior's contribution removed.
 """
 
 from __future__ import annotations
@@ -15,28 +15,28 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector
 from tracker.vision.cloth import STEP, TILE, ClothMap
 
-GRID_PX = 3.0  # between two places
-FARTHEST = 2.5  # standard deviations from the expected place to the last ones that are tried
+GRID_PX = 3.0  # between two positions
+FARTHEST = 2.5  # standard deviations from the predicted position, limit of the grid
 FARTHEST_PX = 40.0
-GLOVE_INSIDE, GLOVE_OUTSIDE = 0.95, 0.35  # of pixels with the glove's colours; beside a tip may be
-GLOVE_ANYWHERE = 0.6  # other fingers
-PIXELS_ALIKE = 24.0  # px² of an image that say the same: cloth, shade and noise are not of one px
-BACK = -0.1  # cosine, to the finger's direction, from which what is around a tip is looked at
-LEAST_LIKELY = 1.1  # ln of the best place against no tip at all
+GLOVE_INSIDE, GLOVE_OUTSIDE = 0.95, 0.35  # probability of the glove's colours; outside there may
+GLOVE_ANYWHERE = 0.6  # be other fingers
+PIXELS_ALIKE = 24.0  # px² that count as one sample: cloth, shade and noise are correlated
+BACK = -0.1  # cosine, to the finger's direction, from which the surroundings of a tip count
+LEAST_LIKELY = 1.1  # ln of the likelihood ratio of the best position to no tip
 LEAST_KNOWN = 0.7  # of the disc's pixels
 LEAST_FREE = 0.75  # of the pixels around it
-SHARPER = 0.5  # area that is left of the expectation's, at most
-VAGUEST_PX = 20.0  # of a place that the image does not tell in some direction
-OUT_OF_GRID = 0.1  # px², of a place between two
+SHARPER = 0.5  # area of the posterior relative to the prior's, maximum
+VAGUEST_PX = 20.0  # of a position not determined in some direction
+OUT_OF_GRID = 0.1  # px², discretisation of the grid
 
-RINGS = ((0.0, 1), (0.4, 8), (0.8, 16))  # radius over the disc's, and how many pixels
+RINGS = ((0.0, 1), (0.4, 8), (0.8, 16))  # radius relative to the disc's, and number of samples
 AROUND, MANY_AROUND, WIDTH = (1.3, 1.6), 16, 0.3
-NOTHING, OUTSIDE, INSIDE = 0, 1, 2  # what a pixel is
+NOTHING, OUTSIDE, INSIDE = 0, 1, 2  # classes of a pixel
 
 
 class ExpectedTip(NamedTuple):
-    """In one image, px: middle (2,) of the disc and its radius, joint (2,) from which the finger
-    comes, S (2, 2) how unsure the middle is."""
+    """In one image, px: centre (2,) of the disc and its radius, joint (2,) at the other end of the
+    segment, S (2, 2) covariance of the centre."""
 
     middle: Vector
     joint: Vector
@@ -46,7 +46,8 @@ class ExpectedTip(NamedTuple):
 
 @kernel
 def _at(cloth: ClothMap, u: float, v: float) -> int:
-    """`INSIDE` where the pixel has the glove's colours, `OUTSIDE` where not, else `NOTHING`."""
+    """`INSIDE` where the pixel has the glove's colours, `OUTSIDE` where not, `NOTHING` if
+    unknown."""
     x, y = int(np.floor(u + 0.5)), int(np.floor(v + 0.5))
     j, i = y // TILE, x // TILE
     if j < 0 or i < 0 or j >= cloth.known.shape[0] or i >= cloth.known.shape[1]:
@@ -61,8 +62,8 @@ def _at(cloth: ClothMap, u: float, v: float) -> int:
 def _likelihood(
     cloth: ClothMap, tip: ExpectedTip, u: float, v: float
 ) -> tuple[float, float, float]:
-    """ln of how much likelier the image is with the disc at (u, v) than with none; the shares of
-    the disc's pixels that are known, and of those around it that are not of the glove's colours."""
+    """ln of the likelihood ratio of the disc at (u, v) to no disc; the share of the disc's pixels
+    that are known, and of its surroundings that do not have the glove's colours."""
     r, total, known, count = tip.radius, 0.0, 0, 0
     inside = np.log(GLOVE_INSIDE / GLOVE_ANYWHERE)
     not_inside = np.log((1.0 - GLOVE_INSIDE) / (1.0 - GLOVE_ANYWHERE))
@@ -96,14 +97,14 @@ def _likelihood(
 
 @kernel
 def _inverse(a: float, b: float, c: float) -> tuple[float, float, float]:
-    """Of the symmetric matrix ((a, b), (b, c))."""
+    """Inverse of the symmetric matrix ((a, b), (b, c))."""
     det = a * c - b * b
     return c / det, -b / det, a / det
 
 
 @kernel
 def _at_least(a: float, b: float, c: float, least: float) -> tuple[float, float, float]:
-    """((a, b), (b, c)) with eigenvalues that are at least so large."""
+    """((a, b), (b, c)) with its eigenvalues raised to at least ``least``."""
     middle, half = (a + c) / 2, (a - c) / 2
     radius = np.hypot(half, b)
     high, low = max(middle + radius, least), max(middle - radius, least)
@@ -116,14 +117,14 @@ def _at_least(a: float, b: float, c: float, least: float) -> tuple[float, float,
 
 @kernel(nogil=False)
 def scan_tip(cloth: ClothMap, tip: ExpectedTip) -> Vector:
-    """(6,): 1 where the image tells where the finger ends, else 0; that place from the expected one
-    in u and v, px; and its variance uu, uv, vv, px², all without the expectation's share."""
+    """(6,): 1 where the image shows the end of the finger, else 0; its offset from the prediction
+    in u and v, px; and its variance uu, uv, vv, px², all without the prior's contribution."""
     p_uu, p_uv, p_vv = _inverse(tip.S[0, 0], tip.S[0, 1], tip.S[1, 1])
     reach = int(FARTHEST_PX / GRID_PX)
     wide = 2 * reach + 1
     weight, best = np.full((wide, wide), -np.inf), -np.inf
     best_known, best_free, peak = 0.0, 0.0, 0.0
-    # 1. each place, by the image and by the expectation (eq. 59)
+    # 1. each position, by the image and by the prior (eq. 59)
     for j in range(wide):
         for i in range(wide):
             u, v = GRID_PX * (i - reach), GRID_PX * (j - reach)
@@ -149,7 +150,7 @@ def scan_tip(cloth: ClothMap, tip: ExpectedTip) -> Vector:
     c_uu, c_uv, c_vv = c_uu / total - m_u**2, c_uv / total - m_u * m_v, c_vv / total - m_v**2
     if c_uu * c_vv - c_uv**2 > SHARPER**2 * (tip.S[0, 0] * tip.S[1, 1] - tip.S[0, 1] ** 2):
         return out
-    # 3. what of both is the image's
+    # 3. the contribution of the image alone
     i_uu, i_uv, i_vv = _inverse(c_uu + OUT_OF_GRID, c_uv, c_vv + OUT_OF_GRID)
     o_uu, o_uv, o_vv = _at_least(i_uu - p_uu, i_uv - p_uv, i_vv - p_vv, VAGUEST_PX**-2)
     r_uu, r_uv, r_vv = _inverse(o_uu, o_uv, o_vv)

@@ -1,8 +1,8 @@
 """Which markers a camera can see: the prior p(m_j) of Lee et al. 2021, eqs. 4 to 6.
 
 Three factors per camera: the marker faces it (eq. 4), it lies in the image (eq. 5), and no other
-segment stands between (the paper's last condition). A product over both cameras (eq. 6) suits
-stereo points; an assignment in one image takes that camera's own row.
+segment is in between (the paper's last condition). A product over both cameras (eq. 6) suits stereo
+points; an assignment in one image uses that camera's own row.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array, CameraPose
 from tracker.vision.rig import Camera, StereoRig
 
-FAR_OUTSIDE = 0.5  # of the image's size; beyond it a lens polynomial means nothing
+FAR_OUTSIDE = 0.5  # of the image's size; beyond it a lens polynomial is invalid
 
 
 class Factors(NamedTuple):
-    """`VisibilityParams` as the kernels take them."""
+    """`VisibilityParams` for kernels."""
 
     full_deg: float
     none_deg: float
@@ -41,13 +41,13 @@ class VisibilityParams:
     facing_full_deg: float = 58.0  # alpha_min of eq. 4
     facing_none_deg: float = 85.0  # alpha_max of eq. 4
     pixel_sd_px: float = 2.0  # of the projection, where no covariance is given
-    radius_factor: float = 0.8  # thinner occluders: the predicted pose is wrong by some mm
-    lift: float = 0.001  # m above the surface, so that a neighbour's skin does not hide a marker
-    occluded: float = 0.03  # what remains behind a segment: a wrong pose must not veto evidence
+    radius_factor: float = 0.8  # thinner occluders, to allow for mm of error in the predicted pose
+    lift: float = 0.001  # m above the surface, so that a neighbour's skin does not occlude a marker
+    occluded: float = 0.03  # prior behind a segment: a wrong pose must not veto evidence
 
     @cached_property
     def factors(self) -> Factors:
-        """What the kernels take of it."""
+        """The parameters for kernels."""
         return Factors(
             self.facing_full_deg, self.facing_none_deg, self.radius_factor, self.lift, self.occluded
         )
@@ -77,7 +77,7 @@ class HandShape(NamedTuple):
 
 
 class PosedHand(NamedTuple):
-    """Segments as solids and where they are: R_GB (S, 3, 3), p_GB (S, 3) m."""
+    """Segments as solids with poses: R_GB (S, 3, 3), p_GB (S, 3) m."""
 
     shape: HandShape
     R_GB: Stack
@@ -85,8 +85,8 @@ class PosedHand(NamedTuple):
 
 
 class MarkerRows(NamedTuple):
-    """Markers: p_G (M, 3) m, outward unit normals normal_G (M, 3), and the row (M,) of the segment
-    that each sits on."""
+    """Markers: p_G (M, 3) m, outward unit normals normal_G (M, 3), and the row (M,) of their
+    segments."""
 
     p_G: Matrix
     normal_G: Matrix
@@ -156,7 +156,7 @@ def visibility_at(
     )  # fmt: skip
     seen = _Pixels(_recorded(rig.left, uv[0]), _recorded(rig.right, uv[1]), sd)
     p_G, normal_G = np.ascontiguousarray(markers.p_G), np.ascontiguousarray(markers.normal_G)
-    markers = markers._replace(p_G=p_G, normal_G=normal_G)  # einsum leaves other orders
+    markers = markers._replace(p_G=p_G, normal_G=normal_G)  # einsum returns other memory orders
     return _priors(markers, hand, seen, view, params.factors)
 
 
@@ -178,7 +178,7 @@ def _priors(
         out[c] = facing(p_G, normal_G, centre, factors.full_deg, factors.none_deg)
         # 2. eq. 5: is it in the image?
         out[c] *= _inside(seen.right if c else seen.left, seen.sd[c], right, bottom)
-        # 3. does another segment stand between?
+        # 3. is another segment in between?
         _weaken_hidden(out[c], factors.occluded, centre, start, markers.segment, occluders)
     return out
 
@@ -201,7 +201,8 @@ def turned(R_GB: Stack, segment: IntVector, normal: Matrix) -> Matrix:
 
 @kernel
 def facing(p: Matrix, normal: Matrix, centre: Vector, full_deg: float, none_deg: float) -> Vector:
-    """Eq. 4, (M,): 1 up to alpha_min between normal and way to the camera, 0 from alpha_max."""
+    """Eq. 4, (M,): 1 up to alpha_min between normal and direction to the camera, 0 from
+    alpha_max."""
     out = np.empty(len(p))
     for j in range(len(p)):
         along, length2 = 0.0, 0.0
@@ -216,7 +217,8 @@ def facing(p: Matrix, normal: Matrix, centre: Vector, full_deg: float, none_deg:
 
 
 def _recorded(camera: Camera, uv: Array) -> Array:
-    """Raw pixels of rectified ones; those far outside stay as they are, for they stay outside."""
+    """Raw pixels of rectified ones; those far outside are returned unchanged, since they remain
+    outside."""
     if camera.is_rectified:
         return uv
     size = np.array([camera.width, camera.height], float)
@@ -252,7 +254,8 @@ def _weaken_hidden(
     segment: IntVector,
     hand: PosedHand,
 ) -> None:
-    """prior (M,) *= factor where another segment than its own cuts the line camera to marker."""
+    """prior (M,) *= factor where a segment other than its own intersects the line camera to
+    marker."""
     R, origin = hand.R_GB, hand.p_GB
     length, radius, width = hand.shape.length, hand.shape.radius, hand.shape.width
     hidden = np.zeros(len(p), np.bool_)

@@ -1,4 +1,4 @@
-"""The printed board: what it looks like and where its inner corners are.
+"""The printed board: its image and the positions of its inner corners.
 
 Inner corners are numbered row by row from the top left; x goes right and y down on the paper, as
 OpenCV numbers them. Both kinds of board have a black square in the top left corner.
@@ -23,14 +23,14 @@ MARKER_SHARE = 0.75
 LEAST_SQUARES, MOST_SQUARES = 4, 20
 LEAST_SQUARE, LARGEST_SQUARE = 0.004, 0.2  # m
 RULER = 0.1  # m, printed below the board to check the printer's scale
-MARGIN, FOOT = 0.010, 0.016  # m of white: the default board fits A4 and Letter
+MARGIN, FOOT = 0.010, 0.016  # m of white margin: the default board fits A4 and Letter
 
 
 @dataclass(frozen=True)
 class BoardSpec:
     """``columns`` and ``rows`` count squares, not inner corners; ``square`` is a side in m.
 
-    Raises ConfigError for a board that cannot be used.
+    Raises ConfigError for an unusable board.
     """
 
     kind: str = "charuco"
@@ -92,7 +92,7 @@ class BoardSpec:
 
     @cached_property
     def charuco(self) -> cv2.aruco.CharucoBoard:
-        """OpenCV's own board; of a ChArUco board only."""
+        """OpenCV's board object; only for a ChArUco board."""
         dictionary = cv2.aruco.getPredefinedDictionary(DICTIONARY)
         side = self.square * MARKER_SHARE
         return cv2.aruco.CharucoBoard((self.columns, self.rows), self.square, side, dictionary)
@@ -116,8 +116,8 @@ def page_size(spec: BoardSpec) -> tuple[float, float]:
 def print_image(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], float]:
     """The page to print: the board, a white margin, a ruler of 100 mm below.
 
-    Returns grey pixels and how many of them make a metre; printed at that scale a square measures
-    what ``spec`` says.
+    Returns grey pixels and their number per metre; printed at that scale the squares have the size
+    in ``spec``.
     """
     square_px = max(12, round(spec.square * dpi / 0.0254))
     per_metre = square_px / spec.square

@@ -1,7 +1,7 @@
-"""Whether a rig can be what a person has on the desk: mirrored, swapped, implausible ones are not.
+"""Plausibility checks of a rig: mirrored, swapped or impossible ones are rejected.
 
-A wrong calibration accepted silently shows later as a hand that cannot be found, so each of these
-refuses in words that say what to do.
+A wrong calibration that is accepted silently appears later as a hand that cannot be found, so each
+check reports a message with instructions.
 """
 
 from __future__ import annotations
@@ -23,34 +23,34 @@ from tracker.vision.rig import StereoRig
 
 @dataclass(frozen=True)
 class RigLimits:
-    """Bounds of what a stereo camera for a hand at 20 to 80 cm may be."""
+    """Limits of a plausible stereo camera for a hand at 20 to 80 cm."""
 
     baseline_least: float = 0.02  # m
     baseline_most: float = 0.35
-    baseline_known: float = 0.03  # relative, against what the user has measured
+    baseline_known: float = 0.03  # relative, to the measured distance
     turn_deg: float = 20.0  # between the cameras
-    off_axis: float = 0.35  # |T_y| and |T_z| against the baseline
-    focal_least: float = 0.35  # of the image's width: 110° across
+    off_axis: float = 0.35  # |T_y| and |T_z| relative to the baseline
+    focal_least: float = 0.35  # relative to the image's width: 110° across
     focal_most: float = 4.0  # 14° across
     aspect: float = 0.06  # |fy / fx - 1|
     focal_ratio: float = 1.6  # of the fields of view: colour and infrared of one device differ
-    centre: float = 0.15  # of the principal point from the middle, of the width
-    distortion: float = 0.6  # |shift| at the corner, of its distance from the middle
+    centre: float = 0.15  # of the principal point from the centre, relative to the width
+    distortion: float = 0.6  # |shift| at the corner, relative to its distance from the centre
 
 
 @dataclass(frozen=True)
 class QualityLimits:
-    """Bounds of what a solution from views may leave open."""
+    """Limits on the uncertainty of a solution from views."""
 
     rms_px: float = 0.8
     focal_sd: float = 0.006
-    area: float = 0.4  # of the images' cells that hold corners
+    area: float = 0.4  # of the images' cells that contain corners
     tilted: int = 3
 
 
 @dataclass(frozen=True, eq=False)
 class Extrinsics:
-    """Intrinsics and X_right = R X_left + T; ``right`` is None of a camera alone."""
+    """Intrinsics and X_right = R X_left + T; ``right`` is None for a single camera."""
 
     left: Intrinsics
     right: Intrinsics | None
@@ -66,7 +66,7 @@ class Extrinsics:
 
 
 def extrinsics_of(rig: StereoRig) -> Extrinsics:
-    """The motion between the raw cameras of a rectified rig: R1, R2 turn them parallel."""
+    """The motion between the raw cameras of a rectified rig: R1, R2 rotate them parallel."""
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
     if rig.one_camera:
         return Extrinsics(left, None, np.eye(3), np.zeros(3))
@@ -75,14 +75,14 @@ def extrinsics_of(rig: StereoRig) -> Extrinsics:
 
 
 def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[Notice]:
-    """What is wrong, none for a good rig; the most important first."""
+    """The problems of a rig, none for a good one; the most important first."""
     p = limits or RigLimits()
     checks: tuple[Callable[[Extrinsics, RigLimits], list[Notice]], ...] = (
         _finite, _sides, _baseline, _turn, _focal, _centre, _distortion,
     )  # fmt: skip
     if rig.right is None:
         checks = (_finite, _focal, _centre, _distortion)
-    for check in checks[:2]:  # the rest would only repeat these in other words
+    for check in checks[:2]:  # the other checks would only repeat these
         if found := check(rig, p):
             return found
     return [problem for check in checks[2:] for problem in check(rig, p)]
@@ -91,9 +91,10 @@ def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[Notic
 def known_baseline_problems(
     rig: Extrinsics, baseline: float, limits: RigLimits | None = None
 ) -> list[Notice]:
-    """Against the cameras' distance (m) that a data sheet or a ruler tells; 0 for unknown.
+    """Compares the baseline with the cameras' distance (m) from a data sheet or a ruler; 0 for
+    unknown.
 
-    Only this finds squares that are not as large as was said: everything else scales with them.
+    Only this detects a wrong size of the squares: everything else scales with it.
     """
     found, p = float(np.linalg.norm(rig.T)), limits or RigLimits()
     if not baseline or rig.right is None or abs(found / baseline - 1) <= p.baseline_known:
@@ -118,7 +119,7 @@ def quality_problems(
 
 
 def require_plausible(rig: StereoRig, name: str) -> None:
-    """Raise ConfigError where a calibration from a file cannot be right."""
+    """Raise ConfigError for an implausible calibration file."""
     problems = rig_problems(extrinsics_of(rig))
     if problems:
         raise ConfigError(notice("stereo.refused", name=name, problems=problems))
@@ -190,7 +191,7 @@ def _centre(rig: Extrinsics, p: RigLimits) -> list[Notice]:
 
 
 def _distortion(rig: Extrinsics, p: RigLimits) -> list[Notice]:
-    """How far the lens shifts the image's corner."""
+    """The displacement of the image's corner by the lens."""
     out = []
     for lens, camera in rig.cameras:
         x = (camera.width / 2) / camera.K[0, 0]

@@ -1,4 +1,4 @@
-"""Which exposures become views: still ones, and each different from the others."""
+"""Selects exposures as views: still ones, each different from the others."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from tracker.calibration.stereo.views import BoardLook, StereoView
 
 @dataclass(frozen=True)
 class CollectParams:
-    """``still_px``: median motion of corners since the last look, above which cameras that do not
-    expose at the same instant would disagree."""
+    """``still_px``: maximum median motion of corners since the last exposure; with faster motion,
+    cameras that are not synchronised would disagree."""
 
     still_px: float = 2.0
     novelty: float = 1.0
@@ -22,7 +22,7 @@ class CollectParams:
 
 
 class Answer(Enum):
-    """What became of an exposure."""
+    """The result for an exposure."""
 
     TAKEN = "taken"
     ABSENT = "absent"
@@ -32,7 +32,7 @@ class Answer(Enum):
 
 
 class Collector:
-    """Views taken so far. Not for more than one thread at a time."""
+    """The views collected so far. Not thread-safe."""
 
     def __init__(self, width: int, params: CollectParams | None = None) -> None:
         self._width, self.params = width, params or CollectParams()
@@ -40,7 +40,7 @@ class Collector:
         self._last: StereoView | None = None
 
     def offer(self, look: BoardLook, live: bool = True) -> Answer:
-        """Take the exposure if it is worth it; a still image (not ``live``) cannot be moving."""
+        """Add the exposure if it is useful; a single image (not ``live``) is always still."""
         view, before = look.view, self._last
         self._last = view
         if view is None:
@@ -55,12 +55,12 @@ class Collector:
         return Answer.TAKEN
 
     def remove(self, index: int) -> None:
-        """Forget a view."""
+        """Remove a view."""
         del self.views[index]
 
 
 def _motion(view: StereoView, before: StereoView) -> float:
-    """Median motion of the corners, px, the largest of all images."""
+    """Median motion of the corners, px, maximum over all images."""
     _, i, j = np.intersect1d(view.ids, before.ids, return_indices=True)
     if len(i) == 0:
         return float("inf")

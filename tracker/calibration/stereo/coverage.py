@@ -1,4 +1,4 @@
-"""Which parts of the images, tilts and distances the views cover, and what is missing."""
+"""The parts of the images, tilts and distances covered by the views, and what is missing."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ GRID = (4, 6)
 
 @dataclass(frozen=True)
 class CoverageParams:
-    """What makes a good set of views; shares are of the cells of all images."""
+    """Requirements on a set of views; shares are of the cells of all images."""
 
     views: int = 15
     area: float = 0.7
     tilted: int = 6
     tilt_deg: float = 18.0
-    distances: float = 1.3  # largest over smallest
+    distances: float = 1.3  # ratio of largest to smallest
 
 
 @dataclass(frozen=True, eq=False)
 class Coverage:
-    """``maps`` (rows, columns), of each camera: how many views have corners in each cell.
+    """``maps`` (rows, columns), of each camera: number of views with corners in each cell.
 
-    ``area`` share of cells with any; ``tilted`` how many views are tilted, ``distances`` the ratio
-    of the farthest to the nearest.
+    ``area`` share of cells with any; ``tilted`` number of tilted views, ``distances`` ratio of the
+    farthest to the nearest.
     """
 
     views: int
@@ -62,7 +62,7 @@ def coverage(
 
 
 def advice(cover: Coverage, params: CoverageParams | None = None) -> Notice | None:
-    """How to hold the board next; None where nothing is missing."""
+    """How to hold the board next; None when the views are complete."""
     p = params or CoverageParams()
     if cover.area < p.area:
         return notice("stereo.cover_empty", regions=_emptiest(cover))
@@ -77,22 +77,22 @@ def advice(cover: Coverage, params: CoverageParams | None = None) -> Notice | No
 
 @dataclass(frozen=True)
 class Shape:
-    """A view seen as an affine map: its size (px per m of board) and tilt (rad, ≥ 0)."""
+    """The affine map of a view: its size (px per m of board) and tilt (rad, ≥ 0)."""
 
     size_px: float
     tilt: float
 
 
 def shape_of(view: StereoView) -> Shape:
-    """Foreshortening of the left image: needs no knowledge of the lens."""
+    """From the foreshortening in the left image: independent of the lens."""
     s = np.linalg.svd(_affine(view.points[:, :2], view.left)[:2], compute_uv=False)
     return Shape(float(s[0]), float(np.arccos(min(1.0, s[1] / s[0]))))
 
 
 def novelty(view: StereoView, other: StereoView, width: int) -> float:
-    """0 for the same view; 1 for one that differs enough to be worth taking.
+    """0 for the same view; 1 for one that is sufficiently different.
 
-    A shift by 8 % of the image's width, or a change of size or shape by 15 %, is enough.
+    A shift by 8 % of the image's width, or a change of size or shape by 15 %, is sufficient.
     """
     a, b = (_affine(v.points[:, :2], v.left) for v in (view, other))
     centre = np.append(view.points[:, :2].mean(axis=0), 1.0)
@@ -102,14 +102,14 @@ def novelty(view: StereoView, other: StereoView, width: int) -> float:
 
 
 def _affine(points: Array, uv: Array) -> Array:
-    """(3, 2): [x y 1] @ it is the pixel, by least squares."""
+    """(3, 2) least-squares matrix A with [x y 1] @ A = pixel."""
     design = np.column_stack([points, np.ones(len(points))])
     solution, *_ = np.linalg.lstsq(design, uv, rcond=None)
     return np.asarray(solution, float)
 
 
 def _cells(uv: Array, width: int, height: int) -> IntArray:
-    """1 in each cell of the grid that has a corner."""
+    """1 in each cell of the grid that contains a corner."""
     row = np.clip(uv[:, 1] / height * GRID[0], 0, GRID[0] - 1).astype(int)
     column = np.clip(uv[:, 0] / width * GRID[1], 0, GRID[1] - 1).astype(int)
     cells = np.zeros(GRID, np.int64)
@@ -118,7 +118,7 @@ def _cells(uv: Array, width: int, height: int) -> IntArray:
 
 
 def _emptiest(cover: Coverage) -> str:
-    """Words for the ninth of the images with the fewest views."""
+    """Text for the ninth of the images with the fewest views."""
     both = np.sum([counts > 0 for counts in cover.maps], axis=0, dtype=float)
     rows = np.array_split(np.arange(GRID[0]), 3)
     columns = np.array_split(np.arange(GRID[1]), 3)

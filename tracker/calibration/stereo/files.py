@@ -1,7 +1,6 @@
-"""Stereo calibrations on disk: ours are OpenCV's YAML with the image's size and metres.
+"""Stereo calibration files: ours are OpenCV's YAML with the image's size, in metres.
 
-`load_rig` reads ours, other people's OpenCV files and a ZED's factory file, and refuses what cannot
-be right.
+`load_rig` reads ours, other OpenCV files and a ZED's factory file, and rejects implausible ones.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ SUFFIXES = (ZED_SUFFIX, ".yml", ".yaml", ".xml", ".json")
 
 @dataclass(frozen=True)
 class ImportForm:
-    """What files of others do not say: the images' size and the unit of T in m."""
+    """Information missing in other programs' files: the images' size and the unit of T in m."""
 
     width: int = 1280
     height: int = 720
@@ -42,9 +41,9 @@ def save_calibration(
     T: Array | None = None,
     note: str = "",
 ) -> None:
-    """Write `calibration_text`. Replaces the file at once.
+    """Writes `calibration_text`, replacing the file atomically.
 
-    Raises FileError where the file cannot be written.
+    Raises FileError if the file cannot be written.
     """
     write_with_folder(path, calibration_text(left, right, R, T, note))
 
@@ -56,7 +55,7 @@ def calibration_text(
     T: Array | None = None,
     note: str = "",
 ) -> str:
-    """X_right = R X_left + T (m), or a camera alone, as YAML that OpenCV reads too."""
+    """X_right = R X_left + T (m), or a single camera, as YAML that OpenCV can read."""
     storage = cv2.FileStorage(".yml", cv2.FILE_STORAGE_WRITE | cv2.FILE_STORAGE_MEMORY)
     storage.write("image_width", left.width)
     storage.write("image_height", left.height)
@@ -76,7 +75,7 @@ def calibration_text(
 def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
     """The rig of a calibration file, checked.
 
-    Raises FileError where it cannot be read and ConfigError where it cannot be right.
+    Raises FileError if it cannot be read and ConfigError if it is implausible.
     """
     form = form or ImportForm()
     suffix = path.suffix.lower()
@@ -95,7 +94,7 @@ def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
     width, height = size or (form.width, form.height)
     beside = path.with_name("extrinsics" + path.suffix)
     paths = [path, beside] if path.stem == "intrinsics" and beside.is_file() else [path]
-    # our own files are in metres, whatever the form says of others'
+    # our own files are in metres, whatever ``form`` is for others
     unit = 1.0 if size else form.unit
     try:
         return load_opencv_stereo(paths, width, height, unit, right_size=right_size)
@@ -104,7 +103,7 @@ def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
 
 
 def _size(path: Path, side: str = "") -> tuple[int, int] | None:
-    """The images' size that the file names, or that of one side; None where it does not."""
+    """The size of the images in the file, or of those of one side; None if missing."""
     try:
         flags = cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
         storage = cv2.FileStorage(opencv_text(path), flags)

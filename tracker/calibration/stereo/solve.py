@@ -1,5 +1,5 @@
-"""One camera, or two and the motion between them, from views of a board (Zhang 2000, through
-OpenCV)."""
+"""Calibrates one camera, or two and the motion between them, from views of a board (Zhang 2000,
+with OpenCV)."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ Progress = Callable[[float, str], None]
 
 
 class CalibrationError(GlovetrackError):
-    """The views cannot give a calibration; the text says why."""
+    """The views do not determine a calibration; the text gives the reason."""
 
 
 @dataclass(frozen=True)
 class SolveParams:
-    """A view is dropped where its error is above both ``drop_px`` and ``drop_factor`` medians."""
+    """A view is dropped if its error is above both ``drop_px`` and ``drop_factor`` medians."""
 
     least_views: int = 8
     drop_px: float = 0.4
@@ -37,10 +37,11 @@ class SolveParams:
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """X_right = R X_left + T, R (3, 3), T (3,) m; ``right`` is None of a camera alone.
+    """X_right = R X_left + T, R (3, 3), T (3,) m; ``right`` is None for a single camera.
 
-    ``used`` are rows of the views given, ``error`` (views, n) px the RMS of each in the n images,
-    also of those dropped. ``focal_sd`` (n,) is the relative deviation of each focal length.
+    ``used`` are rows of the given views, ``error`` (views, n) px the RMS of each in the n images,
+    including dropped ones. ``focal_sd`` (n,) is the relative standard deviation of each focal
+    length.
     """
 
     left: Intrinsics
@@ -70,7 +71,7 @@ class Solution:
 
 @dataclass(eq=False)
 class _Rig:
-    """A solution under way."""
+    """A preliminary solution."""
 
     K: list[Array] = field(default_factory=list)
     D: list[Array] = field(default_factory=list)
@@ -89,8 +90,8 @@ def solve(
 ) -> Solution:
     """Calibrate, drop views that do not fit, calibrate again.
 
-    ``sizes`` are of each camera's images. ``progress`` may raise to cancel. Raises
-    CalibrationError where views are too few or too poor.
+    ``sizes`` are of each camera's images. ``progress`` may raise to cancel. Raises CalibrationError
+    if there are too few or unsuitable views.
     """
     p = params or SolveParams()
     used = list(range(len(views)))
@@ -117,7 +118,7 @@ def solve(
 
 
 def _part(progress: Progress, start: float, share: float) -> Progress:
-    """Reports of one round as a part of the whole."""
+    """Maps the progress of one round to a part of the whole."""
     return lambda fraction, text: progress(start + share * fraction, text)
 
 
@@ -153,7 +154,7 @@ def _solve_pair(
     size: Size,
     criteria: tuple[int, int, float],
 ) -> None:
-    """Both cameras and the motion between them at once, from each camera alone."""
+    """Both cameras and the motion between them jointly, starting from each camera alone."""
     rms, K1, D1, K2, D2, R, T, _, _, _, _, each = cv2.stereoCalibrateExtended(
         points,
         sides[0],
@@ -174,7 +175,7 @@ def _solve_pair(
 
 
 def _bad_views(error: Array, dropped: int, total: int, p: SolveParams) -> np.ndarray:
-    """(n,) bool, the worst ones first where there are more than may be dropped."""
+    """(n,) bool; only the worst ones where there are more than may be dropped."""
     limit = max(p.drop_px, p.drop_factor * float(np.median(error)))
     bad = error > limit
     spare = int(p.drop_most * total) - dropped

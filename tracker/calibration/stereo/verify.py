@@ -1,4 +1,4 @@
-"""Is a calibration right? Asked on views that it has never seen."""
+"""Verifies a calibration on views that were not used for it."""
 
 from __future__ import annotations
 
@@ -26,11 +26,12 @@ class VerifyParams:
 
 @dataclass(frozen=True, eq=False)
 class Verification:
-    """``off_px`` (views,) px RMS: how far a corner's rows in the two rectified images differ, or,
-    of a camera alone, how far corners are from where the board's best pose has them.
+    """``off_px`` (views,) px RMS: the difference of a corner's rows in the two rectified images,
+    or, for a single camera, the distance of corners from their projections with the board's best
+    pose.
 
     ``shape`` is the median relative error of the distances between corners in 3D, ``offset_px`` the
-    median signed difference of rows; both are 0 of a camera alone.
+    median signed difference of rows; both are 0 for a single camera.
     """
 
     off_px: Array
@@ -41,7 +42,7 @@ class Verification:
     one_camera: bool = False
 
     def verdict(self, params: VerifyParams | None = None) -> tuple[str, Notice]:
-        """("good" | "usable" | "refused" | "waiting", why)."""
+        """("good" | "usable" | "refused" | "waiting", reason)."""
         p = params or VerifyParams()
         missing = p.least_views - len(self.off_px)
         if missing > 0:
@@ -64,8 +65,8 @@ class Verification:
 
 
 def verify(rig: StereoRig, views: Sequence[StereoView]) -> Verification:
-    """What fresh views say of ``rig``; NaN figures without any. Views of another number of images
-    than it has cameras say nothing."""
+    """Evaluates ``rig`` on new views; NaN figures without any. Views with another number of images
+    than it has cameras are ignored."""
     views = [v for v in views if len(v.sides) == len(rig.sides)]
     if not views:
         nan = float("nan")
@@ -89,7 +90,7 @@ def verify(rig: StereoRig, views: Sequence[StereoView]) -> Verification:
 
 
 def _verify_one(camera: Camera, views: Sequence[StereoView]) -> Verification:
-    """Each view's board is fitted by its pose alone: a wrong lens cannot place tilted ones."""
+    """Fits only the board's pose in each view: a wrong lens model cannot match tilted boards."""
     off = []
     for view in views:
         _, turn, place = cv2.solvePnP(view.points, view.left, camera.K, camera.D)
@@ -109,7 +110,7 @@ def _verify_one(camera: Camera, views: Sequence[StereoView]) -> Verification:
 def _shape_error(points: Array, p_C: Array) -> float:
     """Relative error of the distances of all corners from the first to the farther ones.
 
-    Pairs less than half a board apart say more of pixel noise than of the rig.
+    Pairs less than half a board apart are dominated by pixel noise.
     """
     true = np.linalg.norm(points[:, None] - points[None], axis=2)
     found = np.linalg.norm(p_C[:, None] - p_C[None], axis=2)

@@ -1,4 +1,4 @@
-"""The board in one image, and in both images of an exposure, or in that of one camera alone."""
+"""The board in one image, in both images of an exposure, or in that of a single camera."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tracker.calibration.stereo.board import BoardSpec
 from tracker.messages import Array, IntArray
 
 LEAST_CORNERS = 12
-"""Fewer say too little of a pose."""
+"""Fewer corners do not determine a pose well enough."""
 Image = NDArray[np.uint8]
 Size = tuple[int, int]
 """Width and height of an image, px."""
@@ -22,7 +22,7 @@ Size = tuple[int, int]
 
 @dataclass(frozen=True, eq=False)
 class Corners:
-    """Inner corners found in one image: ids (n,) rising, uv (n, 2) px."""
+    """Inner corners found in one image: ids (n,) in ascending order, uv (n, 2) px."""
 
     ids: IntArray
     uv: Array
@@ -33,9 +33,9 @@ class Corners:
 
 @dataclass(frozen=True, eq=False)
 class StereoView:
-    """Corners seen in all images: ids (n,), points (n, 3) m on the board, uv (n, 2) px each.
+    """Corners found in all images: ids (n,), points (n, 3) m on the board, uv (n, 2) px each.
 
-    ``right`` is None of a camera alone.
+    ``right`` is None for a single camera.
     """
 
     ids: IntArray
@@ -45,13 +45,14 @@ class StereoView:
 
     @property
     def sides(self) -> tuple[Array, ...]:
-        """uv (n, 2) px of each image that there is."""
+        """uv (n, 2) px of each image."""
         return (self.left,) if self.right is None else (self.left, self.right)
 
 
 @dataclass(frozen=True, eq=False)
 class BoardLook:
-    """What one exposure shows. ``view`` is None where it cannot be used, and ``trouble`` why."""
+    """The result for one exposure. ``view`` is None if it cannot be used, and ``trouble`` the
+    reason."""
 
     left: Corners | None
     right: Corners | None
@@ -67,7 +68,7 @@ class BoardFinder:
         self._charuco = cv2.aruco.CharucoDetector(spec.charuco) if spec.kind == "charuco" else None
 
     def look(self, left: Image, right: Image | None = None) -> BoardLook:
-        """Both images of an exposure, BGR or grey; that of a camera alone."""
+        """Searches both images of an exposure, BGR or grey, or that of a single camera."""
         if right is None:
             return self._look_alone(_grey(left))
         pair = [_grey(p) for p in (left, right)]
@@ -89,7 +90,7 @@ class BoardFinder:
         return BoardLook(found, None, view)
 
     def find(self, image: Image) -> Corners | None:
-        """The board's corners in one image; None where it is not seen well enough."""
+        """The board's corners in one image; None unless they are clearly visible."""
         grey = _grey(image)
         return self._find_charuco(grey) if self._charuco is not None else self._find_chess(grey)
 
@@ -104,7 +105,8 @@ class BoardFinder:
 
     def _find_chess(self, grey: Image) -> Corners | None:
         size = (self.spec.corner_columns, self.spec.corner_rows)
-        # Most images of a waving hand show no whole board: this says so in a tenth of the time.
+        # Most images of a waving hand do not show a whole board: this test detects that ten times
+        # faster.
         if not cv2.checkChessboard(grey, size):
             return None
         found, uv = cv2.findChessboardCornersSB(grey, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)
@@ -127,15 +129,15 @@ class BoardFinder:
 
 
 def sizes_of(images: Iterable[Image | None]) -> tuple[Size, ...]:
-    """Of those images that there are."""
+    """The sizes of the images that exist."""
     return tuple((image.shape[1], image.shape[0]) for image in images if image is not None)
 
 
 def _upright(grid: Array, grey: Image) -> Array:
     """The corner grid (rows, columns, 2) in the board's own order.
 
-    OpenCV begins at any end of the board. x must go to the right of y, and the square right below
-    the first corner is black.
+    OpenCV may start at either end of the board. x must go to the right of y, and the square to the
+    lower right of the first corner is black.
     """
     right, down = grid[0, -1] - grid[0, 0], grid[-1, 0] - grid[0, 0]
     if right[0] * down[1] - right[1] * down[0] < 0:

@@ -1,7 +1,7 @@
-"""How far a point is from a hand's surface: less than 0 inside.
+"""Signed distance to a hand's surface, negative inside.
 
-The distance to a round cone is exact; cones blend by the quadratic smooth minimum (I. Quilez,
-"Smooth minimum", 2013), which leaves alone what is further apart than the width of the blend.
+The distance to a round cone is exact; cones are blended by the quadratic smooth minimum (I. Quilez,
+"Smooth minimum", 2013), which has no effect beyond the width of the blend.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from tracker.hand.skin.form import Cones, HandForm
 from tracker.messages import Array
 
 BLEND_PALM, BLEND_MUSCLE, BLEND_WRIST, BLEND_KNUCKLE, BLEND_WEB = 0.012, 0.012, 0.03, 0.008, 0.004
-"""m within which neighbours grow together."""
-REACH = 0.008  # m around a point that the surface is pulled to
-STEP = 1e-4  # m of the differences that make a gradient
+"""m, width of the blend."""
+REACH = 0.008  # m around a control point that deforms the surface
+STEP = 1e-4  # m, step of the difference quotient for the gradient
 
 
 def cone_distance(cones: Cones, x: Array) -> Array:
@@ -28,7 +28,7 @@ def cone_distance(cones: Cones, x: Array) -> Array:
     drop = np.clip(drop, -0.95, 0.95)
     along_axis = np.einsum("npk,nk->np", y, along) / np.sqrt(square)
     away = np.sqrt(np.maximum((y**2).sum(axis=2) - along_axis**2, 0.0))
-    # the nearest point of the axis is met at a right angle to the cone's side, not to its axis
+    # the nearest point of the axis is perpendicular to the cone's side, not to its axis
     foot = along_axis + away * drop / np.sqrt(1 - drop**2)
     share = np.clip(foot / np.sqrt(square), 0.0, 1.0)
     radius = cones.radius[:, :1] * (1 - share) + cones.radius[:, 1:] * share
@@ -37,7 +37,7 @@ def cone_distance(cones: Cones, x: Array) -> Array:
 
 
 def smooth_minimum(a: Array, b: Array, width: float) -> Array:
-    """The lesser of two distances, blended where they differ by less than ``width`` m."""
+    """The smaller of two distances, blended where they differ by less than ``width`` m."""
     h = np.maximum(width - np.abs(a - b), 0.0) / width
     return np.asarray(np.minimum(a, b) - 0.25 * width * h * h)
 
@@ -53,7 +53,7 @@ def palm_distance(form: HandForm, x: Array) -> Array:
     """(P,) m to palm, wrist and forearm."""
     palm = _blended(cone_distance(form.palm, x), BLEND_PALM)
     arm = cone_distance(form.forearm, x)[0]
-    end = form.forearm.b[0, 0] - x[:, 0]  # cut across, with a round edge
+    end = form.forearm.b[0, 0] - x[:, 0]  # cut off, with a rounded edge
     arm = -smooth_minimum(-arm, -end, 0.01)
     return smooth_minimum(palm, arm, BLEND_WRIST)
 
@@ -79,7 +79,7 @@ def distance(form: HandForm, x: Array) -> Array:
 
 
 class BlendedSurface:
-    """The blended surface, pulled so that it passes through ``points`` (M, 3)."""
+    """The blended surface, deformed so that it passes through ``points`` (M, 3)."""
 
     def __init__(self, form: HandForm, points: Array) -> None:
         self._form, self._points = form, points
@@ -98,13 +98,13 @@ class BlendedSurface:
         return out
 
     def gradient(self, x: Array) -> Array:
-        """(P, 3) by central differences: outwards, of length 1 but where blends meet."""
+        """(P, 3) by central differences: outward, with length 1 except in blends."""
         steps = STEP * np.eye(3)
         ahead = [self.distance(x + d) - self.distance(x - d) for d in steps]
         return np.stack(ahead, axis=1) / (2 * STEP)
 
     def project(self, x: Array, turns: int = 2) -> Array:
-        """(P, 3) the points x (P, 3) brought to the surface along its gradient."""
+        """(P, 3) the points x (P, 3) projected to the surface along its gradient."""
         out = np.array(x, float)
         for _ in range(turns):
             g = self.gradient(out)
@@ -114,13 +114,13 @@ class BlendedSurface:
 
 
 def _bumps(x: Array, points: Array) -> Array:
-    """(P, M) how much each pull acts on each point."""
+    """(P, M) weight of each control point at each point."""
     square = ((x[:, None] - points[None]) ** 2).sum(axis=2)
     return np.asarray(np.exp(-0.5 * square / REACH**2))
 
 
 def _near(x: Array, points: Array) -> Array:
-    """(P,) whether any pull may act."""
+    """(P,) whether any control point may have an effect."""
     if not len(points):
         return np.zeros(len(x), bool)
     low, high = points.min(axis=0) - 4 * REACH, points.max(axis=0) + 4 * REACH

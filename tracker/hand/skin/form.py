@@ -1,8 +1,8 @@
-"""What a hand's surface is blended from: round cones along bones, muscles and the forearm.
+"""The primitives of a hand's surface: round cones along bones, muscles and the forearm.
 
 All in the frame of the root segment (x to the fingers, y to the thumb of a right hand, z out of the
-back), m, in the bind pose. Shares are of anatomy's usual proportions and of what looks like a hand;
-lengths and girths are the hand file's.
+back), m, in the bind pose. Proportions follow typical anatomy and appearance; lengths and girths
+are those of the hand file.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from tracker.hand.names import CHAINS, FINGERS
 from tracker.messages import Array
 
 FABRIC = 0.0015
-"""m of cloth on the skin: markers of the glove files are so far from their bones' girth."""
+"""m of cloth on the skin: distance of the glove files' markers from the surface of the bones."""
 SPREAD = {"index": 0.6, "ring": -0.55, "little": -0.95}
-"""Share of the limit of abduction in the bind pose, so that neighbouring fingers stay apart."""
-NARROW = 0.55  # the metacarpals' places across the wrist, as shares of those at the knuckles
-FOREARM = 0.72  # length of the forearm that is drawn, in hand lengths: half of one
-TIP = 0.82  # girth of a fingertip's ball, of its segment's
+"""Share of the limit of abduction in the bind pose, so that neighbouring fingers do not touch."""
+NARROW = 0.55  # spacing of the metacarpals at the wrist, relative to that of the knuckles
+FOREARM = 0.72  # length of the displayed half of the forearm, in hand lengths
+TIP = 0.82  # thickness of a fingertip's sphere, relative to its segment's
 
 
 @dataclass(frozen=True, eq=False)
 class Cones:
-    """N round cones from a to b (N, 3), with radii (N, 2) at the ends; ``flat`` (N,) is how much
-    thicker the space is along z: 1 is round, 1.4 a flat oval."""
+    """N round cones from a to b (N, 3), with radii (N, 2) at the ends; ``flat`` (N,) is the
+    compression along z: 1 is round, 1.4 a flat oval."""
 
     a: Array
     b: Array
@@ -38,8 +38,8 @@ class Cones:
 
 @dataclass(frozen=True, eq=False)
 class HandForm:
-    """Cones by what they are: fingers by name in the order of `CHAINS`, palm, muscles of the thumb,
-    forearm; and the pose that they are in: R (S, 3, 3), p (S, 3) of each segment in the root."""
+    """Cones by anatomy: fingers by name in the order of `CHAINS`, palm, muscles of the thumb,
+    forearm; and their pose: R (S, 3, 3), p (S, 3) of each segment in the root."""
 
     R: Array
     p: Array
@@ -50,7 +50,7 @@ class HandForm:
 
 
 def bind_angles(hand: HandModel) -> Array:
-    """(J,) rad: flat, fingers apart, so that none grows into its neighbour."""
+    """(J,) rad: flat, with spread fingers, so that they do not merge."""
     angles = np.zeros(len(hand.joint_names))
     side = 1.0 if hand.side == "right" else -1.0
     for finger, share in SPREAD.items():
@@ -83,7 +83,8 @@ def _cones(rows: list[tuple[Array, Array, float, float, float]]) -> Cones:
 
 
 def _finger(hand: HandModel, R: Array, p: Array, rows: list[int]) -> Cones:
-    """A cone a segment: as thick in its middle as the file says, tapered from joint to joint."""
+    """One cone per segment: as thick in its middle as the file specifies, tapered between
+    joints."""
     radii = [hand.segments[i].radius + FABRIC for i in rows]
     joint = [radii[0], *(0.5 * (x + y) for x, y in itertools.pairwise(radii))]
     out = []
@@ -96,7 +97,7 @@ def _finger(hand: HandModel, R: Array, p: Array, rows: list[int]) -> Cones:
 
 
 def _palm(hand: HandModel, p: Array) -> Cones:
-    """A metacarpal to each finger, and the ball of the little finger."""
+    """A metacarpal for each finger, and the hypothenar."""
     root = hand.segments[hand.root]
     thick, out = root.radius + FABRIC, []
     knuckles = [p[hand.index[f"{f}_proximal"]] for f in FINGERS if f"{f}_proximal" in hand.index]
@@ -112,7 +113,7 @@ def _palm(hand: HandModel, p: Array) -> Cones:
 
 
 def _thenar(hand: HandModel, R: Array, p: Array) -> Cones:
-    """The thumb's ball, and the skin between thumb and index finger."""
+    """The thenar, and the skin between thumb and index finger."""
     if "thumb_metacarpal" not in hand.index:
         return _cones([])
     i = hand.index["thumb_metacarpal"]
@@ -131,7 +132,7 @@ def _thenar(hand: HandModel, R: Array, p: Array) -> Cones:
 
 
 def _forearm(hand: HandModel) -> Cones:
-    """From the wrist halfway to the elbow: an oval that widens."""
+    """From the wrist halfway to the elbow: a widening oval."""
     root = hand.segments[hand.root]
     wide, length = max(root.width, 2.5 * root.radius), FOREARM * hand.length
     wrist, elbow = 0.33 * wide, 0.46 * wide

@@ -1,7 +1,7 @@
 """The mesh of a hand's surface, built from the hand file.
 
-Surface nets (S. Gibson, "Constrained elastic surface nets", 1998) make a closed mesh where a
-sampled field is zero: a point in each cell of the lattice that the surface crosses, a quad across
+Surface nets (S. Gibson, "Constrained elastic surface nets", 1998) create a closed mesh where a
+sampled field is zero: a vertex in each cell of the lattice that the surface crosses, a quad across
 each edge on which the sign changes.
 """
 
@@ -20,15 +20,15 @@ from tracker.hand.skin.form import FABRIC, HandForm, hand_form
 from tracker.messages import Array, IntArray
 
 MOST = 4
-"""Segments that one point follows."""
-BEND = 0.85  # radii on either side of a joint over which the surface bends
-BEND_THUMB = 1.3  # the same of the thumb's root, which lies deep in the palm
-BETWEEN = 0.0025  # m of difference in distance over which two fingers share what lies between
-BESIDE = 0.006  # the same between thumb and palm
+"""Number of segments that one vertex follows."""
+BEND = 0.85  # radii on either side of a joint over which the skin bends
+BEND_THUMB = 1.3  # likewise for the thumb's root, which lies deep in the palm
+BETWEEN = 0.0025  # m of difference in distance over which two fingers share a vertex
+BESIDE = 0.006  # likewise between thumb and palm
 
 
 def bone_weights(hand: HandModel, form: HandForm, x: Array) -> tuple[IntArray, Array]:
-    """Segments (P, `MOST`) and their shares (P, `MOST`), which sum to 1, of points x (P, 3)."""
+    """Segments (P, `MOST`) and weights (P, `MOST`), which sum to 1, of points x (P, 3)."""
     dense = _dense(hand, form, x)
     bones = np.argsort(-dense, axis=1, kind="stable")[:, :MOST]
     share = np.take_along_axis(dense, bones, axis=1)
@@ -37,7 +37,7 @@ def bone_weights(hand: HandModel, form: HandForm, x: Array) -> tuple[IntArray, A
 
 
 def _dense(hand: HandModel, form: HandForm, x: Array) -> Array:
-    """(P, S) share of each segment."""
+    """(P, S) weight of each segment."""
     out = np.zeros((len(x), len(hand.segments)))
     palm, near = palm_distance(form, x), finger_distances(form, x)
     if near:
@@ -51,7 +51,7 @@ def _dense(hand: HandModel, form: HandForm, x: Array) -> Array:
 
 
 def _shares(distances: Array) -> Array:
-    """(F, P) how much of each point belongs to each finger, by distances (F, P) m."""
+    """(F, P) weight of each finger for each point, from distances (F, P) m."""
     nearer = np.clip(1.0 - (distances - distances.min(axis=0)) / BETWEEN, 0.0, 1.0) ** 2
     return np.asarray(nearer / nearer.sum(axis=0))
 
@@ -59,7 +59,8 @@ def _shares(distances: Array) -> Array:
 def _hand_out(
     hand: HandModel, form: HandForm, finger: str, left: Array, x: Array, out: Array
 ) -> None:
-    """Add a finger's share (P,) of each point to its segments, from the palm to the tip."""
+    """Distribute a finger's weight (P,) for each point to its segments, from the palm to the
+    tip."""
     chain = [hand.index[s] for s in CHAINS[finger] if s in hand.index]
     for k, i in enumerate(chain):
         radius = hand.segments[i].radius + FABRIC
@@ -72,7 +73,7 @@ def _hand_out(
 
 
 def _step(x: Array) -> Array:
-    """From 0 at -1 to 1 at 1, level at both ends."""
+    """From 0 at -1 to 1 at 1, with zero slope at both ends."""
     t = np.clip(0.5 + 0.5 * x, 0.0, 1.0)
     return np.asarray(t * t * (3 - 2 * t))
 
@@ -86,9 +87,9 @@ _EDGES = [
 
 
 def surface_net(values: Array, origin: Array, step: float) -> tuple[Array, IntArray]:
-    """Points (V, 3) m and triangles (F, 3), counter-clockwise seen from outside, of a field.
+    """Vertices (V, 3) m and triangles (F, 3), counter-clockwise seen from outside, of a field.
 
-    values (X, Y, Z) on a lattice from ``origin`` (3,) ``step`` m apart; less than 0 inside, and
+    values (X, Y, Z) on a lattice from ``origin`` (3,) with spacing ``step`` m; negative inside, and
     nowhere on the lattice's border.
     """
     inside = values < 0
@@ -101,8 +102,8 @@ def surface_net(values: Array, origin: Array, step: float) -> tuple[Array, IntAr
 
 
 def is_closed(faces: IntArray) -> bool:
-    """Whether each edge of the triangles (F, 3) lies between two, which run along it in opposite
-    ways."""
+    """Whether each edge of the triangles (F, 3) is shared by two, which traverse it in opposite
+    directions."""
     ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     many = int(faces.max()) + 1
     there, back = ends[:, 0] * many + ends[:, 1], ends[:, 1] * many + ends[:, 0]
@@ -112,8 +113,8 @@ def is_closed(faces: IntArray) -> bool:
 
 
 def _cell_points(values: Array, inside: BoolArray) -> tuple[IntArray, Array]:
-    """Cells (C, 3) that the surface passes through, and the mean (C, 3) of where it crosses their
-    edges, in steps of the lattice."""
+    """Cells (C, 3) that the surface intersects, and the mean (C, 3) of its intersections with their
+    edges, in lattice steps."""
     shape = tuple(n - 1 for n in values.shape)
     count, total = np.zeros(shape), np.zeros((*shape, 3))
     for a, b in _EDGES:
@@ -137,33 +138,33 @@ def _faces(inside: BoolArray, number: IntArray, axis: int) -> IntArray:
     first = np.moveaxis(inside, axis, 0)
     cell = np.moveaxis(number, axis, 0)
     rows = np.argwhere(first[:-1] != first[1:])
-    leaves = first[tuple(rows.T)]  # inside before, outside after: the face looks along the axis
+    leaves = first[tuple(rows.T)]  # from inside to outside: the face points along the axis
     i, j, k = rows.T
     ring = np.stack([cell[i, j - 1, k - 1], cell[i, j, k - 1], cell[i, j, k], cell[i, j - 1, k]])
-    # moving one axis to the front keeps x, y, z in order up to a turn, but for y
+    # moving one axis to the front permutes x, y, z cyclically, except for y
     flip = leaves if axis != 1 else ~leaves
     quad = np.where(flip, ring, ring[::-1]).T
     return np.concatenate([quad[:, [0, 1, 2]], quad[:, [0, 2, 3]]])
 
 
 CELL = 0.0036
-"""m of the lattice: on the thinnest finger a facet is then 0.25 mm from the round, half a pixel."""
-LATTICES = 8  # of different cells that are tried for a closed mesh
+"""m of the lattice: on the thinnest finger a facet deviates by 0.25 mm, half a pixel."""
+LATTICES = 8  # with different cells, tried for a closed mesh
 COARSE = 4
-"""Cells along a side of the blocks that are looked at first."""
+"""Cells along a side of the blocks that are tested first."""
 CLOSE = 1.4
-"""Sides of a block: what is farther from the surface than this in its middle is far all over. Half
-its diagonal is 0.87; an oval's distance is up to 1.35 times too large."""
+"""Sides of a block: if its centre is farther than this from the surface, it contains no part of it.
+Half its diagonal is 0.87; an oval's distance is up to 1.35 times too large."""
 
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """Points that follow a hand's segments, and the triangles between them.
+    """Vertices that follow a hand's segments, and the triangles between them.
 
     points, normals (V, 3) m in the root's B in the bind pose; faces (F, 3), counter-clockwise seen
-    from outside; bones (V, 4) rows of segments with shares (V, 4); along (V,) m from the wrist
-    along the finger; arm (V,) m behind the wrist; bind_R (S, 3, 3), bind_p (S, 3) the segments'
-    poses in the root.
+    from outside; bones (V, 4) rows of segments with weights shares (V, 4); along (V,) m from the
+    wrist along the finger; arm (V,) m behind the wrist; bind_R (S, 3, 3), bind_p (S, 3) the
+    segments' poses in the root.
     """
 
     points: Array
@@ -182,10 +183,10 @@ class Skin:
 
 
 class SkinMaker:
-    """Makes the skin of one hand, and patches that lie on it.
+    """Creates the skin of one hand, and patches on it.
 
-    ``fixed``: rows of segments (M,) and points (M, 3) m in their B that the surface shall pass
-    through, as a glove's markers do; their distance from it is then below 0.5 mm.
+    ``fixed``: rows of segments (M,) and points (M, 3) m in their B that the surface passes through,
+    such as a glove's markers; their distance from it is then below 0.5 mm.
     """
 
     def __init__(self, hand: HandModel, fixed: tuple[IntArray, Array] | None = None) -> None:
@@ -199,13 +200,14 @@ class SkinMaker:
         return np.asarray(p + np.einsum("mij,mj->mi", R, points))
 
     def skin(self, cell: float = CELL) -> Skin:
-        """The whole surface, closed.
+        """The complete, closed surface.
 
-        Two sheets that cross one cell get one point there; another lattice does not cut them so.
+        Where two sheets cross one cell, their vertices merge; a different lattice spacing avoids
+        that.
         """
         for k in range(LATTICES):
             points, faces = self._net(cell * (1.0 - 0.03 * k))
-            if is_closed(faces) and 2 * len(points) == len(faces) + 4:  # as a ball's (Euler)
+            if is_closed(faces) and 2 * len(points) == len(faces) + 4:  # Euler: a sphere
                 break
         return self._clad(self._surface.project(points), faces)
 
@@ -223,7 +225,8 @@ class SkinMaker:
         return surface_net(values, low, cell)
 
     def _near(self, low: Array, count: IntArray, cell: float) -> Array:
-        """Distance in the middle of each block of `COARSE` cells a side, for each point in it."""
+        """Distance in the middle of each block of `COARSE` cells per side, repeated for its
+        points."""
         axes = [low[k] + cell * (COARSE * np.arange(count[k]) + 0.5 * COARSE) for k in range(3)]
         blocks = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
         out = self._surface.distance(blocks.reshape(-1, 3)).reshape(blocks.shape[:3])
@@ -232,7 +235,7 @@ class SkinMaker:
         return np.asarray(out)
 
     def patch(self, points: Array, faces: IntArray, proud: float) -> Skin:
-        """Points (V, 3) m near the surface, in the bind pose, laid ``proud`` m above it."""
+        """Vertices (V, 3) m near the surface, in the bind pose, placed ``proud`` m above it."""
         made = self._clad(self._surface.project(points), faces)
         return Skin(
             made.points + proud * made.normals, made.normals, faces, made.bones, made.shares,
@@ -248,7 +251,7 @@ class SkinMaker:
 
 
 def _bounds(form: HandForm) -> tuple[Array, Array]:
-    """Corners of a box that holds all cones."""
+    """Corners of a box that contains all cones."""
     every = [*form.fingers.values(), form.palm, form.thenar, form.forearm]
     ends = [(end, cones.radius.max(axis=1)) for cones in every for end in (cones.a, cones.b)]
     low = np.concatenate([end - r[:, None] for end, r in ends]).min(axis=0)
@@ -258,7 +261,7 @@ def _bounds(form: HandForm) -> tuple[Array, Array]:
 
 
 def _along(hand: HandModel, form: HandForm, points: Array, bone: IntArray) -> Array:
-    """(V,) m along x of the root, and on a finger along its segments, which goes on from there."""
+    """(V,) m along x of the root, continued on a finger along its segments."""
     start = np.zeros(len(hand.segments))
     for chain in CHAINS.values():
         rows = [hand.index[s] for s in chain if s in hand.index]

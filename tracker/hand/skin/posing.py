@@ -2,7 +2,7 @@
 
 Dual quaternions (L. Kavan et al., "Geometric skinning with approximate dual quaternion blending",
 2008): a blend of rotations about one joint is a rotation about it, so that a bent finger keeps its
-girth, where a blend of matrices would make it thin.
+thickness, while a blend of matrices would make it thinner.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from tracker.messages import Array
 
 
 class Rest(NamedTuple):
-    """A skin at the wearer's size: points, normals (V, 3) and bones, shares (V, 4) as `Skin` has
-    them; R (S, 3, 3), p (S, 3) of its segments in the root."""
+    """A skin at the wearer's size: points, normals (V, 3) and bones, shares (V, 4) as in `Skin`; R
+    (S, 3, 3), p (S, 3) of its segments in the root."""
 
     points: Matrix
     normals: Matrix
@@ -49,8 +49,8 @@ def rest_of(skin: Skin, hand: HandModel, scale: Array | None = None) -> Rest:
 
 @kernel(error_model="numpy")
 def scale_skin(bound: Rest, scale: Matrix, R: Stack, p: Matrix, points: Written[Matrix]) -> None:
-    """Fill points (V, 3): where the blend of segments ``scale`` (S, 3) times as large, at R, p in
-    the root and still in the bind pose, carries those of ``bound``."""
+    """Fill points (V, 3): those of ``bound``, transformed by the blend of the segments scaled by
+    ``scale`` (S, 3), at R, p in the root and still in the bind pose."""
     local = np.empty(3)
     for v in range(len(points)):
         points[v] = 0.0
@@ -96,7 +96,7 @@ def pose_skin(
             dot = 0.0
             for j in range(4):
                 dot += real[first, j] * real[i, j]
-            if dot < 0.0:  # the same rotation has two quaternions; take the nearer
+            if dot < 0.0:  # the same rotation has two quaternions; use the nearer
                 share = -share
             for j in range(4):
                 r[j] += share * real[i, j]
@@ -117,7 +117,7 @@ def _turn(
     x: float, y: float, z: float, w: float,
     vectors: Matrix, v: int, out: Written[Matrix], add: bool,
 ) -> None:  # fmt: skip
-    """Row v of ``vectors`` turned by a unit quaternion into (or added to) row v of ``out``."""
+    """Rotates row v of ``vectors`` by a unit quaternion into (or added to) row v of ``out``."""
     a, b, c = vectors[v, 0], vectors[v, 1], vectors[v, 2]
     s, t, u = 2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)
     a, b, c = a + w * s + y * u - z * t, b + w * t + z * s - x * u, c + w * u + x * t - y * s
@@ -128,7 +128,8 @@ def _turn(
 
 @kernel(error_model="numpy")
 def _dual_quaternions(rest: Rest, R_GB: Stack, p_GB: Matrix) -> tuple[Matrix, Matrix]:
-    """(S, 4) xyzw, real and dual part, of what takes each segment from rest to its pose."""
+    """(S, 4) xyzw, real and dual part, of the transformation of each segment from rest to its
+    pose."""
     many = len(R_GB)
     real, dual = np.empty((many, 4)), np.empty((many, 4))
     R, t = np.empty((3, 3)), np.empty(3)
