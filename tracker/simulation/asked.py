@@ -1,4 +1,4 @@
-"""A motion that a simulated wearer leaves for postures that he is asked for while it goes on."""
+"""A motion that a simulated wearer interrupts for requested postures."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from tracker.messages import Array, Event, IntArray
 from tracker.simulation.motion import Motion, Poses
 from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 
-MOVE = 0.8  # s from what the hand does to the posture, and back
+MOVE = 0.8  # s for the transition from the motion to the posture, and back
 AHEAD = 1.6
-"""s before which nothing can change: packets are made a second at a time, and that a third of a
+"""s before which nothing can change: packets are generated one second at a time, a third of a
 second before they are sent (`tracker.simulation.drawn_ahead`)."""
 TURN = np.deg2rad(60.0)  # of the wrist, to either side
-SWAY_DEG = 0.8  # of a hand that holds a posture; a standard deviation
+SWAY_DEG = 0.8  # sd of a hand that holds a posture
 SWAY_TIME = 0.8  # s, correlation
 
 
 class Asked(NamedTuple):
-    """From ``t`` (s) on the hand goes to a posture of ``angles`` (J,) rad, in front of the camera;
-    without any it goes on with its own motion. ``turning`` is the period (s) in which it turns
-    about the forearm meanwhile, from side to side; 0: it does not."""
+    """From ``t`` (s) on the hand assumes a posture of ``angles`` (J,) rad, in front of the camera;
+    without any it continues its own motion. ``turning`` is the period (s) of an alternating
+    rotation about the forearm during the posture; 0: none."""
 
     t: float
     angles: tuple[float, ...] = ()
@@ -32,7 +32,7 @@ class Asked(NamedTuple):
 
 
 def asked_event(asked: Asked, pose: str, t: float) -> Event:
-    """What a recording contains at ``t`` (s): the posture is of ``pose``, or (empty) his own."""
+    """The recorded event at ``t`` (s): the posture is of ``pose``, or (empty) the wearer's own."""
     data = {"t": asked.t, "angles": list(asked.angles), "turning": asked.turning}
     if pose:
         return Event.of(t, "device", notice("simulation.pose_shown", pose=pose), {"asked": data})
@@ -40,7 +40,7 @@ def asked_event(asked: Asked, pose: str, t: float) -> Event:
 
 
 def asked_in(event: Event) -> Asked | None:
-    """The data of `asked_event`; None where it is another event."""
+    """The data of `asked_event`; None for any other event."""
     data = event.data.get("asked")
     if not isinstance(data, dict):
         return None
@@ -48,10 +48,11 @@ def asked_in(event: Event) -> Asked | None:
 
 
 class AskedMotion:
-    """``own`` but for what is `ask`-ed; a `Motion`. Postures are held where ``own`` begins.
+    """``own`` except for the postures requested by `ask`; a `Motion`. Postures are held where
+    ``own`` begins.
 
-    Until then it is ``own`` to the bit. Whoever simulates the same wearer elsewhere has to ask for
-    the same.
+    Before the first request it equals ``own`` exactly. Another simulation of the same wearer must
+    be given the same requests.
     """
 
     def __init__(self, own: Motion, seed: int) -> None:
@@ -63,14 +64,14 @@ class AskedMotion:
         self._sway = SmoothNoise(rng_for(seed, "asked postures"), (count,), SWAY_TIME)
 
     def ask(self, asked: Asked) -> None:
-        """From any thread; what was asked for before is passed over."""
+        """Thread-safe; replaces earlier requests that are not reached yet."""
         if asked not in self.asked:
             self.asked = (*self.asked, asked)
 
     def poses(self, t: Array) -> Poses:
         t = np.asarray(t, float)
         count = self._that_count(float(t.min(initial=np.inf)))
-        # the instants of asking, too: from them on a rotation goes one way or the other about
+        # including the times of requests: they determine the sign of the quaternions
         at = np.concatenate([t, [a.t for a in count]])
         out = own = self._own.poses(at)
         for k, asked in enumerate(count):
@@ -81,7 +82,7 @@ class AskedMotion:
         return Poses(out.angles[:n], out.R_GB[:n], out.p_GB[:n])
 
     def _that_count(self, t: float) -> tuple[Asked, ...]:
-        """Of those asked for the last one that was reached by ``t``, and all after it."""
+        """The last request reached by ``t``, and all later ones."""
         asked = self.asked
         reached = [k for k, a in enumerate(asked) if a.t + MOVE <= t]
         return asked[reached[-1] :] if reached else asked
@@ -98,9 +99,9 @@ class AskedMotion:
 
 
 def _between(one: Poses, other: Poses, share: Array, begin: int) -> Poses:
-    """From ``one`` (share 0) to the ``other`` (share 1), which both are at the row ``begin``.
+    """Interpolates from ``one`` (share 0) to ``other`` (share 1); row ``begin`` belongs to both.
 
-    Rotations go by way of their quaternions, which is as smooth as they are.
+    Rotations are interpolated as quaternions, which preserves smoothness.
     """
     R = np.where((share == 1)[:, None, None], other.R_GB, one.R_GB)
     moving = np.flatnonzero((share > 0) & (share < 1))
@@ -116,7 +117,7 @@ def _between(one: Poses, other: Poses, share: Array, begin: int) -> Poses:
 
 
 def _quaternions(R: Array, rows: IntArray, begin: int) -> Array:
-    """(n + 1, 4) of the rows (n,) of R (m, 3, 3), and of the one at ``begin``, which all have the
-    sign of."""
+    """(n + 1, 4) quaternions of the rows (n,) of R (m, 3, 3), and of row ``begin``, which
+    determines the sign of all."""
     q = so3.quat_from_matrix(R[np.append(rows, begin)])
     return np.where((q @ q[-1])[:, None] < 0, -q, q)

@@ -1,4 +1,4 @@
-"""What stands behind the hand: nothing, a painted clutter or a photograph, on a far plane."""
+"""The background of the hand: plain, painted clutter or a photograph, on a distant plane."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ def fabric_bgr(hue: str) -> tuple[float, float, float]:
 
 @dataclass(frozen=True)
 class BackgroundParams:
-    """``kind``: plain, painted or photograph (then ``path`` names the image)."""
+    """``kind``: plain, painted or photograph (``path`` is then the image file)."""
 
     kind: str = "plain"
     path: str = ""
     distance: float = 0.75  # m, of the plane it is painted on
     grey: float = 128.0
-    blobs: int = 60  # coloured ones, of a painted background
+    blobs: int = 60  # number of coloured ones in a painted background
 
 
 def make_background(
@@ -73,7 +73,7 @@ def _plain(grey: float, width: int, height: int) -> Image:
 
 
 def _painted(params: BackgroundParams, width: int, height: int, rng: np.random.Generator) -> Image:
-    """Soft colours, furniture edges, and things of the markers' hues and sizes."""
+    """Soft colours, furniture edges, and objects with the markers' hues and sizes."""
     coarse = rng.uniform(70, 170, (6, 10, 3)).astype(np.float32)
     canvas = cv2.resize(coarse, (width, height), interpolation=cv2.INTER_CUBIC)
     canvas = np.clip(canvas * 0.6 + 0.4 * canvas.mean(axis=2, keepdims=True), 0, 255)

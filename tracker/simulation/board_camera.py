@@ -1,4 +1,5 @@
-"""A camera, or two, before which somebody holds a board, one pose after the other: for the demo."""
+"""One or two simulated cameras in front of which a board is held in successive poses, for the
+demo."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ from tracker.simulation.smooth import rng_for
 from tracker.vision.rig import StereoRig
 
 HOLD = 3
-"""Images of each pose: the board stands still in all but the first."""
+"""Number of images per pose: the board is at rest in all but the first."""
 PERIOD = 0.25  # s between images
 
 
@@ -39,11 +40,11 @@ class BoardCamera:
         self._next = 0
 
     def open(self) -> None:
-        """Takes a second: every pixel's ray is found."""
+        """Takes a second, for the computation of every pixel's ray."""
         self._renderer = BoardRenderer(self._rig, self._spec, noise=0.0)
 
     def read(self) -> Pair | None:
-        """The next image pair, at the camera's pace; None while it is not open."""
+        """The next image pair, at the camera's rate; None while it is not open."""
         if self._renderer is None:
             return None
         pose, again = divmod(self._next, HOLD)
@@ -68,6 +69,6 @@ def true_rig(rig: StereoRig) -> TrueRig:
 
 
 def noisy(image: Image, rng: np.random.Generator) -> Image:
-    """An image (h, w, 3) of greys as a sensor of some noise gives it."""
+    """A grey image (h, w, 3) with sensor noise."""
     grey = image[..., 0] + rng.normal(0, 2.0, image.shape[:2])
     return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=2)

@@ -1,8 +1,8 @@
-"""Images of a printed board before a stereo camera whose intrinsics are known: for demo and tests.
+"""Images of a printed board in front of a stereo camera with known intrinsics, for demo and tests.
 
-Each pixel's ray, with the lens's distortion undone, meets the paper in one point; the paper is
-sampled there. Images are drawn at twice their size and averaged, so corners lie where the lens
-puts them within a few hundredths of a pixel.
+Each pixel's ray, with the lens distortion removed, meets the paper at one point, where the paper is
+sampled. Images are drawn at twice their size and averaged, so corners are accurate to a few
+hundredths of a pixel.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ INK = 30
 
 @dataclass(frozen=True, eq=False)
 class TrueRig:
-    """X_right = R X_left + T, T (3,) m; ``right`` is None of a camera alone."""
+    """X_right = R X_left + T, T (3,) m; ``right`` is None for a single camera."""
 
     left: Intrinsics
     right: Intrinsics | None
@@ -74,12 +74,12 @@ class BoardRenderer:
     def _draw(
         self, side: int, camera: Intrinsics, pose: BoardPose, rng: np.random.Generator
     ) -> Image:
-        """Where rays meet the paper: [R_x R_y p]⁻¹ ray is the point there, up to its scale."""
+        """Intersects rays with the paper: [R_x R_y p]⁻¹ ray is the point there, up to scale."""
         plane = np.column_stack([pose.R_CB[:, 0], pose.R_CB[:, 1], pose.p_CB])
         on_plane = self._rays[side] @ np.linalg.inv(plane).T.astype(np.float32)
         behind = on_plane[..., 2] <= 1e-6
         at = on_plane[..., :2] / np.where(behind, 1, on_plane[..., 2])[..., None]
-        # a texel's centre is half a texel into it; the sheet begins a square before the board
+        # a texel's centre is half a texel into it; the sheet extends one square beyond the board
         texel = at / self.spec.square * SQUARE_PX + (SQUARE_PX - 0.5)
         texel[behind] = -10
         fine = cv2.remap(
@@ -95,7 +95,7 @@ class BoardRenderer:
         return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=2)
 
     def _blurred(self, pose: BoardPose) -> NDArray[np.float32]:
-        """The paper as coarse as the pixels that look at it, so that edges do not alias."""
+        """The paper, blurred to the resolution of the image, to avoid aliasing."""
         fx = float(self.rig.left.K[0, 0]) * FINE
         texels = SQUARE_PX / self.spec.square * max(0.05, float(pose.p_CB[2])) / fx
         if texels < 1.0:
@@ -113,14 +113,14 @@ def _rays(camera: Intrinsics) -> NDArray[np.float32]:
 
 
 def board_poses(spec: BoardSpec, rig: TrueRig, count: int, seed: int) -> list[BoardPose]:
-    """Poses that a careful person would show: all over the images, tilted, near and far."""
+    """Poses as a careful person would show: all over the images, tilted, near and far."""
     return [board_pose(spec, rig, k, seed) for k in range(count)]
 
 
 def board_pose(spec: BoardSpec, rig: TrueRig, k: int, seed: int) -> BoardPose:
-    """The k-th of them. Positions walk through a grid of 3 by 3.
+    """The k-th of them. Positions cycle through a grid of 3 by 3.
 
-    The board stays inside both images as far as it can.
+    The board is inside both images as far as possible.
     """
     rng = rng_for(seed, "board pose", k)
     camera = rig.left
@@ -129,11 +129,11 @@ def board_pose(spec: BoardSpec, rig: TrueRig, k: int, seed: int) -> BoardPose:
     tilt = np.deg2rad(tilt_deg) * np.array([np.cos(about), np.sin(about), 0.0])
     R_CB = so3.exp(tilt) @ so3.exp(np.array([0, 0, np.deg2rad(rng.uniform(-25, 25))]))
     middle = np.array([spec.width / 2, spec.height / 2, 0.0])
-    share = rng.uniform(0.32, 0.6)  # of the image's width that the board takes
+    share = rng.uniform(0.32, 0.6)  # of the image's width covered by the board
     distance = float(camera.K[0, 0]) * spec.width / (share * camera.width)
     cell = np.array([k % 3 - 1, k // 3 % 3 - 1]) + rng.uniform(-0.3, 0.3, 2)
     margin = np.array([camera.width, camera.height]) / 2 * (1 - np.array([share, share * 1.1]))
     uv = np.array([camera.K[0, 2], camera.K[1, 2]]) + cell * np.maximum(margin, 0)
     x, y = (uv - [camera.K[0, 2], camera.K[1, 2]]) / [camera.K[0, 0], camera.K[1, 1]]
-    centre = np.array([x, y, 1.0]) * distance - rig.T / 2  # the middle between both cameras
+    centre = np.array([x, y, 1.0]) * distance - rig.T / 2  # the midpoint between both cameras
     return BoardPose(R_CB, centre - R_CB @ middle)

@@ -1,8 +1,8 @@
-"""A simulated stereo camera that behaves like a device: images come when they would come.
+"""A simulated stereo camera in real time: images arrive when those of a device would.
 
-A process of its own draws them, as a camera's own hardware would, and hands them over through
-shared memory. It draws ahead of time where it can; an image that is not ready in time is dropped,
-as a camera would drop it, and the gap in ``index`` tells.
+They are drawn in a separate process, comparable to a camera's own hardware, and transferred through
+shared memory. It draws ahead of time where possible; an image that is not ready in time is dropped,
+as by a camera, and leaves a gap in ``index``.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from tracker.simulation.demo import DemoSpec, ask, build_scene
 
 SLOTS = 6
 READY = "ready"
-AHEAD = 0.01  # s before their arrival that images which were all drawn before are handed over
-LATE = 0.06  # s behind its arrival at which an image is not drawn any more
+AHEAD = 0.01  # s before their arrival, when images drawn in advance are sent
+LATE = 0.06  # s after its arrival time, when an image is no longer drawn
 
 
 class _Drawn(NamedTuple):
@@ -45,9 +45,9 @@ class _Drawn(NamedTuple):
 class SimulatedCamera:
     """Images of a `DemoSpec` in real time, from `begin` on. Raises NoSharedMemory.
 
-    Getting ready takes the process a second or two; meanwhile others may get ready too. With
-    ``drawn`` it draws that many images first, gives these, which then cost no more than those of a
-    camera's own hardware, and ends.
+    The process needs one or two seconds to get ready, during which others may start as well. With
+    ``drawn`` it first draws that many images, sends these, which then costs no more than a hardware
+    camera, and ends.
     """
 
     def __init__(
@@ -57,35 +57,35 @@ class SimulatedCamera:
         self._t_0, self._shape = 0.0, (drawn or SLOTS, cameras, height, width, 3)
         self._memory = new_memory(int(np.prod(self._shape)))
         self._events: list[Event] = []
-        self._asked: deque[Asked] = deque()  # of other threads, to be sent by the one that reads
+        self._asked: deque[Asked] = deque()  # from other threads, sent by the reading thread
         self._closed = False
         self._pipe, self._process = start_child(
             "glovetrack-camera", _draw_for_ever, spec, self._memory.name, self._shape, drawn
         )
 
     def wait_ready(self, timeout: float) -> bool:
-        """Whether the first image could be drawn within ``timeout`` s. Call it once."""
+        """Whether the first image was drawn within ``timeout`` s. Call it once."""
         try:
             return self._pipe.poll(timeout) and self._pipe.recv() == READY
         except (EOFError, OSError):
             return False
 
     def begin(self, t_0: float) -> None:
-        """Let simulated time 0 be the host's ``t_0`` (s)."""
+        """Set simulated time 0 to the host's ``t_0`` (s)."""
         self._t_0 = t_0
         with contextlib.suppress(OSError):
             self._pipe.send(t_0)
 
     def ask(self, asked: Asked, pose: str) -> None:
-        """Let the wearer take a posture, that of ``pose`` or (empty) his own; an event tells of it,
-        by which a recording knows what he truly did."""
+        """Make the wearer assume a posture, that of ``pose`` or (empty) their own; an event is
+        recorded as part of the ground truth."""
         self._asked.append(asked)
         self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
 
     def read(self, timeout: float) -> StereoFrame | None:
-        """The next image pair at its time of arrival; None if none comes within ``timeout``."""
+        """The next image pair at its time of arrival; None if none arrives within ``timeout``."""
         if self._closed:
-            time.sleep(timeout)  # whoever asks in a loop shall not spin
+            time.sleep(timeout)  # prevents callers from spinning
             return None
         try:
             while self._asked:
@@ -101,7 +101,7 @@ class SimulatedCamera:
         if wait > 0:
             time.sleep(min(wait, 1.0))
         frame = self._frame(drawn, max(due, seconds(time.monotonic_ns())))
-        with contextlib.suppress(OSError):  # ended meanwhile: the next call says so
+        with contextlib.suppress(OSError):  # it has ended: the next call reports it
             self._pipe.send(drawn.slot)
         return frame
 
@@ -130,14 +130,14 @@ class SimulatedCamera:
         return out
 
     def close(self) -> None:
-        """End the process and free the memory. May be called again."""
+        """End the process and free the memory. Idempotent."""
         if self._closed:
             return
         self._closed = True
         self._pipe.close()
         self._process.terminate()
         self._process.join(5.0)
-        forget_name(self._memory)  # where the process ended before it came to attach to it
+        forget_name(self._memory)  # if the process ended before it attached
         self._memory.close()
 
 
@@ -149,14 +149,14 @@ class NoSimulatedCamera(NoCamera):
         self._events: list[Event] = []
 
     def wait_ready(self, timeout: float) -> bool:
-        """It is, at once."""
+        """Returns True immediately."""
         return True
 
     def begin(self, t_0: float) -> None:
-        """Nothing begins."""
+        """Does nothing."""
 
     def ask(self, asked: Asked, pose: str) -> None:
-        """As `SimulatedCamera.ask`, for the recording alone."""
+        """As `SimulatedCamera.ask`, for the recording only."""
         self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
 
     def drain_events(self) -> Sequence[Event]:
@@ -170,7 +170,7 @@ DemoCamera = SimulatedCamera | NoSimulatedCamera
 def _draw_for_ever(
     pipe: Connection, spec: DemoSpec, name: str, shape: tuple[int, ...], drawn: int
 ) -> None:
-    """The other process: draws until the pipe closes, or first all that it gives."""
+    """The other process: draws until the pipe is closed, or draws all images first."""
     memory = attached(name)
     try:
         images: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
@@ -184,7 +184,7 @@ def _draw_for_ever(
 
 def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
     sim = build_scene(spec)
-    sim.renderer.images(0.1)  # compiles what is compiled
+    sim.renderer.images(0.1)  # compiles the kernels
     pipe.send(READY)
     t_0: float = pipe.recv()
     free = list(range(len(images)))
@@ -207,7 +207,7 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
 
 
 def _draw_before(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
-    """As many as there are places, then each at its time."""
+    """Draws as many images as there are buffers, then sends each at its time."""
     sim = build_scene(spec)
     drawn = [_Drawn(slot, *one) for slot, one in enumerate(islice(sim.exposures(), len(images)))]
     for one in drawn:
@@ -217,5 +217,5 @@ def _draw_before(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) ->
     for one in drawn:
         time.sleep(max(t_0 + one.arrival - AHEAD - time.monotonic(), 0.0))
         while pipe.poll():
-            pipe.recv()  # places that are free again, and what a wearer is asked for: too late
+            pipe.recv()  # released buffers and requests, which are too late
         pipe.send(one)

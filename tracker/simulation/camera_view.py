@@ -1,4 +1,4 @@
-"""A camera's pixels as rays, and solids as pixels."""
+"""Maps a camera's pixels to rays, and solids to pixels."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ def ray_map(camera: Camera) -> NDArray[np.float32]:
 
 
 def pitch_of(rays: NDArray[np.float32]) -> float:
-    """How far a pixel's ray of `ray_map` is at most from its neighbour's below or beside it."""
+    """The maximum difference between a pixel's ray of `ray_map` and those next to it or below
+    it."""
     across, down = np.abs(np.diff(rays, axis=1)), np.abs(np.diff(rays, axis=0))
     return float(max(across.max(), down.max()))
 
@@ -38,7 +39,7 @@ def pixels_of(box: Array, camera: Camera) -> IntArray:
 
 
 def _raw_bounds(box: Array, camera: Camera) -> Array:
-    """Bounds in raw px; a lens bends edges, so corners and middles are mapped."""
+    """Bounds in raw px; a lens bends edges, so corners and midpoints are mapped."""
     if camera.is_rectified or len(box) == 0:
         return box
     u, v = box[:, [0, 2]], box[:, [1, 3]]

@@ -1,4 +1,4 @@
-"""What the demo simulates, in a form that can be handed to another process."""
+"""The specification of a demo, in a form that can be sent to another process."""
 
 from __future__ import annotations
 
@@ -27,23 +27,23 @@ from tracker.vision.rig import StereoRig, default_pose, ideal_rig
 
 
 class WornTexts(NamedTuple):
-    """Of the hand's and the glove's file."""
+    """The texts of the hand file and the glove file."""
 
     hand: str
     glove: str
 
 
 TABLE = 0.75
-"""m: height of a table, where the origin lies on the floor, as OpenXR's stage has it."""
-BACKGROUNDS = 6  # of a desk, drawn once: half the time an image takes goes into what does not move
+"""m: height of a table if the origin is on the floor, as in OpenXR's stage space."""
+BACKGROUNDS = 6  # of a desk, drawn once: half the time per image is spent on the background
 
 
 @dataclass(frozen=True)
 class DemoSpec:
-    """Texts of the hand's and the glove's file; ``motion`` a recording, ``show:`` and the name of
-    an application that is used again and again, or empty.
+    """Texts of the hand file and the glove file; ``motion`` is a recording, ``show:`` plus the name
+    of an application that is used repeatedly, or empty.
 
-    With a glove of the other side in ``others``, two hands meet before a plain wall.
+    With a glove of the other side in ``others``, two hands meet in front of a plain wall.
     """
 
     hand_text: str
@@ -52,12 +52,12 @@ class DemoSpec:
     duration: float = 3600.0
     fps: float = 30.0
     motion: str = ""
-    exposures: int = 1  # per image: no motion blur, half the time to draw
-    light: str = ""  # over a desk with things on it; before a plain wall if empty
+    exposures: int = 1  # per image: no motion blur, half the drawing time
+    light: str = ""  # of a desk with objects; a plain wall if empty
     others: tuple[WornTexts, ...] = ()
-    one_camera: bool = False  # of two: the left one alone
-    right_late: float = 0.0  # s that the right camera exposes after the left one
-    table: float = 0.0  # m from the origin up to the table that the camera stands on
+    one_camera: bool = False  # only the left of two
+    right_late: float = 0.0  # s by which the right camera exposes after the left one
+    table: float = 0.0  # m from the origin to the top of the table with the camera
 
     @property
     def worn(self) -> tuple[WornTexts, ...]:
@@ -66,7 +66,7 @@ class DemoSpec:
 
     @property
     def rig(self) -> StereoRig:
-        """What looks at the scene."""
+        """The cameras of the scene."""
         stand = default_pose()
         camera = CameraPose(stand.R_GC, stand.p_GC + np.array([0.0, 0.0, self.table]))
         rig = ideal_rig(pose=camera)
@@ -74,7 +74,7 @@ class DemoSpec:
 
 
 def build(spec: DemoSpec) -> Simulation:
-    """The simulation that a spec describes: the same in every process."""
+    """The simulation described by a spec: the same in every process."""
     hand = parse_hand(spec.hand_text)
     glove = parse_glove(spec.glove_text, hand)
     if spec.motion:
@@ -93,7 +93,7 @@ def build(spec: DemoSpec) -> Simulation:
 
 
 def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
-    """Everything that the camera sees."""
+    """The complete scene in view of the camera."""
     if not spec.others:
         return build(spec)
     dressed = {}
@@ -107,23 +107,24 @@ def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
 
 
 def hands_of(scene: Simulation | TwoHandsSimulation) -> dict[str, Simulation]:
-    """Each hand of a scene, by its side; of two the left one first."""
+    """Each hand of a scene, by its side; the left one first."""
     return scene.hands if isinstance(scene, TwoHandsSimulation) else {scene.hand.side: scene}
 
 
 def ask(simulation: Simulation | TwoHandsSimulation, asked: Asked) -> None:
-    """Ask the wearer for a posture. Who plays a recording, or meets another, does not hear it."""
+    """Request a posture; ignored by a wearer who plays a recording or meets another."""
     if isinstance(simulation, Simulation) and isinstance(simulation.motion, AskedMotion):
         simulation.motion.ask(asked)
 
 
 def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
-    """All that the wearer was asked for."""
+    """All postures requested so far."""
     return simulation.motion.asked if isinstance(simulation.motion, AskedMotion) else ()
 
 
 def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
-    """Imported when asked for: what these need brings all of scipy, and the demo starts first."""
+    """Imports on demand: these modules load all of scipy, which would delay the start of the
+    demo."""
     from tracker.simulation.recorded.load import load_motion
     from tracker.simulation.scripted import show
 

@@ -1,4 +1,4 @@
-"""Packets that are made before they are due, so that none waits for the making of others."""
+"""Generates packets before they are due, so that they are not delayed by their generation."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from collections.abc import Iterator
 
 from tracker.messages import ImuSample
 
-PACKETS = 30  # that are ready, 0.3 s of them: making a second of them takes up to 0.1 s
+PACKETS = 30  # packets in advance, 0.3 s: generating one second takes up to 0.1 s
 LOOK_EVERY = 0.2  # s between checks whether images are still requested
 
 
 class DrawnAhead:
-    """``source`` gone through in a thread of its own, `PACKETS` ahead of whoever takes them.
+    """Iterates over ``source`` in a separate thread, `PACKETS` ahead of its consumer.
 
-    A simulator makes a second of packets at once: whoever asked it for the first of them would
-    wait that long, and the packet with him. A real glove knows no such wait.
+    A simulator generates one second of packets at once: a direct request for the first one would
+    block for that long and delay the packet, unlike a real glove.
     """
 
     def __init__(self, source: Iterator[ImuSample]) -> None:
@@ -32,12 +32,12 @@ class DrawnAhead:
     def __next__(self) -> ImuSample:
         sample = self._ready.get()
         if sample is None:
-            self._ready.put(None)  # for whoever asks again
+            self._ready.put(None)  # for further calls
             raise StopIteration
         return sample
 
     def close(self) -> None:
-        """Make no more. May be called again."""
+        """Stop generating. Idempotent."""
         self._closed.set()
         self._thread.join()
 

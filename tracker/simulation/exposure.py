@@ -1,4 +1,4 @@
-"""What an exposure takes in: a scene at instants over the shutter, and patches sewn to cloth."""
+"""Exposures: samples of a scene over the shutter time, and patches sewn to cloth."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ from tracker.vision.rig import Camera, StereoRig
 
 
 class Scene(Protocol):
-    """What is drawn: `SimulatedScene`, or two hands in one."""
+    """The content of an image: `SimulatedScene`, or two hands in one."""
 
     rig: StereoRig
     seed: int
 
     @property
     def wearers(self) -> Sequence[Wearer]:
-        """Whose segments and markers an instant holds, one after the other."""
+        """The wearers whose segments and markers an instant contains, concatenated."""
 
     def instant(self, t: float) -> Instant:
         """Everything in C at the time t (s)."""
 
     def reported_pose(self, t: float) -> CameraPose | None:
-        """What the camera says of its pose; None for one that stands still."""
+        """The pose reported by the camera; None for a static one."""
 
 
 class EyeView(NamedTuple):
-    """From ``eye`` (3,) in C, by the rectified fx, fy, cx and cy, with one of the two cameras."""
+    """From ``eye`` (3,) in C, with the rectified fx, fy, cx and cy of one of the two cameras."""
 
     eye: Array
     K: Array
@@ -43,16 +43,16 @@ class EyeView(NamedTuple):
 
 
 JITTER_PX = np.array([[-0.25, 0.15], [0.3, 0.3], [-0.05, -0.35], [0.2, -0.1]])
-"""Where in the pixel each instant looks: smooths edges at no cost."""
+"""Sub-pixel offset of each instant: smooths edges at no cost."""
 SLOW_PX = 0.5
-"""Motion over half the shutter below which two instants look like three."""
+"""px of motion over half the shutter below which two instants are sufficient."""
 
 
 def moments_of(
     scene: Scene, t: float, shutter: float, count: int, fewest: int = 2
 ) -> list[Instant]:
-    """The scene at the middles of equal parts of the shutter (s); ``fewest`` (1 or 2) do for a slow
-    hand."""
+    """The scene at the midpoints of equal parts of the shutter (s); ``fewest`` (1 or 2) are used
+    for a slow hand."""
     n = max(count, 1)
     if n > 2:
         first, last = (scene.instant(t + shutter * s) for s in (-0.25, 0.25))
@@ -66,7 +66,7 @@ def moments_of(
 def patches_of_all(
     wearers: Sequence[Wearer], colour_of: Callable[[str], Array]
 ) -> tuple[IntArray, SewnPatches]:
-    """`sewn_patches` of all wearers, whose segments and markers stand one after the other."""
+    """`sewn_patches` of all wearers, with concatenated segments and markers."""
     orders, parts = zip(*(sewn_patches(w, colour_of) for w in wearers), strict=True)
     before = np.cumsum([0, *(len(order) for order in orders)])
     joined = [np.concatenate(field) for field in zip(*parts, strict=True)]
@@ -77,8 +77,8 @@ def patches_of_all(
 
 
 def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[IntArray, SewnPatches]:
-    """The wearer's patches and the markers' rows in their order; positions are for each instant to
-    say. ``colour_of`` gives the BGR (3,) of a hue's fabric."""
+    """The wearer's patches and the markers' rows in their order; positions are filled in for each
+    instant. ``colour_of`` returns the BGR (3,) of a hue's fabric."""
     order = np.argsort(wearer.marker_segment, kind="stable")
     segment = wearer.marker_segment[order]
     markers = [wearer.glove.markers[i] for i in order]
@@ -97,7 +97,7 @@ def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[Int
 
 
 def seen_patches(sewn: SewnPatches, now: Instant, view: EyeView) -> SeenPatches:
-    """Patches at an instant, in C and as pixels: `shade` asks each of them only about these."""
+    """Patches at one instant, in C and as pixel bounds: `shade` tests only these for each pixel."""
     segment = np.repeat(np.arange(len(sewn.first) - 1), np.diff(sewn.first))
     R, p = now.R_CB[segment], now.p_CB[segment]
     flat, (x, y, z) = sewn.flat == 1, sewn.position.T
@@ -121,8 +121,8 @@ def seen_patches(sewn: SewnPatches, now: Instant, view: EyeView) -> SeenPatches:
 
 
 def _reach_of(sewn: SewnPatches, around: Array, girth: Array) -> Array:
-    """(M,) m: from each patch's middle to the farthest point that it can cover. One that is wrapped
-    at ``around`` from the bone covers what is there from the bone to the cloth, at ``girth``."""
+    """(M,) m: from each patch's centre to the farthest point that it can cover. A wrapped one at
+    ``around`` from the bone covers points from the bone to the cloth, at ``girth``."""
     half = sewn.size / 2
     turn = np.minimum(half / np.maximum(around, 1e-9), np.pi)
     across2 = np.maximum(around**2, around**2 + girth**2 - 2 * around * girth * np.cos(turn))

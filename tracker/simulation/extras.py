@@ -1,4 +1,4 @@
-"""Other things in the scene: coloured distractors, an object in the hand, devices on fingertips."""
+"""Other objects in the scene: coloured distractors, an object in the hand, fingertip devices."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from tracker.vision.rig import default_pose
 
 _NO_BALLS = (np.zeros((0, 3)), np.zeros(0), ())
 OBJECTS = ("ball", "bottle", "box", "can", "cup", "phone", "pen", "stick")
-"""What can be held, eight as in the paper's experiment."""
+"""Objects that can be held, eight as in the paper's experiment."""
 
 
 class Distractors:
-    """Balls of the markers' hues and sizes in the room, still or wandering, behind the hand."""
+    """Balls of the markers' hues and sizes in the room, static or moving, behind the hand."""
 
     def __init__(
         self,
@@ -56,7 +56,7 @@ class Distractors:
 
 @dataclass(frozen=True)
 class HeldObject:
-    """An object lying in the palm of ``hand``, fixed to the dorsum; ``kind`` is one of OBJECTS."""
+    """An object in the palm of ``hand``, fixed to the dorsum; ``kind`` is one of OBJECTS."""
 
     hand: HandModel
     kind: str = "ball"
@@ -102,7 +102,7 @@ _ROUND = {
 
 @dataclass(frozen=True)
 class FingertipDevices:
-    """Haptic devices worn on fingertips: boxes that hide the distal phalanges."""
+    """Haptic devices worn on fingertips: boxes that occlude the distal phalanges."""
 
     hand: HandModel
     fingers: tuple[str, ...] = ("thumb", "index")

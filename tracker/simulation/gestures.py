@@ -1,4 +1,4 @@
-"""A wearer who shows scripted gestures: open, fist, grips, pinches and a turn of the wrist."""
+"""A wearer who performs scripted gestures: open, fist, grips, pinches and wrist rotations."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from tracker.simulation.wearer import Wearer
 
 MOVE = 0.8  # s from one gesture to the next
 TOUCH = 0.010  # m between the tips of a pinch: the fingers' thickness
-APART = 0.015  # m by which no other tip comes as near
-CLEAR = 0.030  # m, the same of a finger that is inferred: it may be a centimetre off
+APART = 0.015  # m by which other tips must be farther away
+CLEAR = 0.030  # m, likewise for an inferred finger, which may be off by a centimetre
 TURN = np.deg2rad(60.0)  # of the wrist, to either side
-SWAY_ANGLE, SWAY = np.deg2rad(0.8), 0.002  # rad and m, of a hand that is held still
+SWAY_ANGLE, SWAY = np.deg2rad(0.8), 0.002  # rad and m, of a hand that holds still
 
 OPEN: dict[str, float] = {
     f"{f}_mcp_abduction": a for f, a in zip(FINGERS, (5, 1, -3, -6), strict=True)
@@ -48,7 +48,7 @@ GRIP: dict[str, float] = {
 
 
 class Cue(NamedTuple):
-    """A gesture that is held for ``hold`` s, ``before`` s after the one before."""
+    """A gesture that is held for ``hold`` s, starting ``before`` s after the previous one."""
 
     gesture: str
     before: float
@@ -58,8 +58,8 @@ class Cue(NamedTuple):
 class Gestures:
     """The cues one after another, by a hand in front of a camera.
 
-    A gesture is open, fist, grip, turn or ``pinch_`` and a finger. Fingers of a glove that follow
-    their synergies do so here. The turn goes from one side to the other and back.
+    A gesture is open, fist, grip, turn or ``pinch_`` and a finger. Fingers without sensors follow
+    their synergies. The rotation alternates between both sides.
     """
 
     follows_synergies = True
@@ -72,7 +72,7 @@ class Gestures:
         camera: CameraPose | None = None,
         wearer: Wearer | None = None,
     ) -> None:
-        """``wearer``: whose fingers meet in a pinch, where that is not the hand of the file."""
+        """``wearer``: whose fingertips meet in a pinch, if not those of the hand file."""
         self._hand, self._wearer, self.cues = hand, wearer, tuple(cues)
         ends = list(accumulate(c.before + c.hold for c in cues))
         self.starts = [end - c.hold for c, end in zip(cues, ends, strict=True)]
@@ -121,12 +121,12 @@ def _turning(t: Array, hold: float) -> Array:
 
 
 def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
-    """(J,) rad as the hand file defines them: the thumb's tip at the tip of ``finger``, the other
-    tips further away.
+    """(J,) rad as defined in the hand file: the thumb's tip at the tip of ``finger``, the other
+    tips farther away.
 
-    Middle, ring and little finger bend together, as synergies have them. The other tips are further
-    away in the hand of the file, too: what a glove does not measure of a finger is inferred from
-    that, so a wearer is to show the pinch as clearly.
+    Middle, ring and little finger bend together, by their synergies. The other tips are farther
+    away in the hand of the file, too: unsensed joints are inferred from it, so the wearer's pinch
+    must be equally clear.
     """
     moved = [n for n in hand.joint_names if n.startswith("thumb_") and n not in _given(hand)]
     group = ("index",) if finger == "index" else FINGERS[1:]
@@ -156,13 +156,13 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
 
 
 def _too_near(reach: dict[str, float], finger: str, apart: float) -> float:
-    """m²: by how much other tips are nearer than ``apart`` m beyond that of ``finger``."""
+    """m²: by how much other tips are closer than ``apart`` m beyond that of ``finger``."""
     others = (d for name, d in reach.items() if name != finger)
     return sum(max(reach[finger] + apart - d, 0.0) ** 2 for d in others)
 
 
 def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) -> dict[str, float]:
-    """m from the thumb's tip to that of each finger, of a wearer or of the hand as in its file."""
+    """m from the thumb's tip to each finger's, for a wearer or for the hand file."""
     if wearer is None:
         points = hand.keypoints(*hand.forward(angles, np.eye(3), np.zeros(3)))
     else:
@@ -173,10 +173,10 @@ def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) 
 
 
 def _given(hand: HandModel) -> set[str]:
-    """Angles that follow from others."""
+    """Driven angles."""
     return {s.angle for s in hand.synergies}
 
 
 def _sourced(hand: HandModel) -> NDArray[np.bool_]:
-    """(J,) bool: angles that a synergy gives."""
+    """(J,) bool: angles computed by a synergy."""
     return np.array([n in _given(hand) for n in hand.joint_names])

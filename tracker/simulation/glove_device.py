@@ -1,7 +1,7 @@
-"""A simulated glove that speaks bytes over a pseudo-terminal, in real time, with faults on demand.
+"""A simulated glove that sends bytes through a pseudo-terminal, in real time, with optional faults.
 
-It answers the host as the firmware does: HELLO until START, then samples and a status a second.
-The ordinary serial code opens ``path`` and cannot tell it from a glove.
+It implements the firmware's protocol: HELLO until START, then samples and one status per second.
+The ordinary serial code opens ``path`` as it would a real glove.
 """
 
 from __future__ import annotations
@@ -37,41 +37,41 @@ from tracker.sensors.protocol import (
 )
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
-TICK = 0.002  # s between two looks at the line, and at the clock where nothing is due before
+TICK = 0.002  # s between two polls of the line, and of the clock while nothing is due
 MPU_9250 = 0x71
 WARM_UP_CC, WARM_UP_S = 600.0, 300.0
-SYSTEM_KEEPS = 65536  # bytes that the system buffers without a reader, as Linux does
+SYSTEM_KEEPS = 65536  # bytes that the system buffers without a reader, as on Linux
 
 
 @dataclass
 class Faults:
-    """Switched by tests and the demo's menu while the device runs."""
+    """Set by tests and the demo's menu while the device runs."""
 
-    drop: float = 0.0  # share of packets that never leave
+    drop: float = 0.0  # share of packets that are not sent
     corrupt: float = 0.0  # share of packets with a flipped bit
-    stalled: bool = False  # nothing leaves, what was sampled meanwhile comes at once
-    silent: bool = False  # nothing leaves and nothing is kept
+    stalled: bool = False  # nothing is sent; samples accumulate and are sent together afterwards
+    silent: bool = False  # nothing is sent or stored
 
 
 @dataclass(frozen=True)
 class GloveDeviceParams:
-    """``skew`` of the glove's clock; bytes leave in bunches of ``bunch`` s."""
+    """``skew`` of the glove's clock; bytes are sent in bursts of ``bunch`` s."""
 
     skew: float = 60e-6
     bunch: float = 0.0
-    wire_baud: int = 0  # of a UART on the way; 0 on USB alone, where a packet comes as a whole
+    wire_baud: int = 0  # of a UART in between; 0 for USB alone, where a packet arrives as a whole
     glove_id: int = 1
     start_us: int = 4_000_000  # on the glove's clock at its start
     seed: int = 0
     says_hello: bool = True
     firmware: tuple[int, int, int] = (1, 3, 0)
-    rate_hz: int = 100  # as HELLO says; the samples come as their source gives them
+    rate_hz: int = 100  # in HELLO; the samples have the rate of their source
     accel_range_g: int = ACCEL_RANGE_G
     chips: bool = True  # HELLO and temperatures as from firmware 1.3
 
 
 class SimulatedGlove:
-    """Speaks the samples of ``source``; their t = 0 is the host's ``t_0`` (s), see `begin`."""
+    """Sends the samples of ``source``; their t = 0 is the host's ``t_0`` (s), see `begin`."""
 
     def __init__(
         self,
@@ -92,7 +92,7 @@ class SimulatedGlove:
         self._thread.start()
 
     def begin(self, t_0: float) -> None:
-        """Let the samples' time 0 be the host's ``t_0`` (s)."""
+        """Set the samples' time 0 to the host's ``t_0`` (s)."""
         self._t_0 = t_0
 
     # ---- the plug
@@ -110,12 +110,12 @@ class SimulatedGlove:
         tty.setraw(slave)
         os.set_blocking(self._master, False)
         self.path = os.ttyname(slave)
-        self._slave = slave  # held open, so that the line survives a host that comes and goes
+        self._slave = slave  # kept open, so that the line persists when a host disconnects
         self._unsent = bytearray()
         self._decoder = FrameDecoder()
 
     def unplug(self) -> None:
-        """Pull the cable: the host's port dies."""
+        """Unplug the cable: the host's port fails."""
         with self._lock:
             self._streaming = False
             os.close(self._slave)
@@ -123,7 +123,7 @@ class SimulatedGlove:
             self._master = self._slave = -1
 
     def plug(self) -> None:
-        """Plug in again, under a new ``path`` as a real adapter may."""
+        """Plug in again, with a new ``path``, as for a real adapter."""
         with self._lock:
             self._plug()
             self._seq = 0
@@ -135,7 +135,7 @@ class SimulatedGlove:
             self._greet()
 
     def stop(self) -> None:
-        """End the thread and close the line. May be called again."""
+        """End the thread and close the line. Idempotent."""
         self._stopping.set()
         self._thread.join()
         if self._master >= 0:
@@ -144,7 +144,7 @@ class SimulatedGlove:
     # ---- the firmware
 
     def _run(self) -> None:
-        run_soon()  # like a device, which does not share a processor
+        run_soon()  # a device does not share a processor
         pending: list[bytes] = []
         last_hello = last_status = last_flush = float("-inf")
         baud = self.params.wire_baud
@@ -178,12 +178,12 @@ class SimulatedGlove:
                     pending.clear()
 
     def _temperatures(self, now: float) -> Temperatures:
-        """Each IMU warms up by 6 °C with a time constant of five minutes, from its own start."""
+        """Each IMU warms up by 6 °C with a time constant of five minutes, with its own offset."""
         warm = WARM_UP_CC * (1 - math.exp(-(now - self._plugged_at) / WARM_UP_S))
         return Temperatures(tuple(2600 + 30 * j + round(warm) for j in range(self._imu_count)))
 
     def _pause(self, sample: ImuSample | None, wire: float) -> float:
-        """s until the next packet has to leave, or the line is to be looked at."""
+        """s until the next packet is due, or the line must be polled."""
         due = self._t_0 + sample.t + wire - time.monotonic() if sample is not None else TICK
         return min(max(due, 0.0), TICK)
 
@@ -227,7 +227,7 @@ class SimulatedGlove:
         for frame in self._decoder.feed(data):
             match frame:
                 case HelloRequest():
-                    self._unsent.clear()  # a system keeps nothing for a port that was closed
+                    self._unsent.clear()  # a system discards the data of a closed port
                     self._greet()
                 case Start():
                     self._streaming = True
@@ -237,12 +237,12 @@ class SimulatedGlove:
                     continue
 
     def _write(self, data: bytes = b"") -> None:
-        """Bytes wait for a host that does not read, `SYSTEM_KEEPS` of them; more are lost."""
+        """Bytes are buffered for a host that does not read, up to `SYSTEM_KEEPS`; more are lost."""
         if len(self._unsent) + len(data) <= SYSTEM_KEEPS:
             self._unsent += data
         if self._master < 0 or not self._unsent:
             return
-        with contextlib.suppress(BlockingIOError, OSError):  # full, or the host has just gone
+        with contextlib.suppress(BlockingIOError, OSError):  # full, or the host has disconnected
             del self._unsent[: os.write(self._master, self._unsent)]
 
     def complain(self, text: str) -> None:
@@ -262,7 +262,7 @@ def quantised(sample: ImuSample, accel_range_g: int = ACCEL_RANGE_G) -> np.ndarr
 def link_to(folder: Path, device: SimulatedGlove, name: str = "glove") -> Path:
     """A stable name for a device whose path changes when it is plugged in again.
 
-    Raises FileExistsError where the name is that of another file than a link."""
+    Raises FileExistsError if a file other than a link has this name."""
     link = folder / name
     if link.is_symlink():
         link.unlink()

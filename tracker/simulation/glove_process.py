@@ -1,7 +1,7 @@
-"""Simulated gloves in a process of their own, as a real glove is a computer of its own.
+"""Simulated gloves in a separate process, comparable to real gloves with their own processor.
 
-Beside a window, in its process, packets would wait for whatever Python does there, and the window
-for the making of packets; figures of latency would tell of the simulation.
+In the process of a window, packets would be delayed by other Python code, and the window by the
+generation of packets; latency figures would reflect the simulation.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 
 GLOVE_IDS = {"right": 1, "left": 2}
 END_WAIT = 5.0  # s
-SWITCH_S = 0.0002  # s after which what makes packets lets go of the interpreter for what sends them
+SWITCH_S = 0.0002  # s after which generating threads release the GIL for sending ones
 
 
 class _Begin(NamedTuple):
-    """Simulated time 0 is the host's ``t_0`` (s)."""
+    """Sets simulated time 0 to the host's ``t_0`` (s)."""
 
     t_0: float
 
@@ -42,15 +42,15 @@ class _Failed(NamedTuple):
 
 
 class GloveProcess:
-    """The gloves of a `DemoSpec`; getting ready takes the process a second or two."""
+    """The gloves of a `DemoSpec`; the process needs one or two seconds to get ready."""
 
     def __init__(self, spec: DemoSpec) -> None:
         self._pipe, self._process = start_child("glovetrack-glove", _serve, spec)
 
     def paths(self, timeout: float) -> Mapping[str, str]:
-        """Of the gloves' lines by side, once they are there. Call it once.
+        """The paths of the gloves' lines by side, once they exist. Call it once.
 
-        Raises DeviceError where they are not within ``timeout`` s, or cannot be.
+        Raises DeviceError if they do not exist within ``timeout`` s, or cannot be created.
         """
         try:
             said = self._pipe.recv() if self._pipe.poll(timeout) else _Failed("")
@@ -62,15 +62,15 @@ class GloveProcess:
         return paths
 
     def begin(self, t_0: float) -> None:
-        """Let simulated time 0 be the host's ``t_0`` (s)."""
+        """Set simulated time 0 to the host's ``t_0`` (s)."""
         self._send(_Begin(t_0))
 
     def ask(self, asked: Asked) -> None:
-        """Let the wearer take a posture."""
+        """Make the wearer assume a posture."""
         self._send(asked)
 
     def close(self) -> None:
-        """End the process: the cables are pulled. May be called again."""
+        """End the process, which unplugs the gloves. Idempotent."""
         self._pipe.close()
         self._process.join(END_WAIT)
         if self._process.is_alive():
@@ -78,12 +78,12 @@ class GloveProcess:
             self._process.join()
 
     def _send(self, what: _Begin | Asked) -> None:
-        with contextlib.suppress(OSError):  # it has gone: the link to the glove says so
+        with contextlib.suppress(OSError):  # it has ended: the serial link reports that
             self._pipe.send(what)
 
 
 def _serve(pipe: Connection, spec: DemoSpec) -> None:
-    """The other process: gloves until the pipe closes."""
+    """The other process: runs the gloves until the pipe is closed."""
     sys.setswitchinterval(SWITCH_S)
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt), contextlib.ExitStack() as worn:
         scene = build_scene(spec)

@@ -1,7 +1,7 @@
-"""A wearer who is led through guided poses before he moves freely, and holds them as people do.
+"""A wearer who performs the guided poses before moving freely, with human inaccuracy.
 
-Poses that touch something are found on the wearer's own hand, by inverse kinematics: his bones,
-axes and synergies decide how he bends to make two pads meet.
+Poses with contact are solved on the wearer's own hand, by inverse kinematics: bone lengths, axes
+and synergies determine how two pads can meet.
 """
 
 from __future__ import annotations
@@ -27,29 +27,29 @@ from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 from tracker.simulation.wearer import Wearer
 
 FIRST = 2.0  # s flat and in view before the first pose
-PAD = 0.006  # m from a fingertip to the middle of its pad
+PAD = 0.006  # m from a fingertip to the centre of its pad
 
 
 @dataclass(frozen=True)
 class HoldParams:
-    """How well poses are held: standard deviations unless another word is used."""
+    """How accurately poses are held: standard deviations unless stated otherwise."""
 
     flexion_deg: float = 4.0  # of a joint that should be straight or bent
     gap: float = 0.0015  # m, between pads that should touch
     pad: float = 0.003  # m, where on the pads, along and across
-    height: float = 0.0015  # m, of a fingertip over the table
+    height: float = 0.0015  # m, of a fingertip above the table
     sway_deg: float = 0.8
-    off_deg: float = 0.0  # of all joints together, one way or the other
-    apart: float = 0.0  # m, that pads keep apart
-    wrong: bool = False  # one of the poses is another one than was asked for
+    off_deg: float = 0.0  # common error of all joints, of either sign
+    apart: float = 0.0  # m, gap between the pads
+    wrong: bool = False  # one of the poses is replaced by another
 
 
 HELD_BADLY = HoldParams(off_deg=10.0, apart=0.005, wrong=True)
 
 
 class HeldPose(NamedTuple):
-    """A pose asked for from ``begin`` to ``end`` s; the hand is in it from ``reached`` to ``left``
-    with ``angles`` (J,) rad."""
+    """A pose requested from ``begin`` to ``end`` s; held from ``reached`` to ``left`` with
+    ``angles`` (J,) rad."""
 
     name: str
     begin: float
@@ -62,7 +62,7 @@ class HeldPose(NamedTuple):
 class GuidedPoses:
     """All poses one after the other, then another motion: a `Motion`, and its ``events``.
 
-    ``wearer`` is whose hand the poses are held with.
+    ``wearer`` is the wearer who holds the poses.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class GuidedPoses:
         self._still = Still(first.angles[0], first.R_GB[0], first.p_GB[0])
 
     def _lead(self) -> list[HeldPose]:
-        """When each pose is asked for, reached and left, and what it is."""
+        """The poses, with the times when each is requested, reached and released."""
         names, rng, out = list(POSES), self._rng, []
         odd = int(rng.integers(len(names))) if self._params.wrong else -1
         for k, name in enumerate(names):
@@ -94,7 +94,7 @@ class GuidedPoses:
 
     @property
     def held(self) -> list[HeldPose]:
-        """What is held when, in order of time."""
+        """The poses that are held, in order of time."""
         return list(self._held)
 
     @property
@@ -119,7 +119,7 @@ class GuidedPoses:
         angles = angles + share * (self._still.angles - before)
         turn = np.deg2rad(self._params.sway_deg) * self._sway(t)
         led = t < self.free_from
-        # the free motion's own sway is there from its beginning, ours fades out before
+        # the free motion has its own sway from its beginning, so this one fades out before
         fade = 1 - minimum_jerk((t - self.free_from + 0.5) / 0.5)[:, None]
         angles = np.where(led[:, None], angles + fade * turn[:, :-3], later.angles)
         R = np.where(led[:, None, None], still.R_GB @ so3.exp(fade * turn[:, -3:]), later.R_GB)
@@ -127,8 +127,8 @@ class GuidedPoses:
 
 
 class _Touch(NamedTuple):
-    """``gap`` m between two surfaces, below 0 where one is in the other; from_tip (2,) m from each
-    fingertip to the place; off_pad (2,) 1 less the cosine between palmar side and contact."""
+    """``gap`` m between two surfaces, negative if they overlap; from_tip (2,) m from each fingertip
+    to the point of contact; off_pad (2,) 1 minus the cosine between palmar side and contact."""
 
     gap: float
     from_tip: Array
@@ -146,14 +146,14 @@ class HeldHand:
         return self._wearer.hand
 
     def angles(self, name: str, t: float) -> Array:
-        """(J,) rad, about the wearer's own axes, distal ones as the motion of a hand has them: what
-        his synergies add comes with `Wearer.segments`. Held about ``t`` (s)."""
+        """(J,) rad, about the wearer's own axes, with distal joints as in a `Motion`: the wearer's
+        synergy errors are added by `Wearer.segments`. Held at about ``t`` (s)."""
         pose = POSES[name]
         if pose.touches:
             return self._pinch(pose.touches, t)
         angles = posture(self.hand, _BESIDE[name])
         for f in pose.flexions:
-            # DIP joints are not bent at will
+            # DIP joints cannot be bent voluntarily
             if f.joint.endswith(("_mcp", "_pip")) and f"{f.joint}_flexion" in self.hand.angle_index:
                 angles[self.hand.angle_index[f"{f.joint}_flexion"]] = f.value + self._off()
         angles = self._inferred(angles)
@@ -162,7 +162,7 @@ class HeldHand:
         return self._laid_flat(angles, t) if pose.on_table else angles
 
     def _straight(self, angles: Array, t: float) -> Array:
-        """The thumb's joints held straight at will, whatever its synergy would have."""
+        """The thumb's joints held straight actively, independent of its synergy."""
         out = angles.copy()
         mcp, ip = (self.hand.angle_index.get(f"thumb_{j}_flexion", -1) for j in ("mcp", "ip"))
         if min(mcp, ip) >= 0:
@@ -176,13 +176,13 @@ class HeldHand:
         return float(np.deg2rad(self._rng.normal(0, p.flexion_deg) + way * p.off_deg))
 
     def _inferred(self, angles: Array) -> Array:
-        """Distal joints by the hand file's synergies, the rest as they are."""
+        """Distal joints by the hand file's synergies, the rest unchanged."""
         distal = [s.angle for s in self.hand.synergies if s.angle.split("_")[1] in ("dip", "ip")]
         known = np.array([n not in distal for n in self.hand.joint_names])
         return self.hand.apply_synergies(angles, known)[0]
 
     def _laid_flat(self, angles: Array, t: float) -> Array:
-        """MCP joints bend until the fingertips lie as deep as the palm."""
+        """MCP joints bend until the fingertips are in the plane of the palm."""
         names = [f"{f}_mcp_flexion" for f in FINGERS if f"{f}_mcp_flexion" in self.hand.angle_index]
         columns = [self.hand.angle_index[n] for n in names]
         rows = [self.hand.index[CHAINS[n.split("_")[0]][-1]] for n in names]
@@ -201,7 +201,7 @@ class HeldHand:
         return self._inferred(out)
 
     def _pinch(self, finger: str, t: float) -> Array:
-        """Thumb and finger bend until their pads meet, as little unlike a usual pinch as can be."""
+        """Thumb and finger bend until their pads meet, as close to a typical pinch as possible."""
         columns = [
             self.hand.angle_index[n]
             for n in (*_THUMB, *(f"{finger}_{axis}" for axis in _FINGER))
@@ -231,7 +231,7 @@ class HeldHand:
         return best
 
     def _with(self, angles: Array, columns: list[int], values: Array) -> Array:
-        """(J,) rad with other values, distal joints as these have them."""
+        """(J,) rad with other values, distal joints by their synergies."""
         out = angles.copy()
         out[columns] = values
         return self._inferred(out)
@@ -243,7 +243,7 @@ class HeldHand:
         return R[0], p[0]
 
     def _touch(self, angles: Array, t: float, rows: list[int]) -> _Touch:
-        """How two distal segments lie to each other."""
+        """The contact geometry of two distal segments."""
         R, p = self._posed(angles, t)
         scale = self._wearer.scale[rows]
         length = scale[:, 0] * [self.hand.segments[r].length for r in rows]
@@ -260,7 +260,7 @@ class HeldHand:
         return _Touch(apart - radius.sum(), length - [share * length[0], along], off)
 
     def _pads(self, angles: Array, t: float, rows: list[int]) -> Array:
-        """(n, 3) m in the dorsum's frame: the middles of the pads of distal segments."""
+        """(n, 3) m in the dorsum's frame: the centres of the pads of distal segments."""
         R, p = self._posed(angles, t)
         out = []
         for row in rows:
@@ -271,7 +271,7 @@ class HeldHand:
 
 
 def _pinching(finger: str, mcp: float, pip: float) -> dict[str, float]:
-    """Angles in degrees before the pads meet; the other fingers keep out of the way."""
+    """Angles in degrees before the pads meet; the other fingers are extended."""
     out: dict[str, float] = {
         "thumb_cmc_flexion": 15,
         "thumb_cmc_abduction": -12,
@@ -289,7 +289,7 @@ def _pinching(finger: str, mcp: float, pip: float) -> dict[str, float]:
 
 _THUMB = ("thumb_cmc_flexion", "thumb_cmc_abduction", "thumb_cmc_twist", "thumb_mcp_flexion")
 _FINGER = ("mcp_flexion", "mcp_abduction", "pip_flexion")
-"""Axes that are free to make two pads meet."""
+"""Axes that may be adjusted to make two pads meet."""
 
 _BESIDE: dict[str, dict[str, float]] = {
     "flat": {"thumb_cmc_flexion": -5.0},
@@ -304,11 +304,11 @@ _BESIDE: dict[str, dict[str, float]] = {
     "fist": {"thumb_cmc_flexion": 22.0, "thumb_cmc_abduction": -12.0, "thumb_mcp_flexion": 40.0},
     "thumb_up": {"thumb_cmc_flexion": -15.0, "thumb_cmc_abduction": 10.0},
 }
-"""Angles in degrees beside those that a pose is about."""
+"""Angles in degrees for joints that a pose does not specify."""
 
 
 def with_events(feed: Iterator[Message], events: Iterable[Event]) -> Iterator[Message | Event]:
-    """A feed of messages with events put in where they are said."""
+    """A feed of messages with events inserted at their times."""
     waiting = list(events)
     for message in feed:
         while waiting and waiting[0].t <= message.t_arrival:

@@ -1,4 +1,4 @@
-"""A camera on the head: it moves, and what it says of its pose is not quite right."""
+"""A head-mounted camera: it moves, and reports its pose with errors."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from tracker.simulation.smooth import SmoothNoise, rng_for
 
 @dataclass(frozen=True)
 class HeadParams:
-    """Standard deviations along or about each axis; all zero is a stand.
+    """Standard deviations along or about each axis; all zero for a static camera.
 
-    ``tells``: its "pose" with each image, what its "imu" measures, or "nothing".
+    ``tells``: its reports, "pose" with each image, the measurements of its "imu", or "nothing".
     """
 
     sway_mm: float = 0.0
@@ -32,7 +32,7 @@ MOVING = HeadParams(sway_mm=15.0, sway_deg=3.0, error_mm=3.0, error_deg=0.5)
 
 
 class Head:
-    """Where the camera is, and where it says it is."""
+    """The true and the reported pose of the camera."""
 
     def __init__(self, stand: CameraPose, seed: int, params: HeadParams | None = None) -> None:
         self._stand, self._params = stand, params or HeadParams()
@@ -42,7 +42,7 @@ class Head:
 
     @property
     def moves(self) -> bool:
-        """Whether a pose is reported with each frame at all."""
+        """Whether a pose is reported with each frame."""
         p = self._params
         return any((p.sway_mm, p.sway_deg, p.error_mm, p.error_deg))
 
@@ -52,7 +52,7 @@ class Head:
         return _moved(self._stand, self._sway(np.array([t]))[0], p.sway_mm, p.sway_deg)
 
     def reported(self, t: float) -> CameraPose | None:
-        """The pose as the camera's odometry has it; None for one on a stand or without any."""
+        """The pose from the camera's odometry; None for a static camera or without odometry."""
         if not self.moves or self._params.tells != "pose":
             return None
         p = self._params
@@ -60,7 +60,7 @@ class Head:
 
 
 def _moved(pose: CameraPose, unit: Array, mm: float, degrees: float) -> CameraPose:
-    """``pose`` shifted in G by unit[0] and turned about its own axes by unit[1]."""
+    """``pose`` shifted in G by unit[0] and rotated about its own axes by unit[1]."""
     if mm == 0 and degrees == 0:
         return pose
     turn = so3.exp(np.deg2rad(degrees) * unit[1])

@@ -1,4 +1,4 @@
-"""What seven MPU-9250 measure on a moving hand (InvenSense PS-MPU-9250A-01, tables 1 and 2)."""
+"""Measurements of seven MPU-9250 on a moving hand (InvenSense PS-MPU-9250A-01, tables 1 and 2)."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ class ImuParams:
     skew_ppm: float = 50.0  # standard deviation of the glove clock's rate error
     latency: float = 0.003  # s from sampling to arrival
     jitter: float = 0.0005
-    bunching: float = 0.0  # s, of a USB adapter: packets arrive together at its multiples
+    bunching: float = 0.0  # s, of a USB adapter: packets arrive in bursts at its multiples
 
 
 class ImuSimulator:
-    """Packets of one glove, by number; the same whatever is asked for first."""
+    """Packets of one glove, by number; independent of the order of evaluation."""
 
     def __init__(
         self, wearer: Wearer, motion: Motion, seed: int, params: ImuParams | None = None
@@ -76,7 +76,7 @@ class ImuSimulator:
         """All packets sampled from t0 up to t1 (s), in order, with the true instant as ``t``."""
         first = max(int(np.ceil((t0 - self._phase) / self.period)), 0)
         last = int(np.ceil((t1 - self._phase) / self.period))
-        block = max(round(self.params.rate_hz), 1)  # noise is drawn a second at a time
+        block = max(round(self.params.rate_hz), 1)  # noise is drawn one second at a time
         for b in range(first // block, -(-last // block)):
             yield from self._block(b, block, first, last)
 
@@ -145,7 +145,7 @@ def _small_log(R: Array) -> Array:
 
 
 def _digital(value: Array, full_scale: float) -> Array:
-    """As a 16-bit converter gives it: clipped and rounded to full_scale / 32768."""
+    """The output of a 16-bit converter: clipped and rounded to full_scale / 32768."""
     lsb = full_scale / 32768
     out: Array = np.clip(np.round(value / lsb), -32768, 32767) * lsb
     return out

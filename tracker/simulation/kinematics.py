@@ -1,4 +1,4 @@
-"""Forward kinematics of a true hand, many instants at a time."""
+"""Forward kinematics of a true hand, vectorised over time."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def forward_many(
 def _joint_rotation(
     column: IntVector, twist_per_flexion: float, angles: Vector, out: Written[Matrix]
 ) -> None:
-    """Rz(abduction) Ry(flexion) Rx(twist), the twist with what flexion brings along."""
+    """Rz(abduction) Ry(flexion) Rx(twist), the twist including the part coupled to flexion."""
     a = angles[column[0]] if column[0] >= 0 else 0.0
     f = angles[column[1]] if column[1] >= 0 else 0.0
     w = twist_per_flexion * f + (angles[column[2]] if column[2] >= 0 else 0.0)
@@ -60,7 +60,7 @@ def _joint_rotation(
 def angles_from_many(
     parent: IntArray, R_rest: Array, column: IntArray, R_GB: Array, count: int
 ) -> Array:
-    """Angles (n, count) rad as the hand file defines them, of orientations R_GB (n, S, 3, 3)."""
+    """Angles (n, count) rad as defined in the hand file, from orientations R_GB (n, S, 3, 3)."""
     out = np.zeros((len(R_GB), count))
     for s in range(len(parent)):
         if parent[s] < 0:

@@ -1,4 +1,4 @@
-"""What a motion is, and ways to change one."""
+"""The interface of a motion, and modifications of motions."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Motion(Protocol):
 
     @property
     def duration(self) -> float:
-        """Seconds from t = 0; later instants repeat the last posture."""
+        """Seconds from t = 0; afterwards the last posture is held."""
         ...
 
     @property
@@ -38,14 +38,14 @@ class Motion(Protocol):
 
 
 def pose_at(motion: Motion, t: float) -> tuple[Array, Array, Array]:
-    """(angles (J,), R_GB (3, 3), p_GB (3,)) at one instant."""
+    """(angles (J,), R_GB (3, 3), p_GB (3,)) at one time."""
     poses = motion.poses(np.array([t]))
     return poses.angles[0], poses.R_GB[0], poses.p_GB[0]
 
 
 @dataclass(frozen=True, eq=False)
 class Still:
-    """One posture for as long as wanted: angles (J,), R_GB (3, 3), p_GB (3,)."""
+    """One constant posture: angles (J,), R_GB (3, 3), p_GB (3,)."""
 
     angles: Array
     R_GB: Array
@@ -83,7 +83,7 @@ class Faster:
 class Away:
     """A motion that leaves the view: shifted by ``shift_G`` (3,) m during each (t0, t1) of spans.
 
-    The hand is fully away from t0 to t1 and takes ``travel`` seconds to go and to come back.
+    The hand is fully away from t0 to t1 and takes ``travel`` seconds in each direction.
     """
 
     motion: Motion

@@ -1,4 +1,4 @@
-"""What of each marker one camera sees: sample points on the curved patch, facing and occlusion."""
+"""The visible part of each marker: sample points on the curved patch, facing and occlusion."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tracker.simulation.solids import Instant, Solids
 CIRCLE, SQUARE = 0, 1
 _SAMPLES = 16
 NO_SEGMENT = -2
-"""No solid has this owner: every solid hides."""
+"""No solid has this owner: every solid occludes."""
 BALL = 1e-12  # m²: a capsule's squared length below which it has no axis
 
 
@@ -24,7 +24,7 @@ def sample_pattern() -> Array:
     k = np.arange(_SAMPLES) + 0.5
     radius, turn = 0.5 * np.sqrt(k / _SAMPLES), np.pi * (3 - np.sqrt(5)) * k
     circle = np.column_stack([radius * np.cos(turn), radius * np.sin(turn)])
-    circle -= circle.mean(axis=0)  # a spiral of few points is off its middle
+    circle -= circle.mean(axis=0)  # a spiral of few points is not centred
     edge = (np.arange(4) + 0.5) / 4 - 0.5
     square = np.stack(np.meshgrid(edge, edge), axis=-1).reshape(-1, 2)
     return np.stack([circle, square])
@@ -32,8 +32,8 @@ def sample_pattern() -> Array:
 
 class PatchShapes(NamedTuple):
     """Patches of M markers: outward normal (M, 3) in their segment's B, size (M,) m, `CIRCLE` or
-    `SQUARE` (M,), segment (M,), and flat (M,) 1 where a patch lies on a plane, else it is wrapped
-    about the bone."""
+    `SQUARE` (M,), segment (M,), and flat (M,) 1 for a patch on a plane, else it is wrapped around
+    the bone."""
 
     normal: Matrix
     size: Vector
@@ -53,11 +53,11 @@ class _Axes(NamedTuple):
 def view_patches(
     eye: Vector, K: Vector, now: Instant, patches: PatchShapes, pattern: Stack
 ) -> tuple[Matrix, Matrix, Vector, Vector]:
-    """The patches of ``now`` from ``eye`` (3,) in C with K = (fx, fy, cx, cy): uv (M, 2) px of the
-    seen area's centroid, extent (M, 2) px, facing (M,) mean cosine of what is seen of the whole,
-    whole (M,) share of what faces the camera that is not hidden.
+    """The patches of ``now`` from ``eye`` (3,) in C with K = (fx, fy, cx, cy): uv (M, 2) px,
+    centroid of the visible area, extent (M, 2) px, facing (M,) mean cosine of the visible part over
+    the whole, whole (M,) share of the part facing the camera that is not occluded.
 
-    Each is looked at in the points of `sample_pattern`.
+    Each is evaluated at the points of `sample_pattern`.
     """
     position, R_CB, p_CB, solids = now.markers, now.R_CB, now.p_CB, now.solids
     normal, size, shape = patches.normal, patches.size, patches.shape
@@ -107,7 +107,7 @@ def view_patches(
 
 @kernel
 def in_sight(eye: Vector, points: Matrix, solids: Solids) -> BoolVector:
-    """(n,) whether points (n, 3) of C are seen from ``eye`` past all solids."""
+    """(n,) whether points (n, 3) of C are visible from ``eye`` past all solids."""
     axes, out = _axes_of(solids), np.empty(len(points), np.bool_)
     rows = np.empty(len(solids.radius), np.int64)
     for i in range(len(points)):
@@ -187,7 +187,7 @@ def _near_ray(
     axes: _Axes,
     found: Written[IntVector],
 ) -> int:
-    """How many capsules come within ``reach`` of the ray from ``eye`` to x; rows into ``found``."""
+    """Number of capsules within ``reach`` of the ray from ``eye`` to x; rows into ``found``."""
     count = 0
     for i in range(len(solids.radius)):
         if solids.owner[i] != own and _is_near(eye, x, solids, axes, i, solids.radius[i] + reach):
@@ -198,9 +198,9 @@ def _near_ray(
 
 @kernel
 def _hidden(eye: Vector, x: Vector, own: int, rows: IntVector, solids: Solids, axes: _Axes) -> bool:
-    """Whether a capsule of ``rows``, or a box, stands between ``eye`` and the point x.
+    """Whether a capsule of ``rows``, or a box, is between ``eye`` and the point x.
 
-    What belongs to the segment ``own`` is not asked: `_near_ray` leaves its capsules out.
+    Solids of the segment ``own`` are excluded: `_near_ray` omits its capsules.
     """
     for i in rows:
         if _is_near(eye, x, solids, axes, i, solids.radius[i]):
@@ -229,7 +229,7 @@ def _is_near(p: Vector, q: Vector, solids: Solids, axes: _Axes, i: int, reach: f
 
 @kernel
 def _crosses_box(p: Vector, q: Vector, solids: Solids, i: int) -> bool:
-    """Whether the line pq passes through box i."""
+    """Whether the line pq intersects box i."""
     x, y, z = solids.half[i, 0], solids.half[i, 1], solids.half[i, 2]
     start, end = _in_box(solids, i, p), _in_box(solids, i, q)
     return sight_cuts_box(start, end, (-x, -y, -z), (x, y, z))
@@ -237,7 +237,7 @@ def _crosses_box(p: Vector, q: Vector, solids: Solids, i: int) -> bool:
 
 @kernel(inline="always")
 def _in_box(solids: Solids, i: int, p: Vector) -> Vector3:
-    """A point of C along the axes of box i, from its middle."""
+    """A point of C along the axes of box i, relative to its centre."""
     R, x, y, z = solids.box_R, p[0], p[1], p[2]
     x, y, z = x - solids.centre[i, 0], y - solids.centre[i, 1], z - solids.centre[i, 2]
     return (

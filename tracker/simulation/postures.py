@@ -1,4 +1,4 @@
-"""Whole-hand postures drawn at random: open, fist, pinch, point, grip and free ones."""
+"""Random whole-hand postures: open, fist, pinch, point, grip and free ones."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ Generator = np.random.Generator
 
 
 def random_posture(hand: HandModel, rng: Generator, holding: bool = False) -> Array:
-    """Angles (J,) rad within limits; synergies hold exactly for thumb IP and the DIP joints.
+    """Angles (J,) rad within limits; synergies are exact for thumb IP and the DIP joints.
 
-    ``holding``: only postures about an object.
+    ``holding``: only postures around an object.
     """
     if holding:
         return posture(hand, _grip(rng))
@@ -44,7 +44,8 @@ def _side(hand: HandModel, name: str) -> float:
 
 
 def _fingers(rng: Generator, mcp: float, pip: float, spread: float, own: float) -> Angles:
-    """All four fingers about one flexion, each ``own`` degrees off; neighbours go together."""
+    """All four fingers about one flexion, each with ``own`` degrees of deviation; neighbours are
+    correlated."""
     angles: Angles = {}
     wander = np.cumsum(rng.normal(0, own, (4, 2)), axis=0)
     for i, finger in enumerate(FINGERS):

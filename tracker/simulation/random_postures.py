@@ -17,13 +17,13 @@ from tracker.vision.rig import default_pose
 
 @dataclass(frozen=True)
 class PostureParams:
-    """How a person moves and where."""
+    """Distribution of motion and position."""
 
     holding: bool = False  # only grips, for an object in the hand
     first_hold: float = 1.5  # s flat and in view
     move_shortest: float = 0.5  # s
     move_longest: float = 1.0  # s
-    near: float = 0.27  # m from the camera along its axis, the palm's middle
+    near: float = 0.27  # m from the camera along its axis, centre of the palm
     far: float = 0.42
     wide: float = 0.30  # of the half image, left and right
     high: float = 0.25  # of the half image, up and down
@@ -32,7 +32,7 @@ class PostureParams:
     pitch_mean_deg: float = -3.0  # negative: fingers up
     yaw_deg: float = 18.0
     largest_deg: float = 55.0  # of roll and pitch
-    lowest_deg: float = 30.0  # of fingers down: beyond it the arm hides the hand
+    lowest_deg: float = 30.0  # of fingers down: beyond it the arm occludes the hand
     palm_up: float = 0.15  # share of postures
     sway_deg: float = 1.2
     sway_mm: float = 2.5
@@ -41,9 +41,9 @@ class PostureParams:
 
 
 class RandomPostures:
-    """Postures and wrist poses at random, minimum-jerk moves between them, sway and tremor.
+    """Random postures and wrist poses, minimum-jerk moves between them, sway and tremor.
 
-    ``camera`` says where the working volume is; the hand stays near the middle of its image.
+    ``camera`` defines the working volume; the hand stays near the centre of its image.
     """
 
     follows_synergies = True
@@ -94,7 +94,7 @@ class RandomPostures:
         return so3.rz(yaw) @ so3.ry(pitch) @ so3.rx(roll)
 
     def _position(self, rng: np.random.Generator) -> Array:
-        """The palm's middle in C; an image of 90° by 60° is 1 by 0.577 at unit distance."""
+        """The centre of the palm in C; an image of 90° by 60° is 1 by 0.577 at unit distance."""
         p = self._params
         z = rng.uniform(p.near, p.far)
         x, y = rng.uniform(-p.wide, p.wide), 0.577 * rng.uniform(-p.high, p.high)
@@ -136,5 +136,5 @@ def _in_front(camera: CameraPose) -> Array:
 def leaving(
     motion: Motion, spans: tuple[tuple[float, float], ...], camera: CameraPose | None = None
 ) -> Away:
-    """``motion`` out of both images during each (t0, t1): 0.8 m to the camera's right."""
+    """``motion`` outside both images during each (t0, t1): 0.8 m to the camera's right."""
     return Away(motion, spans, (camera or default_pose()).R_GC @ np.array([0.8, 0.0, 0.0]))

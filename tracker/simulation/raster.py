@@ -1,4 +1,4 @@
-"""Which solid each pixel shows: a depth buffer filled by rays, one solid after another."""
+"""The visible solid at each pixel: a depth buffer filled by ray casting, one solid at a time."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ from tracker.simulation.solids import Solids
 
 FAR = 1e6
 TILE = 8  # px
-SPREAD = 0.75  # of a tile's width: from its middle to its corners, and a little
-NEAR = 0.05  # m from the camera, within which nothing is left out
+SPREAD = 0.75  # of a tile's width: from its centre to its corners, with a margin
+NEAR = 0.05  # m from the camera, within which nothing is culled
 NEAREST = 0.02  # m from the camera, within which nothing is drawn
-TIE = 1e-4  # m: of solids so near to each other, as of two that share an end, the first is seen
+TIE = 1e-4  # m: of solids this close to each other, as two that share an end, the first is visible
 CORNERS = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T  # (8, 3) of a box
 BALL = 1e-12  # m²: a capsule's squared length below which it has no axis
 
 
 class PixelRays(NamedTuple):
-    """From ``eye`` (3,) in C: x/z and y/z (H, W, 2) of each pixel of the whole image, how far they
-    are at most from a neighbour's, and what is added to them (2,); the corner (v0, u0) of the
+    """From ``eye`` (3,) in C: x/z and y/z (H, W, 2) of each pixel of the whole image, their maximum
+    difference between neighbours, and the offset (2,) added to them; the corner (v0, u0) of the
     region that is drawn."""
 
     slope: Float32Stack
@@ -45,9 +45,9 @@ class PixelRays(NamedTuple):
 
 
 class Capsule(NamedTuple):
-    """From one end to the other ``e``, from that end to the eye ``w``, m; their products e e and
-    e w, ``per`` 1 / (e e) or 0 for a ball; w w less the squared radius at that end and at the
-    other, and what is left of it beside the axis, times e e."""
+    """From one end to the other ``e``, from that end to the eye ``w``, m; their products e e and e
+    w, ``per`` 1 / (e e) or 0 for a ball; w w minus the squared radius at that end and at the other,
+    and its part perpendicular to the axis, times e e."""
 
     e0: np.float32
     e1: np.float32
@@ -64,8 +64,8 @@ class Capsule(NamedTuple):
 
 
 class Slab(NamedTuple):
-    """Between two faces of a box: their normal, how far along it the eye is from the box's middle,
-    and half the distance of the faces, m."""
+    """Between two faces of a box: their normal, the position of the eye along it from the box's
+    centre, and half the distance of the faces, m."""
 
     n0: np.float32
     n1: np.float32
@@ -75,7 +75,7 @@ class Slab(NamedTuple):
 
 
 class Tile(NamedTuple):
-    """Rows v0 to v1 and columns u0 to u1 of the whole image, the upper ones excluded."""
+    """Rows v0 to v1 and columns u0 to u1 of the whole image, upper limits excluded."""
 
     v0: int
     u0: int
@@ -84,20 +84,21 @@ class Tile(NamedTuple):
 
 
 class Buffer(NamedTuple):
-    """What a region (h, w) shows: depth m, and the solid's row, capsules first, -1: nothing."""
+    """The visible surface of a region (h, w): depth m, and the solid's row, capsules first, -1:
+    none."""
 
     depth: Written[Float32Matrix]
     solid: Written[Int16Matrix]
 
 
 Row = tuple[Float32Vector, Int16Vector]
-"""Depth and solid of a part of a row of a `Buffer`."""
+"""Depth and solid for a part of a row of a `Buffer`."""
 
 
 def bounds(solids: Solids, eye: Array, K: Array) -> Array:
     """(P + Q, 4) u0, v0, u1, v1 px around each solid in the rectified image; NaN if not in front.
 
-    A ball of radius r at depth z spans at most r / (z - r) to each side of its middle.
+    A ball of radius r at depth z spans at most r / (z - r) to each side of its centre.
     """
     box = solids.centre[:, None] + np.einsum(
         "qij,qkj->qki", solids.box_R, CORNERS * solids.half[:, None]
@@ -113,7 +114,7 @@ def ball_bounds(points: Array, radius: Array, K: Array) -> Array:
     z = points[..., 2] - radius
     z = np.where(z < 0.02, np.nan, z)
     centre = points[..., :2] / points[..., 2:]
-    # the middle's offset grows the span: (1 + |x/z|) covers the ellipse of a ball off the axis
+    # the centre's offset enlarges the span: (1 + |x/z|) covers the ellipse of a ball off the axis
     reach = (radius / z)[..., None] * (1 + np.abs(centre))
     low, high = (centre - reach).min(axis=1), (centre + reach).max(axis=1)
     return np.concatenate([low * K[:2] + K[2:], high * K[:2] + K[2:]], axis=1)
@@ -121,15 +122,14 @@ def ball_bounds(points: Array, radius: Array, K: Array) -> Array:
 
 @kernel(fastmath=True, error_model="numpy", wide=True)
 def draw(view: PixelRays, pixels: IntMatrix, solids: Solids, buffer: Written[Buffer]) -> None:
-    """Fill ``buffer``. pixels (P + Q, 4): u0, v0, u1, v1 of each solid, the upper ones excluded.
+    """Fill ``buffer``. pixels (P + Q, 4): u0, v0, u1, v1 of each solid, upper limits excluded.
 
-    A capsule that lies aslant fills a small part of its bounds: of a band of rows only what is
-    between the first and the last tile that one of its rays may meet is drawn. Rows are gone
-    through without a branch and in single precision (some µm), so that a processor takes several
-    pixels at a time.
+    An oblique capsule fills a small part of its bounds: of each band of rows only the span between
+    the first and the last tile with rays that may hit it is drawn. Rows are processed without a
+    branch and in single precision (errors of some µm), so that they can be vectorised.
     """
     jitter, corner, width = view.jitter, view.corner, view.slope.shape[1]
-    rays = view.slope.reshape(-1)  # a compiler knows how far apart its numbers are
+    rays = view.slope.reshape(-1)  # lets the compiler know that it is contiguous
     depth, ident, capsules = buffer.depth, buffer.solid, len(solids.radius)
     jx, jy = np.float32(jitter[0]), np.float32(jitter[1])
     depth[:] = FAR
@@ -176,7 +176,7 @@ def _draw_capsule(
     depth: Written[Float32Vector],
     ident: Written[Int16Vector],
 ) -> None:
-    """Capsule i in part of a row."""
+    """Draws capsule i in part of a row."""
     solid = np.int16(i)
     for k in range(len(depth)):
         z = _depth(capsule, slope[2 * k] + jx, slope[2 * k + 1] + jy)
@@ -196,7 +196,7 @@ def _draw_box(
     depth: Written[Float32Vector],
     ident: Written[Int16Vector],
 ) -> None:
-    """A box, solid i, in part of a row."""
+    """Draws a box, solid i, in part of a row."""
     solid = np.int16(i)
     for k in range(len(depth)):
         z = _box(box, slope[2 * k] + jx, slope[2 * k + 1] + jy)
@@ -208,9 +208,9 @@ def _draw_box(
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
 def _thicker(view: PixelRays, solids: Solids, i: int) -> float:
-    """By how much (m) the ray in a tile's middle passes beside capsule i if one of the tile meets
-    it: at depth z each is within half a tile's diagonal of pixels, times z, of the middle one.
-    Negative where that says nothing, so near to the camera."""
+    """Maximum distance (m) of the ray in a tile's centre from capsule i if any ray of the tile hits
+    it: at depth z each is within half a tile's diagonal of pixels, times z, of the central one.
+    Negative where this bound is invalid, close to the camera."""
     a, b, r, eye = solids.a, solids.b, solids.radius[i], view.eye
     far = max(a[i, 2], b[i, 2]) - eye[2] + r
     thicker = SPREAD * view.pitch * TILE * far
@@ -219,10 +219,10 @@ def _thicker(view: PixelRays, solids: Solids, i: int) -> float:
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
 def _span(view: PixelRays, thick: Capsule, band: Tile) -> tuple[int, int]:
-    """Columns of a band of rows, the upper one excluded, outside of which the middle ray of no tile
-    meets a capsule.
+    """Columns of a band of rows, the upper limit excluded, that contain all tiles whose central ray
+    hits a capsule.
 
-    What a capsule shows has no hole, so the tiles between two that it touches are not asked.
+    The image of a capsule is convex, so tiles between two that it touches are not tested.
     """
     u0, u1 = band.u0, band.u1
     while u0 < u1 and _is_beside(view, thick, Tile(band.v0, u0, band.v1, min(u0 + TILE, u1))):
@@ -235,7 +235,7 @@ def _span(view: PixelRays, thick: Capsule, band: Tile) -> tuple[int, int]:
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
 def _is_beside(view: PixelRays, thick: Capsule, tile: Tile) -> bool:
-    """Whether the middle ray of a tile misses a capsule."""
+    """Whether the central ray of a tile misses a capsule."""
     v, u = (tile.v0 + tile.v1) // 2, (tile.u0 + tile.u1) // 2
     x, y = view.slope[v, u, 0] + view.jitter[0], view.slope[v, u, 1] + view.jitter[1]
     return bool(_depth(thick, np.float32(x), np.float32(y)) >= FAR)
@@ -243,7 +243,7 @@ def _is_beside(view: PixelRays, thick: Capsule, tile: Tile) -> bool:
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
 def _seen(eye: Vector, a: Matrix, b: Matrix, r: float, i: int) -> Capsule:
-    """Capsule i, of radius r m, for `_depth`: what all of its rays share is computed once."""
+    """Capsule i, of radius r m, for `_depth`: values common to all rays are computed once."""
     e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
     w0, w1, w2 = eye[0] - a[i, 0], eye[1] - a[i, 1], eye[2] - a[i, 2]
     ee = e0 * e0 + e1 * e1 + e2 * e2
@@ -261,8 +261,8 @@ def _seen(eye: Vector, a: Matrix, b: Matrix, r: float, i: int) -> Capsule:
 def _depth(capsule: Capsule, x: np.float32, y: np.float32) -> np.float32:
     """Depth z at which the ray eye + z (x, y, 1) enters a capsule, FAR if it misses.
 
-    Apart from `tracker.geometry.solids.capsule_depth`, which wants the ray in the capsule's frame:
-    a million rays meet a capsule given by its ends, and to find and enter a frame takes longer.
+    Separate from `tracker.geometry.solids.capsule_depth`, which requires the ray in the capsule's
+    frame: for a million rays and a capsule given by its ends, the transformation takes longer.
     """
     e0, e1, e2, w0, w1, w2, ee, ew, per, outside, outside_b, beside = capsule
     zero, one = np.float32(0.0), np.float32(1.0)
@@ -271,7 +271,7 @@ def _depth(capsule: Capsule, x: np.float32, y: np.float32) -> np.float32:
     dw = x * w0 + y * w1 + w2
     k2 = max(ee * dd - ed * ed, np.float32(1e-30))
     k1 = ee * dw - ew * ed
-    h = k1 * k1 - k2 * beside  # of the cylinder without end, which holds all of the capsule
+    h = k1 * k1 - k2 * beside  # of the infinite cylinder, which contains the capsule
     z = (-k1 - _root(max(h, zero))) / k2
     share = (ew + z * ed) * per
     is_far_end = share >= one
@@ -286,8 +286,8 @@ def _depth(capsule: Capsule, x: np.float32, y: np.float32) -> np.float32:
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
 def _root(x: np.float32) -> np.float32:
-    """Square root to 5e-6 of it by Newton's method from its logarithm halved, which is where a
-    float's bits are: LLVM takes numbers one by one again for its own."""
+    """Square root with a relative error of 5e-6 by Newton's method, starting from half the
+    logarithm in the float's exponent bits: LLVM does not vectorise its own."""
     bits = np.int32(0x5F3759DF) - (np.float32(x).view(np.int32) >> np.int32(1))
     y, half = np.int32(bits).view(np.float32), np.float32(0.5) * x
     y *= np.float32(1.5) - half * y * y
@@ -309,7 +309,7 @@ def _slab(eye: Vector, solids: Solids, i: int, k: int) -> Slab:
 def _box(slabs: tuple[Slab, Slab, Slab], x: np.float32, y: np.float32) -> np.float32:
     """Depth z at which the ray eye + z (x, y, 1) enters a box, FAR if it misses (slab method).
 
-    As `tracker.geometry.solids.box_span`, but seen from the first centimetres on.
+    As `tracker.geometry.solids.box_span`, but only beyond the first centimetres.
     """
     low, high = np.float32(NEAREST), np.float32(FAR)
     low, high = _between(slabs[0], x, y, low, high)
@@ -322,7 +322,7 @@ def _box(slabs: tuple[Slab, Slab, Slab], x: np.float32, y: np.float32) -> np.flo
 def _between(
     slab: Slab, x: np.float32, y: np.float32, low: np.float32, high: np.float32
 ) -> tuple[np.float32, np.float32]:
-    """What of a ray's depths ``low`` to ``high`` is within a slab."""
+    """Restricts a ray's depths ``low`` to ``high`` to a slab."""
     step, least = slab.n0 * x + slab.n1 * y + slab.n2, np.float32(1e-9)
     step = least if abs(step) < least else step
     t0, t1 = (-slab.half - slab.start) / step, (slab.half - slab.start) / step

@@ -31,7 +31,7 @@ Image = NDArray[np.uint8]
 
 @dataclass(frozen=True)
 class RenderParams:
-    """The camera and the light."""
+    """Camera and light."""
 
     background: BackgroundParams = field(default_factory=BackgroundParams)
     shutter: float = 0.008  # s
@@ -45,16 +45,15 @@ class RenderParams:
 
 
 class _Memory:
-    """Kept from image to image: the system clears fresh memory page by page, which takes longer
-    than to write to it."""
+    """Reused between images: the system clears newly allocated memory page by page, which takes
+    longer than writing to it."""
 
     def __init__(self) -> None:
         self._total, self._depth = np.empty(0, np.float32), np.empty(0, np.float32)
         self._solid = np.empty(0, np.int16)
 
     def of(self, rows: int, columns: int) -> tuple[NDArray[np.float32], Buffer]:
-        """Light (rows, columns, 3), all zero, and a buffer of what is seen; good until the next
-        call."""
+        """Light (rows, columns, 3), all zero, and a depth buffer; valid until the next call."""
         n = rows * columns
         if n > len(self._solid):
             self._total, self._depth = np.empty(3 * n, np.float32), np.empty(n, np.float32)
@@ -66,7 +65,7 @@ class _Memory:
 
 
 class Renderer:
-    """Draws a scene. One renderer holds one rig's ray maps and backgrounds."""
+    """Draws a scene. A renderer caches the rig's ray maps and backgrounds."""
 
     def __init__(self, scene: Scene, params: RenderParams | None = None) -> None:
         self.scene, self.params = scene, params or RenderParams()
@@ -88,7 +87,8 @@ class Renderer:
         self._memory = _Memory()
 
     def _with_grain(self, ground: Image, rng: np.random.Generator) -> list[Image]:
-        """Four noisy prints of a background; each frame takes one, fresh grain is too slow."""
+        """Four noisy copies of a background, one of which each frame uses: new noise is too
+        slow."""
         prints = []
         for _ in range(4):
             out = np.empty_like(ground)
@@ -101,7 +101,7 @@ class Renderer:
         return np.array(fabric_bgr(hue)) * self.params.gain
 
     def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
-        """The images of the exposure whose middle is t (s), and the camera's reported pose."""
+        """The images of the exposure with midpoint t (s), and the camera's reported pose."""
         left, *right = self.images(t)
         arrival = t if t_arrival is None else t_arrival
         pose = self.scene.reported_pose(t)
@@ -113,8 +113,8 @@ class Renderer:
         return left, right
 
     def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
-        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first; drawn
-        ``into`` these where there are any."""
+        """The image of each camera, (h, w, 3) uint8 BGR, the left one first; drawn ``into`` the
+        given arrays, if any."""
         moments = moments_of(
             self.scene, t, self.params.shutter, min(self.params.exposures, len(JITTER_PX))
         )
@@ -129,7 +129,7 @@ class Renderer:
     def _draw(
         self, out: Image, moments: list[Instant], side: int, rng: np.random.Generator
     ) -> None:
-        """What the left (0) or the right camera (1) sees, into ``out`` (h, w, 3)."""
+        """Draws the view of the left (0) or the right camera (1) into ``out`` (h, w, 3)."""
         out[:] = self._noisy[side][int(rng.integers(4))]
         eye = np.array([self.scene.rig.baseline * side, 0.0, 0.0])
         camera = self.scene.rig.right if side else self.scene.rig.left

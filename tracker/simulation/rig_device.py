@@ -1,7 +1,6 @@
-"""A simulated glove and camera as a system offers real ones: a serial line, and pipes of images.
+"""A simulated glove and camera with the interfaces of real ones: a serial line, and image pipes.
 
-What opens them is the code that opens real devices, in this program or another one. POSIX alone has
-both.
+They are opened by the code for real devices, in this program or another one. Requires POSIX.
 """
 
 from __future__ import annotations
@@ -36,16 +35,17 @@ from tracker.vision.rig import StereoRig
 
 Image = NDArray[np.uint8]
 QUALITY = 92  # of JPEG
-HELD = 0.8  # s that the board stands still in each pose
-SMALLER = 0.75  # the right image of two apart, against the left one
+HELD = 0.8  # s for which the board is at rest in each pose
+SMALLER = 0.75  # size of the right image of separate cameras, relative to the left one
 
 
 class ImagePipe:
-    """A named pipe of JPEG images. Who opens it gets those from then on; without a reader they are
-    lost, as a camera's are."""
+    """A named pipe of JPEG images. A reader gets the images from the time it opens the pipe;
+    without a reader they are lost, as with a camera."""
 
     def __init__(self, path: Path) -> None:
-        """Raises DeviceError where the system has no named pipes, FileError where one cannot be."""
+        """Raises DeviceError if the system has no named pipes, FileError if one cannot be
+        created."""
         if not hasattr(os, "mkfifo"):
             raise DeviceError(
                 "The simulated rig needs named pipes, which this system does not have."
@@ -57,7 +57,7 @@ class ImagePipe:
             raise FileError(f"{path} cannot be made: {error.strerror}.") from error
 
     def put(self, image: Image) -> bool:
-        """The next one, (h, w, 3); waits for a slow reader. False where there is none."""
+        """Write the next image, (h, w, 3); blocks for a slow reader. False if there is none."""
         if self._pipe < 0 and not self._open():
             return False
         data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])[1].tobytes()
@@ -83,23 +83,23 @@ class ImagePipe:
             self._pipe = -1
 
     def close(self) -> None:
-        """Take it away. May be called again."""
+        """Delete the pipe. Idempotent."""
         self._close()
         self.path.unlink(missing_ok=True)
 
 
 def pipe_paths(folder: Path, apart: bool) -> list[Path]:
-    """Of one camera, or of two ``apart``, the left one first."""
+    """For one camera, or for two ``apart``, the left one first."""
     names = ("camera_left", "camera_right") if apart else ("camera",)
     return [folder / f"{name}.mjpeg" for name in names]
 
 
 class RigCamera:
-    """Sends what a simulated camera drew through one pipe, both images side by side; or ``apart``,
-    through two, where a reader of one does not hold up the other."""
+    """Sends the images of a simulated camera through one pipe, side by side; or ``apart``, through
+    two, where a slow reader of one does not block the other."""
 
     def __init__(self, folder: Path, apart: bool = False, right_late: float = 0.0) -> None:
-        """``right_late`` (s): how much later the right one of two apart sends."""
+        """``right_late`` (s): delay of the right one of two separate cameras."""
         self._apart = apart
         late = (0.0, right_late)
         self._senders = [
@@ -108,16 +108,16 @@ class RigCamera:
 
     @property
     def paths(self) -> tuple[Path, ...]:
-        """Of the pipes."""
+        """The paths of the pipes."""
         return tuple(sender.pipe.path for sender in self._senders)
 
     @property
     def taken(self) -> int:
-        """How many images the first camera's reader took."""
+        """Number of images read from the first camera."""
         return self._senders[0].taken
 
     def put(self, pair: Pair) -> None:
-        """The next images of both cameras, or of the only one. Never waits."""
+        """Send the next images of both cameras, or of the only one. Never blocks."""
         eyes = [image for image in pair if image is not None]
         if not self._apart:
             self._senders[0].put(np.hstack(eyes))
@@ -128,17 +128,17 @@ class RigCamera:
         self._senders[1].put(np.asarray(cv2.resize(right, size, interpolation=cv2.INTER_AREA)))
 
     def close(self) -> None:
-        """Take the pipes away. May be called again."""
+        """Delete the pipes. Idempotent."""
         for sender in self._senders:
             sender.close()
 
 
 def smaller_right(rig: StereoRig) -> StereoRig:
-    """The rig whose right camera gives the images that two apart send."""
+    """The rig for the right images as sent by separate cameras."""
     right = rig.right
     K = right.K.copy()
     K[:2] *= SMALLER
-    K[:2, 2] += (SMALLER - 1) / 2  # pixels' middles are whole numbers
+    K[:2, 2] += (SMALLER - 1) / 2  # pixel centres are at integer coordinates
     small = replace(right, width=_smaller(right.width), height=_smaller(right.height), K=K)
     return replace(rig, right=small)
 
@@ -148,16 +148,16 @@ def _smaller(pixels: int) -> int:
 
 
 class HeldBoard:
-    """Images of a board that somebody holds still before a rig, pose after pose."""
+    """Images of a board held still in front of a rig, in successive poses."""
 
     def __init__(self, rig: StereoRig, seed: int, spec: BoardSpec | None = None) -> None:
-        """Takes a second: every pixel's ray is found."""
+        """Takes a second, for the computation of every pixel's ray."""
         self._rig, self._seed, self._spec = true_rig(rig), seed, spec or BoardSpec()
         self._renderer = BoardRenderer(self._rig, self._spec, noise=0.0)
         self._drawn: tuple[int, Pair] | None = None
 
     def pair(self, t: float, index: int) -> Pair:
-        """Those of the time ``t`` (s), each ``index`` with noise of its own."""
+        """The images at the time ``t`` (s), with independent noise for each ``index``."""
         number = int(t / HELD)
         rng = rng_for(self._seed, "board noise", index)
         if self._drawn is None or self._drawn[0] != number:
@@ -168,14 +168,14 @@ class HeldBoard:
 
 
 class _Sender:
-    """A thread that sends the newest image, so that a stopped reader does not block others."""
+    """A thread that sends the newest image, so that a stalled reader does not block others."""
 
     def __init__(self, path: Path, late: float) -> None:
         self.pipe, self.taken, self._late = ImagePipe(path), 0, late
         self._newest: Latest[Image] = Latest()
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name=f"glovetrack-{path.stem}")
-        self._thread.daemon = True  # it may wait for a reader that never reads again
+        self._thread.daemon = True  # it may be blocked by a stalled reader
         self._thread.start()
 
     def put(self, image: Image) -> None:
@@ -193,13 +193,13 @@ class _Sender:
         self.pipe.close()
 
 
-WAIT = 0.05  # s for an image, and between two looks for a reader
+WAIT = 0.05  # s to wait for an image, and between two checks for a reader
 STARTS_WITHIN = 120.0  # s
 
 
 class RigFiles(NamedTuple):
-    """Where the devices are: each glove's serial line by its side, and images in a pipe (MJPEG; of
-    two cameras side by side), or in one of each of two cameras apart."""
+    """The paths of the devices: each glove's serial line by its side, and images in a pipe (MJPEG;
+    both cameras side by side), or in one pipe for each of two separate cameras."""
 
     gloves: Mapping[str, Path]
     cameras: Sequence[Path]
@@ -207,16 +207,16 @@ class RigFiles(NamedTuple):
 
 class SimulatedRig:
     """The gloves of a scene, and its camera, as files in ``folder``. A glove may be unplugged and
-    plugged in again, and a board be held before the camera. ``hand_lengths`` (m) are of the
-    wearers' hands by a ruler, by side."""
+    plugged in again, and a board be held in front of the camera. ``hand_lengths`` (m) are those of
+    the wearers' hands measured with a ruler, by side."""
 
     def __init__(
         self, spec: DemoSpec, folder: Path, apart: bool = False, force: bool = False
     ) -> None:
-        """With ``apart`` two cameras are devices of their own, the right one's images smaller.
+        """With ``apart`` two cameras are separate devices, the right one with smaller images.
 
-        Pipes and links that a killed rig has left in ``folder`` are replaced, other files only with
-        ``force``. Raises DeviceError or FileError where there cannot be any.
+        Pipes and links left in ``folder`` by a killed rig are replaced, other files only with
+        ``force``. Raises DeviceError or FileError if they cannot be created.
         """
         hands = hands_of(build_scene(spec))
         self._folder, self._names, self._seed = folder, _names(list(hands)), spec.seed
@@ -233,9 +233,10 @@ class SimulatedRig:
         self.hand_lengths = {side: hand.wearer.hand_length for side, hand in hands.items()}
 
     def run(self, stop: Callable[[], bool], ready: Callable[[RigFiles], None]) -> int:
-        """Until ``stop()``; ``ready`` hears when all are there. How many images were taken.
+        """Runs until ``stop()``; ``ready`` is called once all files exist. Returns the number of
+        images read.
 
-        Raises DeviceError where the camera does not start.
+        Raises DeviceError if the camera does not start.
         """
         if not self._camera.wait_ready(STARTS_WITHIN):
             raise DeviceError("The simulated camera did not start.")
@@ -254,13 +255,13 @@ class SimulatedRig:
         return self._sent.taken
 
     def hold_board(self, held: bool) -> str:
-        """Hold a board before the camera, or take it away; what was done."""
+        """Hold a board in front of the camera, or remove it; returns a report."""
         self._board = HeldBoard(self._seen_by, self._seed) if held else None
         return "The board is before the camera." if held else "The hand is before the camera."
 
     def heed(self, words: str) -> str:
-        """Do what a line such as ``unplug left``, ``plug left``, ``board`` or ``hand`` says; what
-        was done, or what can be said."""
+        """Execute a command such as ``unplug left``, ``plug left``, ``board`` or ``hand``; returns
+        a report, or the list of commands."""
         verb, _, side = words.strip().partition(" ")
         if verb in ("board", "hand") and not side:
             return self.hold_board(verb == "board")
@@ -281,7 +282,7 @@ class SimulatedRig:
         return link_to(self._folder, self._gloves[side], self._names[side])
 
     def close(self) -> None:
-        """End all and take their files away. May be called again."""
+        """End everything and delete the files. Idempotent."""
         self._camera.close()
         self._sent.close()
         for side, glove in self._gloves.items():
@@ -296,8 +297,8 @@ class SimulatedRig:
 
 
 def _free_names(links: Sequence[Path], pipes: Sequence[Path], force: bool) -> None:
-    """Delete what has these names: links to devices and named pipes, which have no content, and
-    other files with ``force``. Raises FileError, and deletes nothing, where one is another file."""
+    """Delete files with these names: links to devices and named pipes, which have no content, and
+    other files with ``force``. Raises FileError, and deletes nothing, if one is another file."""
     left = [path for path in links if path.is_symlink() and path.readlink().is_relative_to("/dev")]
     left += [path for path in pipes if path.is_fifo() and not path.is_symlink()]
     for path in (*links, *pipes):
@@ -308,5 +309,5 @@ def _free_names(links: Sequence[Path], pipes: Sequence[Path], force: bool) -> No
 
 
 def _names(sides: Sequence[str]) -> dict[str, str]:
-    """Of the serial lines: one glove alone needs no side."""
+    """The names of the serial lines: a single glove needs no side."""
     return {side: "glove" if len(sides) == 1 else f"glove_{side}" for side in sides}

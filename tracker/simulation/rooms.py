@@ -1,4 +1,4 @@
-"""The rooms that images can show, by name, and the wearer's forearm."""
+"""The rooms available for images, by name, and the wearer's forearm."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ BGR = (
     (98, 60, 38), (34, 28, 110), (112, 108, 104), (60, 92, 60), (44, 42, 42),
 )  # fmt: skip
 """Skin, and the cloth of sleeves."""
-CUFF = 0.06  # m behind the wrist, where the glove ends
+CUFF = 0.06  # m behind the wrist, at the end of the glove
 LENGTH, THIN, THICK = 0.24, 0.026, 0.036  # m
 
 
 class Forearm(Extra):
-    """Two capsules from the cuff towards the wearer, who sits behind the camera."""
+    """Two capsules from the cuff towards the wearer, who is behind the camera."""
 
     def __init__(self, seed: int) -> None:
         rng = rng_for(seed, "arm")
@@ -34,7 +34,7 @@ class Forearm(Extra):
         self._thickness = float(rng.uniform(0.92, 1.1))
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
-        """In G. The wrist bends half of what the hand is turned."""
+        """In G. The wrist bends by half of the hand's rotation."""
         ahead = R_GB[0][:, 0]
         level = np.array([ahead[0], ahead[1], 0.0])
         along = 0.5 * ahead + 0.5 * level / max(float(np.linalg.norm(level)), 1e-3)
@@ -54,7 +54,7 @@ DEFAULT_LIGHT = next(iter(LIGHTS))
 
 
 class Room(NamedTuple):
-    """How images are drawn, and what else is in the scene."""
+    """The renderer of the images, and additional objects in the scene."""
 
     render: RenderParams | DeskParams
     extras: tuple[Extra, ...]
@@ -63,7 +63,7 @@ class Room(NamedTuple):
 def room_of(scene: str, light: str = "", photo: str = "", seed: int = 0) -> Room:
     """A room of `SCENES`; ``light`` is the desk's, ``photo`` the path of an image.
 
-    Raises ConfigError for what there is not, or what does not go together.
+    Raises ConfigError for unknown names and invalid combinations.
     """
     if scene not in SCENES:
         raise ConfigError(f"The scene can be {', '.join(SCENES)}, not {scene!r}.")

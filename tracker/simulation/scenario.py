@@ -1,6 +1,6 @@
-"""A simulated session: messages in the order of their arrival, and the truth of each.
+"""A simulated session: messages in the order of their arrival, and the ground truth for each.
 
-The camera's own IMU is a Bosch BMI055, as in stereo cameras for the head. Its data sheet gives a
+The camera's own IMU is a Bosch BMI055, as in head-mounted stereo cameras. Its data sheet gives a
 noise of 0.014 °/s/√Hz and 150 µg/√Hz, and zero offsets of 1 °/s and 70 mg before the camera's own
 calibration, which leaves a fraction of them.
 """
@@ -32,7 +32,7 @@ from tracker.simulation.wearer import Wearer, WearerParams
 from tracker.vision.rig import StereoRig, ideal_rig
 
 STEP = 2e-3
-"""Step of the differences, s: a head sways in seconds."""
+"""Step of the differences, s: a head sways with periods of seconds."""
 
 
 @dataclass(frozen=True)
@@ -74,15 +74,15 @@ def camera_imu_samples(
 
 Message = ImuSample | CameraImuSample | BlobFrame | StereoFrame
 MARGIN = 0.01
-"""Nothing is sampled in the last 10 ms of a motion, s."""
+"""There are no samples in the last 10 ms of a motion, s."""
 
 
 @dataclass(frozen=True)
 class SimulationParams:
     """The person, the sensors and the delays.
 
-    ``person`` is a seed of its own that the person is drawn from, not how the glove sits: by it
-    one person has many sessions.
+    ``person`` is the seed of the person, independent of the fitting of the glove: one person can
+    have several sessions.
     """
 
     wearer: WearerParams = field(default_factory=WearerParams)
@@ -94,12 +94,12 @@ class SimulationParams:
     camera_imu: CameraImuParams = field(default_factory=CameraImuParams)
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
     delay_most: float = 0.050
-    right_late: float = 0.0  # s that the right camera exposes after the left one
+    right_late: float = 0.0  # s by which the right camera exposes after the left one
 
 
 class Truth(NamedTuple):
     """The wearer's true hand: keypoints (K, 3) m in G in the order of ``glove.keypoint_names``,
-    angles (J,) rad as the hand file defines them, R_GB (S, 3, 3), p_GB (S, 3) m."""
+    angles (J,) rad as defined in the hand file, R_GB (S, 3, 3), p_GB (S, 3) m."""
 
     keypoints: Array
     angles: Array
@@ -162,7 +162,7 @@ class Simulation:
 
     @cached_property
     def renderer(self) -> Renderer | DeskRenderer:
-        """Made at the first image: it holds ray maps and backgrounds."""
+        """Created for the first image: it contains ray maps and backgrounds."""
         how = self.params.render
         if isinstance(how, DeskParams):
             return DeskRenderer(self.scene, how)
@@ -175,11 +175,11 @@ class Simulation:
             yield replace(frame, right=self.renderer.frame(t + late).right) if late else frame
 
     def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
-        """All messages in the order of arrival; IMU packets first where two arrive together."""
+        """All messages in the order of arrival; IMU packets first of simultaneous ones."""
         return heapq.merge(self.imu_samples(), self.frames(images), key=lambda m: m.t_arrival)
 
     def messages(self, images: bool = False) -> Iterator[Message]:
-        """`feed`, and what the camera's own IMU says if that is what it tells of its motion."""
+        """`feed`, plus the samples of the camera's own IMU if it reports those."""
         feed: Iterator[Message] = self.feed(images)
         if self.params.head.tells != "imu":
             return feed
@@ -192,7 +192,7 @@ class Simulation:
         return self.truths(np.array([t]))[0]
 
     def truths(self, t: Array) -> list[Truth]:
-        """The true hand at many instants at once."""
+        """The true hand at several times."""
         hand = self.wearer.truth(self.motion, t)
         return [
             Truth(self.wearer.keypoints(R, p), angles, R, p)

@@ -1,4 +1,4 @@
-"""What the stereo camera sees of a wearer, marker by marker: blobs without images."""
+"""The stereo camera's view of a wearer, marker by marker: blobs without images."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ from tracker.vision.rig import Camera, StereoRig
 
 @dataclass(frozen=True)
 class BlobParams:
-    """What makes a marker a blob, and how well it is measured."""
+    """Conditions for a marker to produce a blob, and measurement noise."""
 
     noise_px: float = 0.3
-    dropout: float = 0.02  # of blobs that should be there
-    facing: float = 0.18  # mean cosine of the patch, at least: 80° off the axis
-    whole: float = 0.35  # share not hidden, at least
+    dropout: float = 0.02  # of blobs that should be detected
+    facing: float = 0.18  # mean cosine of the patch, minimum: 80° off the axis
+    whole: float = 0.35  # share not occluded, minimum
     size_noise: float = 0.05
 
 
 class Extra(Protocol):
-    """Something else in the scene: an object in the hand, a device, a coloured distractor."""
+    """An additional object in the scene: in the hand, on a fingertip, or a coloured distractor."""
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
         """Its solids in G, given the segments' poses R_GB (S, 3, 3), p_GB (S, 3)."""
@@ -51,10 +51,11 @@ class Extra(Protocol):
 
 
 class SeenMarkers(NamedTuple):
-    """Markers in one image: raw pixel centroids (M, 2), extents (M, 2) px, and whether a blob.
+    """Markers in one image: raw pixel centroids (M, 2), extents (M, 2) px, and whether they are
+    blobs.
 
-    facing (M,) is the mean cosine of the whole patch, what is hidden counting as 0; whole (M,) the
-    share of the facing part that is not hidden.
+    facing (M,) is the mean cosine of the whole patch, 0 for occluded parts; whole (M,) the share of
+    the facing part that is not occluded.
     """
 
     uv: Array
@@ -65,7 +66,7 @@ class SeenMarkers(NamedTuple):
 
 
 class SimulatedScene:
-    """A wearer moving before a rig."""
+    """A wearer moving in front of a rig."""
 
     def __init__(
         self,
@@ -94,7 +95,7 @@ class SimulatedScene:
 
     @property
     def wearers(self) -> tuple[Wearer]:
-        """The one."""
+        """The only one."""
         return (self.wearer,)
 
     def pose(self, t: float) -> CameraPose:
@@ -102,7 +103,7 @@ class SimulatedScene:
         return self.head.pose(t)
 
     def reported_pose(self, t: float) -> CameraPose | None:
-        """What the camera says of its pose; None for one that stands still."""
+        """The pose reported by the camera; None for a static one."""
         return self.head.reported(t)
 
     def instant(self, t: float) -> Instant:
@@ -130,12 +131,12 @@ class SimulatedScene:
         return SeenMarkers(uv, extent, visible, facing, whole)
 
     def visible(self, t: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """(M,) bool for the left and the right image: which markers make a blob."""
+        """(M,) bool for the left and the right image: which markers produce a blob."""
         now = self.instant(t)
         return self.markers_seen(now, False).visible, self.markers_seen(now, True).visible
 
     def blobs(self, t: float, t_arrival: float | None = None, index: int = -1) -> BlobFrame:
-        """What a good detector finds in the exposure at t (s)."""
+        """The blobs that a good detector finds in the exposure at t (s)."""
         now = self.instant(t)
         rng = rng_for(self.seed, "blobs", nanoseconds(t) % 2**32, nanoseconds(t) // 2**32)
         left = self._side(now, t, False, rng)
@@ -157,7 +158,7 @@ class SimulatedScene:
         return self._measured(uv[free], size[free], hue[free], rng)
 
     def _measured(self, uv: Array, size: Array, hue: IntArray, rng: np.random.Generator) -> Blobs:
-        """With noise, in no telling order."""
+        """Adds noise and shuffles the rows."""
         order = rng.permutation(len(uv))
         noise = rng.normal(0, self.params.noise_px, uv.shape)
         size = size * (1 + self.params.size_noise * rng.normal(size=size.shape))
@@ -167,7 +168,7 @@ class SimulatedScene:
     def _coloured(
         self, now: Instant, extra: Extra, t: float, right: bool
     ) -> tuple[Array, Array, IntArray]:
-        """Distractors in one image that nothing hides: uv, size (px) and hue index."""
+        """Distractors in one image that are not occluded: uv, size (px) and hue index."""
         centre, radius, names = extra.coloured(t)
         pose = self.pose(t)
         p_C = (centre - pose.p_GC) @ pose.R_GC
@@ -184,7 +185,7 @@ class SimulatedScene:
         return uv[seen], size[seen], hue[seen]
 
     def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> NDArray[np.bool_]:
-        """(n,) bool: whether the balls' middles are seen past the solids."""
+        """(n,) bool: whether the balls' centres are visible past the solids."""
         eye = np.array([self.rig.baseline if right else 0.0, 0.0, 0.0])
         away = p_C - eye
         unit = away / np.linalg.norm(away, axis=1, keepdims=True)
@@ -192,7 +193,7 @@ class SimulatedScene:
 
 
 def inside(camera: Camera, uv: Array, extent: Array) -> NDArray[np.bool_]:
-    """(n,) bool: whether blobs lie whole in the image."""
+    """(n,) bool: whether blobs are completely in the image."""
     low = uv - extent / 2
     high = uv + extent / 2
     with np.errstate(invalid="ignore"):
@@ -203,7 +204,7 @@ def inside(camera: Camera, uv: Array, extent: Array) -> NDArray[np.bool_]:
 
 
 def touching(uv: Array, size: Array, hue: IntArray) -> NDArray[np.bool_]:
-    """(n,) bool: blobs of one hue that run together, which a detector drops for their shape."""
+    """(n,) bool: adjacent blobs of one hue, which a detector rejects for their shape."""
     gap = np.abs(uv[:, None] - uv[None]) - (size[:, None] + size[None]) / 2
     close = np.all(gap < 0, axis=2) & (hue[:, None] == hue[None])
     np.fill_diagonal(close, False)

@@ -18,8 +18,8 @@ from tracker.simulation.shows import Key, show_keys
 from tracker.simulation.smooth import minimum_jerk
 from tracker.simulation.wearer import Wearer
 
-PAUSE = 1.5  # s from the end of a show to its beginning
-PALM = 0.625  # of the way from the wrist to the knuckles: the palm's middle
+PAUSE = 1.5  # s from the end of a show to its restart
+PALM = 0.625  # of the distance from the wrist to the knuckles: the centre of the palm
 RELAXED = {f"{f}_{joint}_flexion": 32.0 for f in FINGERS for joint in ("mcp", "pip")}
 THUMB_UP = {
     **{f"{f}_mcp_flexion": 80.0 for f in FINGERS},
@@ -48,12 +48,12 @@ POSTURES = {
 
 
 class ScriptedHand:
-    """Minimum-jerk moves (Flash & Hogan 1985) from each key to the next; two equal keys hold."""
+    """Minimum-jerk moves (Flash & Hogan 1985) between successive keys; two equal keys hold."""
 
     follows_synergies = True
 
     def __init__(self, hand: HandModel, keys: Sequence[Key], wearer: Wearer | None = None) -> None:
-        """``wearer``: whose fingers meet in a pinch, where that is not the hand of the file."""
+        """``wearer``: whose fingertips meet in a pinch, if not those of the hand file."""
         self.duration = keys[-1].t + 0.5
         self._t = np.array([k.t for k in keys])
         shapes = {k.gesture for k in keys}
@@ -84,9 +84,9 @@ def _angles(hand: HandModel, gesture: str, wearer: Wearer | None) -> Array:
 def show(
     name: str, hand: HandModel, wearer: Wearer | None = None, least: float = 0.0
 ) -> ScriptedHand:
-    """A wearer who uses an application, as `show_keys`; again and again for ``least`` s.
+    """A wearer who uses an application, by `show_keys`; repeated for ``least`` s.
 
-    Raises ConfigError for no such one.
+    Raises ConfigError for an unknown name.
     """
     keys, once = [], show_keys(name)
     again = once[-1].t + PAUSE

@@ -1,4 +1,4 @@
-"""Patches sewn to cloth: which of them covers a point, and which pixels they cover."""
+"""Patches sewn to cloth: the patch that covers a point, and the pixels that a patch covers."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from tracker.kernels.arrays import (
 )
 
 T1, T2, T3, T4, T5, T6 = (np.float32(1.0 / (2 * n * (2 * n - 1))) for n in range(1, 7))
-"""Of the cosine's series by the square of the angle, each of the one before."""
-ON_PLANE = 0.004  # m: as far as this off its plane a flat patch is on the cloth
+"""Ratios of successive terms of the cosine's series in the squared angle."""
+ON_PLANE = 0.004  # m: within this distance of its plane the cloth is covered by a flat patch
 
 
 class SewnPatches(NamedTuple):
-    """Markers sorted by segment, those of segment s being first[s] to first[s + 1].
+    """Markers sorted by segment; those of segment s are rows first[s] to first[s + 1].
 
     position (M, 3) in B; axes (M, 3, 3) rows: along, across and out of a flat patch in B; size (M,)
     m; shape (M,) 1 for a square; flat (M,) 1 on a plane; fabric (M, 3) BGR.
@@ -41,10 +41,10 @@ class SewnPatches(NamedTuple):
 
 
 class SeenPatches(NamedTuple):
-    """`SewnPatches` at one instant, to one camera: first; box (M, 4) u0, v0, u1, v1 px around each;
-    axes (M, 3, 3) rows along, across and out of it in C; origin (M, 3) in C, of a flat one its
-    middle, else what it is wrapped about there; reach (M,) half its size, m; ``around`` (M,) m from
-    that origin to its middle, 0 for a flat one; shape and fabric."""
+    """`SewnPatches` at one instant, for one camera: first; box (M, 4) u0, v0, u1, v1 px around
+    each; axes (M, 3, 3) rows along, across and out of it in C; origin (M, 3) in C, its centre if
+    flat, else the bone's axis below it; reach (M,) half its size, m; ``around`` (M,) m from that
+    origin to its centre, 0 for a flat one; shape and fabric."""
 
     first: IntVector
     box: IntMatrix
@@ -57,7 +57,7 @@ class SeenPatches(NamedTuple):
 
 
 class Run(NamedTuple):
-    """Pixels of a row side by side that show one solid: slope (2 n,) and jitter of their rays from
+    """Adjacent pixels of a row that show one solid: slope (2 n,) and jitter of their rays from
     ``eye`` (3,) in C, and depth (n,) m."""
 
     slope: Float32Vector
@@ -68,7 +68,7 @@ class Run(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Row and first column of a run in the whole image, and the segment it shows or -1."""
+    """Row and first column of a run in the whole image, and the visible segment or -1."""
 
     v: int
     u0: int
@@ -76,8 +76,8 @@ class Place(NamedTuple):
 
 
 class SeenPatch(NamedTuple):
-    """A patch's axes along (a), across (b) and out of it (c) in C, times them the way from its
-    origin to the eye, half its size squared, 1 if round or 0, and 1 / ``around``² or 0."""
+    """A patch's axes along (a), across (b) and out of it (c) in C, their products with the vector
+    from its origin to the eye, half its size squared, 1 if round or 0, and 1 / ``around``² or 0."""
 
     a0: np.float32
     a1: np.float32
@@ -98,7 +98,7 @@ class SeenPatch(NamedTuple):
 
 @kernel(fastmath=True, error_model="numpy", inline="always")
 def find_patches(run: Run, at: Place, patches: SeenPatches, covered: Written[Int32Vector]) -> bool:
-    """Whether patches lie on a run of pixels, and in ``covered`` (n,) each pixel's, or -1."""
+    """Whether a run of pixels has patches; ``covered`` (n,) is set to each pixel's patch, or -1."""
     found = False
     if at.segment < 0:
         return found
@@ -145,10 +145,10 @@ def _cover(
     m: int,
     covered: Written[Int32Vector],
 ) -> None:
-    """Put m where patch m lies on a part of a run and none was found, as `patch_at` has it.
+    """Set m where patch m covers a part of a run not covered yet, as `patch_at` does.
 
-    A wrapped one reaches as far about the bone as the angle of its width there: both angles'
-    cosines are compared, the second by its series, which is right to 1e-7 up to 100 degrees.
+    A wrapped one extends around the bone by the angle of its width there: both angles' cosines are
+    compared, the second by its series, which is accurate to 1e-7 up to 100 degrees.
     """
     a0, a1, a2, b0, b1, b2, c0, c1, c2, s0, w0, out0, reach2, is_round, per = patch
     one, none, own = np.float32(1.0), np.int32(-1), np.int32(m)
@@ -200,7 +200,7 @@ def patch_at(q: Vector3, R: Stack, p: Matrix, i: int, patches: SewnPatches) -> i
 
 @kernel(fastmath=True, inline="always")
 def _around(y: float, z: float, my: float, mz: float) -> float:
-    """Arc from the marker's middle to the point, both at the marker's distance from the bone."""
+    """Arc from the marker's centre to the point, both at the marker's distance from the bone."""
     rho = np.sqrt(my * my + mz * mz)
     angle = np.arctan2(my * z - mz * y, my * y + mz * z)
     return rho * angle

@@ -24,23 +24,23 @@ from tracker.simulation.solids import Solids
 
 
 class Cloth(NamedTuple):
-    """Of all solids, capsules first: owner (n,) and colour (n, 3) BGR."""
+    """For all solids, capsules first: owner (n,) and colour (n, 3) BGR."""
 
     owner: IntVector
     colour: Matrix
 
 
 class Light(NamedTuple):
-    """A unit vector (3,) in C towards the light, and the share of light from everywhere."""
+    """A unit vector (3,) in C towards the light, and the share of ambient light."""
 
     direction: Vector
     ambient: float
 
 
 class LitCapsule(NamedTuple):
-    """Its axis over the axis' square (e), and that times the way from its end to the eye; the light
-    of the lamp over its radius (l), that times the same way and times the axis; and the share of
-    light from everywhere."""
+    """Its axis over the axis' square (e), and its product with the vector from its end to the eye;
+    the direction of the lamp over its radius (l), and its products with the same vector and the
+    axis; and the share of ambient light."""
 
     e0: np.float32
     e1: np.float32
@@ -65,10 +65,10 @@ def shade(
     ground: ByteStack,
     total: Written[Float32Stack],
 ) -> None:
-    """Add one exposure to ``total`` (h, w, 3) BGR; ``ground`` (h, w, 3) shows where nothing is.
+    """Add one exposure to ``total`` (h, w, 3) BGR; ``ground`` (h, w, 3) is visible elsewhere.
 
-    Goes from one run of pixels that show one solid to the next: what they share is computed once,
-    and they are lit without a branch and in single precision, several at a time.
+    Processes runs of pixels that show one solid: common terms are computed once, and the pixels are
+    lit without a branch and in single precision, so that the loop is vectorised.
     """
     depth, ident, corner, capsules = buffer.depth, buffer.solid, rays.corner, len(solids.radius)
     slope, image, wall = rays.slope.reshape(-1), total.reshape(-1), ground.reshape(-1)
@@ -132,7 +132,7 @@ def _add_patched(
     i: int,
     into: Written[Float32Vector],
 ) -> None:
-    """Cloth, some of which a patch covers."""
+    """Cloth partly covered by patches."""
     for k in range(len(lit)):
         for c in range(3):
             base = fabric[covered[k], c] if covered[k] >= 0 else colour[i, c]
@@ -159,8 +159,8 @@ def _lit_capsule(eye: Vector, solids: Solids, i: int, lamp: Light) -> LitCapsule
 
 @kernel(fastmath=True, inline="always")
 def _light_capsule(run: Run, capsule: LitCapsule, lit: Written[Float32Vector]) -> None:
-    """Share of the light (n,) that falls on each pixel of a run: at the point q = w + z (x, y, 1)
-    from the capsule's end, the normal is q less its part along the axis, over the radius."""
+    """Irradiance (n,) of each pixel of a run: at the point q = w + z (x, y, 1) from the capsule's
+    end, the normal is q minus its part along the axis, over the radius."""
     slope, depth, jx, jy = run.slope, run.depth, run.jx, run.jy
     e0, e1, e2, ew, l0, l1, l2, wl, el, ambient = capsule
     zero, one = np.float32(0.0), np.float32(1.0)
@@ -172,7 +172,7 @@ def _light_capsule(run: Run, capsule: LitCapsule, lit: Written[Float32Vector]) -
 
 @kernel(fastmath=True, inline="always")
 def _light_box(run: Run, solids: Solids, i: int, lamp: Light, lit: Written[Float32Vector]) -> None:
-    """As `_light_capsule`, of box i: a point lies on the face that it is least within."""
+    """As `_light_capsule`, for box i: a point is on the face that it is closest to."""
     R, centre, half, light, eye = solids.box_R, solids.centre, solids.half, lamp.direction, run.eye
     for k in range(len(lit)):
         z = run.depth[k]
@@ -198,10 +198,10 @@ def develop(
     corner: IntVector,
     out: Written[ByteStack],
 ) -> None:
-    """Mean of the exposures plus sensor noise, rounded into the part of ``out`` (H, W, 3) uint8
-    that begins at the corner (v0, u0).
+    """Mean of the exposures plus sensor noise, rounded, written to the part of ``out`` (H, W, 3)
+    uint8 that starts at the corner (v0, u0).
 
-    noise (n, m, 3) is a tile of unit scale already multiplied; shift (2,) is where in it to begin.
+    noise (n, m, 3) is a scaled tile; shift (2,) is the origin in it.
     """
     rows, columns, width = noise.shape[0], noise.shape[1], total.shape[1]
     light, grain, image = total.reshape(-1), noise.reshape(-1), out.reshape(-1)
@@ -227,7 +227,7 @@ def develop(
 def _round(
     light: Float32Vector, share: np.float32, grain: Float32Vector, out: Written[ByteVector]
 ) -> None:
-    """Of a part of a row, all channels one behind the other."""
+    """For a part of a row, with interleaved channels."""
     for k in range(len(out)):
         value = light[k] * share + grain[k] + np.float32(0.5)
         out[k] = np.uint8(np.int32(min(max(value, np.float32(0.0)), np.float32(255.0))))

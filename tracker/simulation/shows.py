@@ -1,4 +1,4 @@
-"""Wearers who use an application from beginning to end: what they do, and where they take it to
+"""Wearers who use an application from beginning to end: their motions, and where they expect it to
 be."""
 
 from __future__ import annotations
@@ -8,11 +8,11 @@ from typing import NamedTuple
 from tracker.base.errors import ConfigError
 
 WORD = "show:"
-"""Before the name of an application, in place of a file of recorded motion."""
+"""Prefix of an application's name, in place of a file of recorded motion."""
 
 
 class Key(NamedTuple):
-    """At ``t`` s the hand shows ``gesture`` with its palm's middle at ``palm`` m in G, turned from
+    """At ``t`` s the hand shows ``gesture`` with its palm's centre at ``palm`` m in G, rotated from
     palm down, fingers along x, by the rotation vector ``turn`` in degrees about G's axes."""
 
     t: float
@@ -22,9 +22,9 @@ class Key(NamedTuple):
 
 
 def show_keys(name: str) -> list[Key]:
-    """The keys of a show: `WORD` and the name of its application, which may stand alone.
+    """The keys of a show: `WORD` and the name of its application; `WORD` may be omitted.
 
-    Raises ConfigError for no such one.
+    Raises ConfigError for an unknown name.
     """
     known = name.removeprefix(WORD)
     if known not in SHOWS:
@@ -37,8 +37,9 @@ def show_keys(name: str) -> list[Key]:
 
 
 def shown_application(motion: str) -> tuple[str, dict[str, list[float]]]:
-    """The application that the wearer of a ``motion`` uses, and the settings that put it where he
-    takes it to be, whenever it begins; empty for other motions. Raises ConfigError as `show_keys`.
+    """The application that the wearer of a ``motion`` uses, and the settings that place it where
+    the wearer expects it, whenever it starts; empty for other motions. Raises ConfigError as
+    `show_keys`.
     """
     name = motion.removeprefix(WORD)
     if name == motion:
@@ -140,4 +141,4 @@ PLACES: dict[str, tuple[float, float, float]] = {
     "swarm": (0.26, 0.0, 0.12),
     "place": (0.32, 0.0, 0.06),
 }
-"""m in G: where an application puts itself whose first hand is the first key's."""
+"""m in G: position of an application if the first hand is that of the first key."""

@@ -1,4 +1,4 @@
-"""Smooth functions of time that can be evaluated anywhere: drifts, sway and moves."""
+"""Smooth functions of time that can be evaluated at any time: drifts, sway and moves."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tracker.messages import Array
 
 
 def rng_for(seed: int, *stream: int | str) -> np.random.Generator:
-    """A generator of its own for each named use of one seed."""
+    """An independent generator for each named use of one seed."""
     words = [seed]
     for s in stream:
         words += list(s.encode()) if isinstance(s, str) else [s]
@@ -21,7 +21,7 @@ class SmoothNoise:
     """Gaussian noise of time with unit variance and correlation exp(-(dt / correlation)² / 2).
 
     A sum of cosines of random frequency and phase (random Fourier features, Rahimi & Recht 2007):
-    infinitely smooth, the same at any instant in whatever order it is asked for.
+    infinitely smooth, and independent of the order of evaluation.
     """
 
     def __init__(

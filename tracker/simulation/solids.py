@@ -1,4 +1,4 @@
-"""The solid things of a scene: capsules and boxes, in any one frame."""
+"""The solids of a scene: capsules and boxes, in any frame."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tracker.messages import Array, IntArray
 from tracker.simulation.wearer import Wearer
 
 UNOWNED = -1
-"""Owner of a solid that is no part of the hand."""
+"""Owner of a solid that is not part of the hand."""
 
 
 class Solids(NamedTuple):
@@ -106,8 +106,8 @@ class BodyShape:
 
     @staticmethod
     def of(wearer: Wearer) -> BodyShape:
-        """The cloth's surface lies where the glove file has its markers, else 1 mm above skin; a
-        finger's skin ends where its last segment does."""
+        """The cloth's surface is where the glove file has its markers, else 1 mm above skin; a
+        finger's skin ends at the end of its last segment."""
         hand, glove = wearer.hand, wearer.glove
         nominal = np.array([_surface(hand.segments[i].radius, glove, s) for i, s in
                             enumerate(hand.segment_names)])  # fmt: skip
@@ -115,7 +115,7 @@ class BodyShape:
         girth = wearer.scale[:, 1]
         length = np.array([s.length for s in hand.segments]) * wearer.scale[:, 0]
         radius = nominal * girth
-        ends = np.setdiff1d(np.arange(len(length)), [root, *hand.parent])  # round, as fingers end
+        ends = np.setdiff1d(np.arange(len(length)), [root, *hand.parent])  # rounded fingertips
         skin = np.array([hand.segments[i].radius for i in ends]) * girth[ends]
         length[ends] = np.maximum(length[ends] - skin, 0.0)
         half_width = max(hand.segments[root].width / 2 * girth[root] - radius[root], 1e-4)
@@ -127,8 +127,8 @@ class BodyShape:
 
     @cached_property
     def _at_rest(self) -> Solids:
-        """All of the hand's solids but where they are: made once, for it takes longer than to move
-        them. Fingers, the palm's rim and the forearm; the palm's flat."""
+        """All of the hand's solids in local coordinates: created once, since that takes longer than
+        moving them. Fingers, the palm's rim and the forearm; the palm's flat part."""
         fingers, r = self._fingers, self.radius[self.root]
         count = len(fingers) + 5
         owner = np.concatenate([fingers, np.full(4, self.root), [UNOWNED]])
@@ -145,7 +145,7 @@ class BodyShape:
 
     def solids(self, R: Array, p: Array) -> Solids:
         """The hand in G from its segments' poses R (S, 3, 3), p (S, 3): its fingers; a rectangle
-        swept by a sphere, which is a box and the four capsules of its edges; the forearm."""
+        swept by a sphere, composed of a box and the four capsules of its edges; the forearm."""
         length, half = self.slab
         R_0, p_0, fingers = R[self.root], p[self.root], self._fingers
         corners = np.array([[0, half, 0], [length, half, 0], [length, -half, 0], [0, -half, 0]])

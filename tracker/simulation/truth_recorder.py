@@ -1,4 +1,4 @@
-"""What a simulated hand truly did, written beside each estimate of a recording."""
+"""Records the ground truth of a simulated hand for each estimate of a recording."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from tracker.simulation.scenario import Simulation, Truth
 from tracker.simulation.two_hands import TwoHandsSimulation
 
 AT_ONCE = 25
-"""Truth for many instants costs no more than for one."""
+"""Batch size: evaluating the truth for many times costs no more than for one."""
 
 built = lru_cache(1)(build_scene)
 
 
 @dataclass(frozen=True)
 class WithTruth:
-    """Puts the truth of a `DemoSpec` that began at ``t_0`` (s) into a recording of it.
+    """Adds the truth of a `DemoSpec` that began at ``t_0`` (s) to its recording.
 
-    It travels to the process that writes, where `prepare` may build the simulation beforehand.
-    ``asked`` is what the wearer was asked for until then.
+    It is sent to the writing process, where `prepare` may construct the simulation in advance.
+    ``asked`` are the postures requested until then.
     """
 
     spec: DemoSpec
@@ -42,7 +42,7 @@ class WithTruth:
 
 @dataclass(frozen=True)
 class Prepare:
-    """Builds the simulation, for `WithTruth` to find."""
+    """Constructs the simulation in advance for `WithTruth`."""
 
     spec: DemoSpec
 
@@ -51,7 +51,7 @@ class Prepare:
 
 
 class TruthfulRecorder:
-    """Writes into ``inner``, and beside each estimate what its hand truly did."""
+    """Writes to ``inner``, and adds the true hand to each estimate."""
 
     def __init__(
         self,
@@ -82,7 +82,8 @@ class TruthfulRecorder:
 
 
 class HandsTruth:
-    """What one simulated hand did at the instants of its estimates; its motion lasts ``last`` s."""
+    """The truth of one simulated hand at the times of its estimates; its motion lasts ``last``
+    s."""
 
     def __init__(self, simulation: Simulation, t_0: float, last: float) -> None:
         self._simulation, self._t_0, self._last = simulation, t_0, last
@@ -90,12 +91,12 @@ class HandsTruth:
         self._segments = simulation.glove.keypoint_segments(simulation.hand)
 
     def beside(self, estimate: Estimate) -> list[Estimate]:
-        """The truth of this and of those before, `AT_ONCE` at a time."""
+        """The truth of this and the preceding estimates, in batches of `AT_ONCE`."""
         self._waiting.append(estimate)
         return self.rest() if len(self._waiting) >= AT_ONCE else []
 
     def rest(self) -> list[Estimate]:
-        """The truth of all that wait for it."""
+        """The truth of the remaining estimates."""
         if not self._waiting:
             return []
         waiting, self._waiting = self._waiting, []
@@ -104,7 +105,7 @@ class HandsTruth:
         return [self._with_truth(e, true) for e, true in zip(waiting, truths, strict=True)]
 
     def _with_truth(self, estimate: Estimate, true: Truth) -> Estimate:
-        """The estimate's shape with the true values."""
+        """An estimate of the same structure with the true values."""
         return replace(
             estimate,
             keypoints=true.keypoints.copy(),

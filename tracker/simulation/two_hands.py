@@ -1,4 +1,4 @@
-"""Two people's hands before one camera, a left and a right one, that hide one another."""
+"""A left and a right hand in front of one camera that occlude each other."""
 
 from __future__ import annotations
 
@@ -36,28 +36,28 @@ from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import StereoRig, ideal_rig
 
 CLOSE = PostureParams(near=0.30, far=0.36, wide=0.03, high=0.08, roll_deg=25.0, yaw_deg=10.0)
-"""Postures of hands that stay before the middle of the camera."""
+"""Postures of hands near the centre of the camera's view."""
 
 
 @dataclass(frozen=True)
 class MeetingParams:
-    """Separations (m) along the image's rows between the middles of two palms, the right hand's
-    less the left one's: negative where arms are crossed."""
+    """Separations (m) along the image's rows between the centres of two palms, the right hand's
+    minus the left one's: negative with crossed arms."""
 
     apart: tuple[float, float] = (0.18, 0.25)
     near: tuple[float, float] = (0.12, 0.15)
     touching: tuple[float, float] = (0.095, 0.11)
     folded: tuple[float, float] = (0.02, 0.06)
     crossed: tuple[float, float] = (-0.16, -0.12)
-    over: float = 0.095  # m along the optical axis between hands of which one is over the other
-    width: float = 0.09  # m of separation, from which on neither is over the other
+    over: float = 0.095  # m along the optical axis between two overlapping hands
+    width: float = 0.09  # m of separation, beyond which they do not overlap
     first_hold: float = 1.5  # s apart
-    period: float = 2.0  # s from one to the next
-    move: float = 0.9  # s that going there takes
+    period: float = 2.0  # s between successive separations
+    move: float = 0.9  # s for the transition
 
 
 class Meeting:
-    """Where two hands are to each other at any time, drawn from a seed."""
+    """The relative position of two hands over time, drawn from a seed."""
 
     def __init__(self, seed: int, duration: float, params: MeetingParams | None = None) -> None:
         self._params = p = params or MeetingParams()
@@ -106,21 +106,21 @@ class OneOfTwo:
 
 
 class Dressed(NamedTuple):
-    """A hand and what it wears."""
+    """A hand and its glove."""
 
     hand: HandModel
     glove: GloveModel
 
 
 class SidedMessage(NamedTuple):
-    """A message, and the side of the glove that it is of; empty for what both are seen in."""
+    """A message, and the side of its glove; empty for images of both."""
 
     side: str
     message: ImuSample | BlobFrame | StereoFrame
 
 
 class HidingHand:
-    """The other hand as something in the scene: it hides, and brings no blobs of its own."""
+    """The other hand as an object in the scene: it occludes, and adds no blobs of its own."""
 
     def __init__(self, wearer: Wearer, motion: Motion) -> None:
         self._wearer, self._motion, self._shape = wearer, motion, BodyShape.of(wearer)
@@ -159,12 +159,12 @@ class TwoHandsScene:
         )
 
     def reported_pose(self, t: float) -> CameraPose | None:
-        """What the camera says of its pose; None for one that stands still."""
+        """The pose reported by the camera; None for a static one."""
         return self._scenes[0].reported_pose(t)
 
 
 class TwoHandsSimulation:
-    """A left and a right hand that meet, in G of one camera. One seed draws everything."""
+    """A left and a right hand that meet, in G of one camera. One seed determines everything."""
 
     def __init__(
         self,
@@ -203,7 +203,7 @@ class TwoHandsSimulation:
             side: Simulation(*dressed[side], motions[side], seeds[side], params, fps, self.rig)
             for side in SIDES
         }
-        """Each as it is where the other hand is not there."""
+        """Each hand as it would be without the other."""
 
     @property
     def duration(self) -> float:
@@ -214,14 +214,14 @@ class TwoHandsSimulation:
         return self.hands["left"].exposures()
 
     def blob_frames(self) -> Iterator[BlobFrame]:
-        """What a good detector finds of both hands."""
+        """The blobs of both hands that a good detector finds."""
         for index, t, arrival in self.exposures():
             left, right = (self.hands[side].scene.blobs(t, arrival, index) for side in SIDES)
             yield both_seen(left, right, self.seed)
 
     @cached_property
     def renderer(self) -> Renderer:
-        """Made at the first image: it holds ray maps and backgrounds."""
+        """Created for the first image: it contains ray maps and backgrounds."""
         left, right = (self.alone[side].scene for side in SIDES)
         return Renderer(TwoHandsScene(left, right, self.seed), self._render)
 
@@ -231,8 +231,8 @@ class TwoHandsSimulation:
             yield self.renderer.frame(t, arrival, index)
 
     def messages(self, images: bool = False) -> Iterator[SidedMessage]:
-        """All packets, and blobs or images, in the order of arrival; packets first of what arrives
-        together."""
+        """All packets, and blobs or images, in the order of arrival; packets first of simultaneous
+        messages."""
         parts = [self._packets(side) for side in SIDES]
         seen: Iterator[BlobFrame | StereoFrame]
         seen = self.image_frames() if images else self.blob_frames()
@@ -245,7 +245,7 @@ class TwoHandsSimulation:
 
 
 def both_seen(a: BlobFrame, b: BlobFrame, seed: int) -> BlobFrame:
-    """The blobs of two hands in one exposure, in no telling order."""
+    """The blobs of two hands in one exposure, in random order."""
     ns = nanoseconds(a.t)
     rng = rng_for(seed, "both", ns % 2**32, ns // 2**32)
     names = tuple(dict.fromkeys((*a.hue_names, *b.hue_names)))
@@ -257,8 +257,8 @@ def both_seen(a: BlobFrame, b: BlobFrame, seed: int) -> BlobFrame:
 def _merged(
     a: Blobs | None, b: Blobs | None, number: IntArray, rng: np.random.Generator
 ) -> Blobs | None:
-    """``number`` are the hues of ``b`` in the numbering of ``a``. Those that touch are one, and of
-    no marker's shape."""
+    """``number`` are the hues of ``b`` in the numbering of ``a``. Touching blobs merge, and do not
+    have the shape of a marker."""
     if a is None or b is None:
         return a or b
     uv, size = np.concatenate([a.uv, b.uv]), np.concatenate([a.size, b.size])

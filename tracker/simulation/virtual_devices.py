@@ -1,11 +1,10 @@
-"""A glove and a stereo camera on a clock of the caller's, with every fault of a cable and a camera.
+"""A glove and a stereo camera on the caller's clock, with all faults of cables and cameras.
 
 `glove_device` simulates a glove in real time on a pseudo-terminal; here the port itself is
-simulated, so that hours of faults pass in minutes and are the same each time.
+simulated, so that hours of faults are simulated in minutes and are reproducible.
 
-The camera's images are drawn in a millisecond: an ellipse for each marker that the scene shows, on
-sensor noise. They pass through the ordinary camera code and detector; `render` draws realistic
-ones.
+The camera's images are drawn in a millisecond: an ellipse for each visible marker, on sensor noise.
+They are processed by the ordinary camera code and detector; `render` draws realistic images.
 """
 
 from __future__ import annotations
@@ -36,16 +35,16 @@ from tracker.simulation.glove_device import ACCEL_RANGE_G, GYRO_RANGE_DPS, quant
 from tracker.simulation.scene import SimulatedScene
 
 GLOVE_FAULTS = ("lose", "corrupt", "garbage", "unplug", "stall", "silence", "reset", "clock jump")
-BOOT = 0.3  # s that the chip takes after power returns
+BOOT = 0.3  # s for the chip to start after power returns
 LONGEST_JUMP = 30.0  # s
-BUFFER_BYTES = 20_000  # what the system keeps of a stalled line; more is lost
+BUFFER_BYTES = 20_000  # size of the system's buffer for a stalled line; more is lost
 
 
 class VirtualGlove:
     """Also its own `Port`. ``source`` gives samples whose t = 0 is the clock's zero."""
 
     timeout: float | None = 0.0
-    wire_baud = BAUD  # a packet is on its way for as long as its bytes take
+    wire_baud = BAUD  # a packet is delayed by the transmission of its bytes
 
     def __init__(self, source: Iterator[ImuSample], imu_count: int, seed: int = 0) -> None:
         self._source, self._imu_count = source, imu_count
@@ -66,11 +65,11 @@ class VirtualGlove:
     # ---- the caller's side
 
     def next_event(self) -> float:
-        """When the next packet will have left, s."""
+        """Time at which the next packet is completely sent, s."""
         return self._next.t + self._wire if self._next is not None else float("inf")
 
     def advance(self, now: float) -> None:
-        """Let time pass until ``now`` (s)."""
+        """Advance the time to ``now`` (s)."""
         self.now = now
         while self._next is not None and self._next.t + self._wire <= now:
             if self._streaming:
@@ -88,7 +87,7 @@ class VirtualGlove:
             self._put(encode(self._hello()))
 
     def fail(self, kind: str) -> None:
-        """Begin one of `GLOVE_FAULTS`."""
+        """Start one of `GLOVE_FAULTS`."""
         self._fault = kind
         if kind == "unplug":
             self._out, self._streaming = b"", False
@@ -101,7 +100,7 @@ class VirtualGlove:
             self._jumped += float(self._rng.uniform(-1, 1)) * LONGEST_JUMP
 
     def heal(self) -> None:
-        """End the fault: the cable is in again, the line runs."""
+        """End the fault: the cable is plugged in, the line works."""
         if self._fault == "unplug":
             self._ready_at = self.now + BOOT
             self._restart()
@@ -159,7 +158,7 @@ class VirtualGlove:
         return len(data)
 
     def close(self) -> None:
-        """The line goes on by itself."""
+        """Does nothing: the device continues to run."""
 
 
 CAMERA_FAULTS = (
@@ -169,11 +168,11 @@ CAMERA_FAULTS = (
 MOVED = 0.005  # m
 NOISE_IMAGES = 4
 GREY, NOISE = 60, 12  # levels of the background and of its noise
-SUBPIXEL = 4  # bits that OpenCV draws with
+SUBPIXEL = 4  # fractional bits of OpenCV's drawing functions
 
 
 class VirtualCamera:
-    """An `ImageInput` that shows ``scene`` at the instant set last."""
+    """An `ImageInput` that shows ``scene`` at the time that was set last."""
 
     name, live = "virtual camera", True
 
@@ -182,7 +181,7 @@ class VirtualCamera:
         self._rng = np.random.default_rng(seed)
         rig = scene.rig
         sizes = [(camera.height, camera.width, 3) for camera in (rig.left, rig.right)]
-        made = {size: self._noise_of(size) for size in sizes}  # once where both have one size
+        made = {size: self._noise_of(size) for size in sizes}  # once if both have the same size
         self._noise = [made[size] for size in sizes]
         self._bgr = [fabric_bgr(hue) for hue in scene.wearer.glove.hues]
         self._fault = ""
@@ -191,11 +190,11 @@ class VirtualCamera:
         """Exposure of the next image, s."""
 
     def fail(self, kind: str) -> None:
-        """Begin one of `CAMERA_FAULTS`."""
+        """Start one of `CAMERA_FAULTS`."""
         self._fault = kind
 
     def heal(self) -> None:
-        """End the fault: what was moved stands where it stood."""
+        """End the fault: a moved camera returns to its position."""
         self._fault = ""
 
     def _noise_of(self, shape: tuple[int, int, int]) -> list[Image]:
@@ -206,7 +205,7 @@ class VirtualCamera:
 
     @property
     def gives(self) -> bool:
-        """Whether a read of this exposure would come back at all."""
+        """Whether a read of this exposure would return."""
         if self._fault == "drop images":
             return bool(self._rng.random() < 0.5)
         return self._fault != "stall camera"
@@ -248,7 +247,8 @@ class VirtualCamera:
         return (right, left) if self._fault == "swapped" else (left, right)
 
     def _shifts(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Where a camera that has moved by 5 mm sees the hand: (u, v) px of left and right."""
+        """Displacement of the hand in a camera that has moved by 5 mm: (u, v) px of left and
+        right."""
         if self._fault not in ("lens up", "lens turned", "knocked"):
             return (0.0, 0.0), (0.0, 0.0)
         wrist_C = self._scene.instant(self.t).p_CB[0]
@@ -269,6 +269,6 @@ class VirtualCamera:
         return image
 
     def _tear(self, image: Image) -> None:
-        """From some row on the decoder had no data."""
+        """Simulates missing data of the decoder from a random row on."""
         row = int(self._rng.integers(image.shape[0] // 4, image.shape[0]))
         image[row:] = 128

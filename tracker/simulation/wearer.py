@@ -1,4 +1,4 @@
-"""One person in one glove: how the true hand differs from the files that the tracker reads."""
+"""One person in one glove: deviations of the true hand from the files used by the tracker."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tracker.simulation.smooth import SmoothNoise, rng_for
 
 @dataclass(frozen=True)
 class WearerParams:
-    """Standard deviations over people and fittings, unless another word is used."""
+    """Standard deviations over people and fittings, unless stated otherwise."""
 
     common_size: float = 0.05  # of everything, a factor
     largest_size: float = 0.10  # the common size stays within 1 ± this
@@ -26,8 +26,8 @@ class WearerParams:
     girth: float = 0.03
     joint_offset: float = 0.0015  # m, of the fingers' first joints in the dorsum
     axis_deg: float = 3.0  # oblique joint axes, about each axis
-    twist_per_flexion: float = 0.05  # twist that flexion brings along
-    synergy_ratio: float = 0.06  # of a person's own ratio
+    twist_per_flexion: float = 0.05  # twist coupled to flexion
+    synergy_ratio: float = 0.06  # of individual ratios
     synergy_offset_deg: float = 3.5
     synergy_drift_deg: float = 4.0
     synergy_time: float = 2.0  # s, correlation
@@ -40,7 +40,7 @@ class WearerParams:
 
 
 class TrueHand(NamedTuple):
-    """The hand at n instants: angles (n, J) rad, R_GB (n, S, 3, 3), p_GB (n, S, 3) m."""
+    """The hand at n times: angles (n, J) rad, R_GB (n, S, 3, 3), p_GB (n, S, 3) m."""
 
     angles: Array
     R_GB: Array
@@ -50,7 +50,7 @@ class TrueHand(NamedTuple):
 class Wearer:
     """The true hand and fitting; every array in the order of the hand's segments or the glove's.
 
-    The hand is drawn from ``seed``, and so is how the glove sits on it, unless ``fitting`` is
+    The hand is drawn from ``seed``, and so is the fitting of the glove, unless ``fitting`` is
     another seed: the same person after putting the glove on again.
     """
 
@@ -73,7 +73,7 @@ class Wearer:
 
     @classmethod
     def exact(cls, hand: HandModel, glove: GloveModel) -> Wearer:
-        """A wearer who is just what the files say."""
+        """A wearer who matches the files exactly."""
         zeros = {name: 0.0 for name in WearerParams.__dataclass_fields__ if "time" not in name}
         return cls(hand, glove, 0, WearerParams(**zeros))
 
@@ -86,7 +86,7 @@ class Wearer:
         params: WearerParams | None = None,
         fitting: int | None = None,
     ) -> Wearer:
-        """Somebody, drawn from ``seed``, in a glove that sits as drawn from ``fitting``."""
+        """A random wearer, drawn from ``seed``, with a fitting drawn from ``fitting``."""
         return cls(hand, glove, seed, params, fitting)
 
     def _draw_hand(self, rng: np.random.Generator) -> None:
@@ -104,7 +104,7 @@ class Wearer:
         self._twist = rng.normal(0, p.twist_per_flexion, n) * (self._column[:, 1] >= 0)
 
     def _draw_synergies(self, rng: np.random.Generator) -> None:
-        """Own ratio and offset, and a slow drift, for each angle that the file infers from one."""
+        """Individual ratio and offset, and a slow drift, for each angle inferred by a synergy."""
         p, hand = self.params, self.hand
         own = [s for s in hand.synergies if s.angle.split("_")[1] in ("dip", "ip")]
         self._synergy_angle = np.array([hand.angle_index[s.angle] for s in own], np.int64)
@@ -128,7 +128,7 @@ class Wearer:
         self._wobble_phase = rng.uniform(0, 2 * np.pi, (n, 3))
 
     def _own_angles(self) -> Array:
-        """(n, J) 1 where an angle turns the IMU's own segment."""
+        """(n, J) 1 if an angle rotates the IMU's own segment."""
         own = np.zeros((len(self.imu_segment), len(self.hand.joint_names)))
         for i, s in enumerate(self.imu_segment):
             for column in self._column[s]:
@@ -155,7 +155,7 @@ class Wearer:
         return float(lengths @ self.scale[path, 0])
 
     def truth(self, motion: Motion, t: Array) -> TrueHand:
-        """Segment poses at the times t (n,) s, with angles as the hand file defines them."""
+        """Segment poses at the times t (n,) s, with angles as defined in the hand file."""
         R, p, _ = self.segments(motion, t)
         count = len(self.hand.joint_names)
         rest = np.array([s.R_rest for s in self.hand.segments])
@@ -182,14 +182,14 @@ class Wearer:
         return R, p, angles
 
     def _synergy_error(self, t: Array, angles: Array) -> Array:
-        """(n, synergies) rad: how far a distal angle is from what the hand file infers."""
+        """(n, synergies) rad: deviation of a distal angle from the synergy of the hand file."""
         drift = np.deg2rad(self.params.synergy_drift_deg) * self._synergy_drift(t)
         source = angles[:, self._synergy_of]
         return self._synergy_ratio * source + self._synergy_offset + drift
 
     def beyond_synergies(self, angles: Array, t: float) -> Array:
-        """(J,) rad that the wearer's distal joints bend at ``t`` (s) beyond angles (J,) of a motion
-        that follows synergies."""
+        """(J,) rad by which the wearer's distal joints deviate at ``t`` (s) from angles (J,) of a
+        motion that follows synergies."""
         out = np.zeros_like(angles)
         if len(self._synergy_angle):
             out[self._synergy_angle] = self._synergy_error(np.array([t]), angles[None])[0]
@@ -203,13 +203,13 @@ class Wearer:
         return R_GB @ self.imu_R_BI @ so3.exp(self._wobble(t, angles)), p_GI
 
     def _wobble(self, t: Array, angles: Array) -> Array:
-        """(n, I, 3) rad: half of the variance comes with posture, half with time."""
+        """(n, I, 3) rad: half of the variance depends on posture, half on time."""
         phase = np.einsum("nkj,tj->tnk", self._wobble_axis, angles) + self._wobble_phase
         unit = np.cos(phase) + np.sqrt(0.5) * self._wobble_time(np.asarray(t, float))
         return np.deg2rad(self.params.wobble_deg) * unit
 
     def markers(self, t: float) -> Array:
-        """(M, 3) m: where each marker's centre is in its segment's B at the time t (s)."""
+        """(M, 3) m: position of each marker's centre in its segment's B at the time t (s)."""
         slip = self._slip(np.array([t]))[0, self.marker_segment] * self.params.slip / np.sqrt(2)
         moved = np.einsum("mki,mk->mi", self._tangents, self._marker_offset + slip)
         return self._marker_base + moved
@@ -220,7 +220,7 @@ class Wearer:
 
 
 def tangents(normal: Array) -> Array:
-    """(M, 2, 3): along the bone as far as the surface allows, and around it."""
+    """(M, 2, 3): along the bone as closely as the surface allows, and around it."""
     along = np.tile([1.0, 0, 0], (len(normal), 1))
     along[np.abs(normal[:, 0]) > 0.9] = [0, 0, 1.0]
     along -= np.sum(along * normal, axis=1, keepdims=True) * normal

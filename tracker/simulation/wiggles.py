@@ -1,4 +1,5 @@
-"""A wearer who does what the glove's set-up asks: lies still, bends one finger, tips the hand."""
+"""A wearer who follows the glove set-up's instructions: at rest, bending one finger, tilting the
+hand."""
 
 from __future__ import annotations
 
@@ -20,14 +21,14 @@ from tracker.simulation.wearer import Wearer, WearerParams
 FREQUENCY = 0.9  # Hz
 REST = "rest"
 COUPLING = 0.15
-"""How far a neighbour moves along with a finger that wants to move alone."""
+"""Motion of a neighbour relative to that of the finger being moved."""
 TIP = np.deg2rad(25.0)
-BLOCK = 200  # packets that are simulated at once
+BLOCK = 200  # packets simulated at once
 
 
 @dataclass(frozen=True, eq=False)
 class Wiggle:
-    """``part`` ("rest", "hand", "thumb" or a finger) moves to and fro, the rest stays."""
+    """``part`` ("rest", "hand", "thumb" or a finger) oscillates, the rest is still."""
 
     hand: HandModel
     part: str
@@ -47,7 +48,7 @@ class Wiggle:
 
 
 def _flexion(part: str) -> dict[str, float]:
-    """Angles in degrees of the bent finger; its neighbours come along a little."""
+    """Angles in degrees of the bent finger; its neighbours follow partially."""
     if part == "thumb":
         return {"thumb_cmc_flexion": 20, "thumb_mcp_flexion": 45, "thumb_ip_flexion": 40}
     if part not in FINGERS:
@@ -61,12 +62,12 @@ def _flexion(part: str) -> dict[str, float]:
 
 
 def wiggling_wearer(hand: HandModel, glove: GloveModel, part: str, seed: int) -> Wearer:
-    """A wearer; cloth does not creep while the hand lies on the table."""
+    """A random wearer; the cloth does not slip while the hand lies on the table."""
     return Wearer.random(hand, glove, seed, WearerParams(wobble_deg=0.0) if part == REST else None)
 
 
 class PlayAlong:
-    """Packets of a wearer who does what ``part`` says at the moment; set it at any time."""
+    """Packets of a wearer who performs ``part``, which may be changed at any time."""
 
     def __init__(self, hand: HandModel, glove: GloveModel, seed: int = 1) -> None:
         self.part = REST
@@ -75,7 +76,7 @@ class PlayAlong:
         )
 
     def samples(self) -> Iterator[ImuSample]:
-        """Without end; a block's worth of each part is simulated once and repeated."""
+        """Endless; a block of each part is simulated once and repeated."""
         blocks: dict[str, list[ImuSample]] = {}
         period = 0.0
         k = 0

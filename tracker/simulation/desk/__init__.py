@@ -1,1 +1,1 @@
-"""Images of a gloved hand over a desk as a camera in a room gives them."""
+"""Images of a gloved hand over a desk, as from a camera in a room."""

@@ -1,4 +1,4 @@
-"""The desk and what lies on it, seen by a camera that stands still: light that reaches each pixel.
+"""The desk and the objects on it, seen by a static camera: radiance of each pixel.
 
 The desk's frame D has its origin below the camera on the desk: x forward, y left, z up.
 """
@@ -22,14 +22,14 @@ from tracker.simulation.smooth import rng_for
 HEIGHT = 0.53  # m of the camera over the desk
 TEXEL = 0.0015  # m
 FIRST, LAST, HALF = -0.5, 1.02, 1.15  # m: the desk's edges forward and to the sides
-REFERENCE = np.array([0.25, 0.0, 0.10])  # m: where a light has its full strength
+REFERENCE = np.array([0.25, 0.0, 0.10])  # m: point where a light has its nominal strength
 FLOOR = np.array([0.018, 0.018, 0.019])
 LAMP_SAMPLES = 12
 Mask = NDArray[np.bool_]
 
 
 def desk_pose(camera: CameraPose) -> tuple[Array, Array]:
-    """R_GD (3, 3), p_GD (3,) of the desk below a camera: forward is where the camera looks."""
+    """R_GD (3, 3), p_GD (3,) of the desk below a camera, facing in the camera's direction."""
     ahead = camera.R_GC[:, 2] * [1, 1, 0]
     if np.linalg.norm(ahead) < 1e-6:
         ahead = -camera.R_GC[:, 1] * [1, 1, 0]
@@ -39,9 +39,11 @@ def desk_pose(camera: CameraPose) -> tuple[Array, Array]:
 
 
 def strength(light_place: Array, points: Array, normals: Array, softness: float = 0.0) -> Array:
-    """(…) share of a light on surfaces at points (…, 3) with normals (…, 3), 1 at `REFERENCE`.
+    """(…) irradiance relative to that at `REFERENCE`, on surfaces at points (…, 3) with normals (…,
+    3).
 
-    It falls with the squared distance; a broad light reaches a little beyond the terminator.
+    It decreases with the squared distance; an extended light reaches slightly beyond the
+    terminator.
     """
     away = light_place - points
     r2 = np.sum(away * away, axis=-1)
@@ -52,8 +54,8 @@ def strength(light_place: Array, points: Array, normals: Array, softness: float 
 
 @dataclass(frozen=True, eq=False)
 class GroundImages:
-    """Per pixel of one camera: linear BGR (h, w, 3) that the lamp gives and that all else gives;
-    depth (h, w) m along the camera's axis."""
+    """For one camera: linear BGR (h, w, 3) from the lamp and from other light; depth (h, w) m along
+    the camera's axis."""
 
     lamp: NDArray[np.float32]
     rest: NDArray[np.float32]
@@ -61,7 +63,7 @@ class GroundImages:
 
 
 class Desk:
-    """A desk drawn from a seed under a light; ``surface`` wood or laminate, by chance if empty."""
+    """A random desk under a light; ``surface`` wood or laminate, random if empty."""
 
     def __init__(self, light: RoomLight, seed: int, surface: str = "") -> None:
         rng = rng_for(seed, "desk")
@@ -78,8 +80,8 @@ class Desk:
 
     @cached_property
     def _fallen(self) -> tuple[Texture, Texture]:
-        """(h, w) and (h, w, 3) at 4 texels: the lamp's share and what else falls on the desk's top
-        under the shadows of the things."""
+        """(h, w) and (h, w, 3) at 4 texels: the lamp's share and the remaining light on the desk's
+        top in the shadows of the objects."""
         step = 4 * TEXEL
         shape = (round((LAST - FIRST) / step), round(2 * HALF / step))
         x, y = (np.arange(shape[0]) + 0.5) * step + FIRST, (np.arange(shape[1]) + 0.5) * step - HALF
@@ -90,7 +92,7 @@ class Desk:
         return np.asarray(lamp, np.float32), np.asarray(sky, np.float32)
 
     def _shadows(self, shape: tuple[int, int], step: float) -> tuple[Texture, Texture]:
-        """(h, w): which share of the lamp, and of the sky, the things let through."""
+        """(h, w): shares of the lamp and of the sky that are not blocked by the objects."""
         hidden, foot = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
         spread = self.light.softness * np.linalg.norm(self.lamp_place - REFERENCE)
         golden = np.pi * (3 - np.sqrt(5)) * np.arange(LAMP_SAMPLES)
@@ -109,10 +111,10 @@ class Desk:
         sky_share = 1 - 0.6 * cv2.GaussianBlur(foot, (0, 0), 0.016 / step)
         return np.asarray(lamp_share, np.float32), np.asarray(sky_share, np.float32)
 
-    # ---- what a camera sees
+    # ---- camera view
 
     def seen(self, slopes: NDArray[np.float32], R_DC: Array, eye: Array) -> GroundImages:
-        """From ``eye`` (3,) in D by rays slopes (h, w, 2): x/z and y/z in C."""
+        """From ``eye`` (3,) in D along rays slopes (h, w, 2): x/z and y/z in C."""
         ones = np.ones((*slopes.shape[:2], 1), np.float32)
         rays = np.concatenate([slopes, ones], axis=2) @ R_DC.T.astype(np.float32)
         depth = np.where(rays[..., 2] < -1e-3, -eye[2] / np.minimum(rays[..., 2], -1e-3), 20.0)
@@ -128,7 +130,7 @@ class Desk:
         )
 
     def _top(self, points: Array) -> tuple[Array, Array]:
-        """Light from the desk's top and from what is beyond its edges."""
+        """Light from the desk's top and from beyond its edges."""
         row, column = (points[..., 0] - FIRST) / TEXEL - 0.5, (points[..., 1] + HALF) / TEXEL - 0.5
         at = column.astype(np.float32), row.astype(np.float32)
         surface = cv2.remap(self._surface, *at, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
@@ -142,7 +144,7 @@ class Desk:
         return surface * main[..., None] * np.array(self.light.main, np.float32), surface * sky
 
     def _light(self, points: Array, normals: Array) -> tuple[Array, Array]:
-        """What falls on surfaces: the lamp's share (…), and all else, linear BGR (…, 3)."""
+        """Irradiance of surfaces: the lamp's share (…), and the rest, linear BGR (…, 3)."""
         light = self.light
         main = self.power * strength(self.lamp_place, points, normals, light.softness)
         second = strength(np.array(light.second_place), points, normals)
@@ -151,7 +153,7 @@ class Desk:
         return main, rest
 
     def _add(self, item: Item, rays: Array, eye: Array, images: tuple[Array, Array, Array]) -> None:
-        """Draw one thing where it is nearer than what is there."""
+        """Draw one object where it is nearest so far."""
         window = _window(item, rays, eye)
         if window is None:
             return
@@ -170,7 +172,7 @@ class Desk:
         lamp[nearer], rest[nearer], depth[nearer] = by_lamp, by_rest, t[nearer]
 
     def _glint(self, points: Array, normals: Array, rays: Array) -> Array:
-        """The lamp's reflection in something glossy (Blinn 1977)."""
+        """The lamp's reflection on a glossy surface (Blinn 1977)."""
         to_lamp = self.lamp_place - points
         to_lamp = to_lamp / np.linalg.norm(to_lamp, axis=1, keepdims=True)
         half = to_lamp - rays / np.linalg.norm(rays, axis=1, keepdims=True)
@@ -189,10 +191,10 @@ def _cast(points: Array, lamp: Array, step: float) -> NDArray[np.int32]:
 
 
 def _window(item: Item, rays: Array, eye: Array) -> tuple[slice, slice] | None:
-    """Rows and columns in which the thing may be seen; None if in none."""
+    """Rows and columns in which the object may be visible; None if in none."""
     away = item.centre - eye
     reach = float(np.linalg.norm(item.half)) * (1.0 if item.kind != "ball" else 0.6)
-    # a ray passes within ``reach`` of the middle: its distance from the line of sight
+    # a ray passes within ``reach`` of the centre: its distance from the line of sight
     along = rays[::8, ::8] @ away / np.sum(rays[::8, ::8] ** 2, axis=2)
     gap = np.linalg.norm(rays[::8, ::8] * along[..., None] - away, axis=2)
     rows, columns = np.nonzero(gap < reach + 0.02)
@@ -204,8 +206,8 @@ def _window(item: Item, rays: Array, eye: Array) -> tuple[slice, slice] | None:
 
 
 def _entered(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
-    """Where rays (h, w, 3) enter the thing: share of the ray (h, w), inf where they miss; normal
-    and colour (h, w, 3)."""
+    """Intersections of rays (h, w, 3) with the object: ray parameter (h, w), inf where they miss;
+    normal and colour (h, w, 3)."""
     if item.kind == "box":
         return _box(item, rays, eye)
     o = eye - item.centre
@@ -221,7 +223,7 @@ def _entered(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
 
 
 def _lidded(item: Item, rays: Array, o: Array, t: Array, normal: Array) -> tuple[Array, Array]:
-    """A can's wall between its ends, and its upper end."""
+    """A can's lateral surface between its ends, and its upper end."""
     z = o[2] + np.where(np.isfinite(t), t, 0) * rays[..., 2]
     t = np.where(np.abs(z) <= item.half[2], t, np.inf)
     normal = normal * np.array([1.0, 1.0, 0.0])

@@ -1,4 +1,4 @@
-"""What lies on the desk: books, notes, prints, pens, blocks, balls, a cup, in any colours."""
+"""The objects on the desk: books, notes, prints, pens, blocks, balls, a cup, in any colours."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from tracker.messages import Array
 from tracker.simulation.desk.textures import Texture, felt, picture
 
 HUES = ("red", "yellow", "green", "blue")
-FRONT, BACK, SIDE = -0.02, 0.92, 0.72  # m from below the camera: where things lie
-NEAR_HAND = 0.07  # m: between the middles of two things
+FRONT, BACK, SIDE = -0.02, 0.92, 0.72  # m from below the camera: area of the objects
+NEAR_HAND = 0.07  # m: between the centres of two objects
 
 
 @dataclass(frozen=True, eq=False)
 class Item:
-    """Something in the desk's frame: x forward, y left, z up from its surface, m.
+    """An object in the desk's frame: x forward, y left, z up from its surface, m.
 
-    ``kind``: a box (half (3,), turned by R), a ball (half[0] its radius) or a can that stands
-    (radius half[0], half height half[2]). ``page`` is printed on a box's upper side.
+    ``kind``: a box (half (3,), rotated by R), a ball (half[0] its radius) or an upright can (radius
+    half[0], half height half[2]). ``page`` is printed on a box's upper side.
     """
 
     kind: str
@@ -33,7 +33,7 @@ class Item:
 
     @property
     def corners(self) -> Array:
-        """(n, 3) points whose hull holds it."""
+        """(n, 3) points whose hull contains it."""
         if self.kind == "box":
             signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
             return self.centre + (signs * self.half) @ self.R.T
@@ -47,7 +47,7 @@ class Item:
 
 
 def items_of(rng: np.random.Generator) -> list[Item]:
-    """A desk's things, drawn at random."""
+    """The objects of a desk, drawn at random."""
     out: list[Item] = []
     for size, colours in (
         ((0.085, 0.06, 0.008), (*HUES, "teal", "orange", "paper")),
@@ -75,7 +75,7 @@ def items_of(rng: np.random.Generator) -> list[Item]:
 
 
 def _place(rng: np.random.Generator, others: list[Item], z: float, reach: float) -> Array:
-    """Somewhere free, if that is found soon."""
+    """A free position, if one is found after a few tries."""
     place = np.zeros(3)
     for _ in range(20):
         place = np.array([rng.uniform(FRONT, BACK), rng.uniform(-SIDE, SIDE), z])

@@ -1,4 +1,4 @@
-"""Lights of a room and what a camera makes of them."""
+"""The lights of a room and the camera's response to them."""
 
 from __future__ import annotations
 
@@ -15,23 +15,24 @@ BGR = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class RoomLight:
-    """Light of a room, and the camera's answer to it. Colours are linear BGR after the camera's
-    white balance, which is never quite right; 1 is what white cloth gives at full scale.
+    """Light of a room, and the camera's response to it. Colours are linear BGR after the camera's
+    white balance, which is always imperfect; 1 is white cloth at full scale.
 
-    Noise is that of a sensor: its variance is ``shot`` times the linear value and ``read`` squared.
+    Noise is that of a sensor: its variance is ``shot`` times the linear value plus ``read``
+    squared.
     """
 
-    main: BGR  # of the lamp or window, square on at the middle of the desk
+    main: BGR  # of the lamp or window, at normal incidence at the centre of the desk
     place: tuple[float, float, float]  # m, from below the camera: forward, left, over the desk
-    softness: float  # half angle under which the lamp is seen, rad
+    softness: float  # half angle subtended by the lamp, rad
     sky: BGR  # from everywhere
-    second: BGR  # another light in the room, which throws no shadow
+    second: BGR  # another light in the room, without shadows
     second_place: tuple[float, float, float]
     shot: float
     read: float
     vignetting: float = 0.12
-    leak: float = 0.0  # of blue and green through the sensor's red filter
-    shoulder: float = 0.0  # 0..1: how gently the tone curve comes to white
+    leak: float = 0.0  # of blue and green into the sensor's red channel
+    shoulder: float = 0.0  # 0..1: smoothness of the tone curve near white
     blur_px: float = 0.75  # of the lens, standard deviation
 
 
@@ -55,25 +56,26 @@ LIGHTS = {
         leak=0.03,
     ),
 }  # fmt: skip
-"""By name: daylight from a window, a lamp of 2700 K beside the hand with some daylight from the
-other side, LEDs under the ceiling, and a dim room with the sensor's gain turned up."""
+"""By name: daylight from a window, a lamp of 2700 K next to the hand with some daylight from the
+other side, LEDs on the ceiling, and a dim room with a high sensor gain."""
 
 
 def light_of(name: str) -> RoomLight:
-    """A room's light. Raises ConfigError for a name that is none."""
+    """A room's light. Raises ConfigError for an unknown name."""
     if name not in LIGHTS:
         raise ConfigError(f"The light can be {', '.join(LIGHTS)}, not {name!r}.")
     return LIGHTS[name]
 
 
 def linear(srgb: Array | BGR) -> Array:
-    """Linear 0..1 of colours 0..255 as they are stored (IEC 61966-2-1)."""
+    """Linear 0..1 from stored colours 0..255 (IEC 61966-2-1)."""
     c = np.asarray(srgb, float) / 255
     return np.where(c <= 0.04045, c / 12.92, ((np.maximum(c, 0.04045) + 0.055) / 1.055) ** 2.4)
 
 
 def tone_curve(shoulder: float, levels: int = 4096) -> NDArray[np.uint8]:
-    """(levels,) what each linear value 0..2 is stored as, white coming slowly with ``shoulder``."""
+    """(levels,) stored values for linear values 0..2, approaching white slowly with
+    ``shoulder``."""
     x = np.linspace(0.0, 2.0, levels)
     knee = 1.0 - 0.5 * shoulder
     rest = np.maximum(1.0 - knee, 1e-6)

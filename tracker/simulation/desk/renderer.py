@@ -1,4 +1,4 @@
-"""Images of a gloved hand over a desk: drawn in linear light and seen through a camera."""
+"""Images of a gloved hand over a desk: drawn in linear light, with a camera model."""
 
 from __future__ import annotations
 
@@ -42,17 +42,17 @@ class DeskParams:
     """The light in the room by name, and the camera."""
 
     light: str = "window"
-    surface: str = ""  # wood or laminate; by chance if not said
+    surface: str = ""  # wood or laminate; random if empty
     shutter: float = 0.008  # s
     exposures: int = 3  # averaged over the shutter, at most 4
     jpeg_quality: int = 87  # of the camera's own compression; 0 for none
-    backgrounds: int = 0  # drawn once and laid behind the hand by turns; 0: noise of its own each
+    backgrounds: int = 0  # pre-rendered, used in turn; 0: independent noise per image
 
 
 class _CameraView(NamedTuple):
-    """One of the two cameras, its rays and how far they are apart, what it sees of the desk, all of
-    that together, and ``light``: the same with the hand over it while an image is drawn; ``drawn``:
-    images of the desk alone."""
+    """One of the two cameras, its rays and baseline, its images of the desk and their sum, and
+    ``light``: the same with the hand while an image is drawn; ``drawn``: images of the desk
+    alone."""
 
     camera: Camera
     eye: Array
@@ -77,7 +77,7 @@ class _Box(NamedTuple):
         return slice(self.v0, self.v1), slice(self.u0, self.u1)
 
     def around(self, other: _Box) -> _Box:
-        """Both, and what is between; an empty one adds nothing."""
+        """Both, and the area in between; an empty one adds nothing."""
         if other.u0 >= other.u1 or self.u0 >= self.u1:
             return self if other.u0 >= other.u1 else other
         low, high = np.minimum(self[:2], other[:2]), np.maximum(self[2:], other[2:])
@@ -88,9 +88,9 @@ NOWHERE = _Box(0, 0, 0, 0)
 
 
 class DeskRenderer:
-    """Draws a scene over a desk. One renderer holds what does not move.
+    """Draws a scene over a desk. A renderer caches the static parts.
 
-    Raises ConfigError for an unknown light and for a camera that moves.
+    Raises ConfigError for an unknown light and for a moving camera.
     """
 
     def __init__(self, scene: SimulatedScene, params: DeskParams | None = None) -> None:
@@ -149,7 +149,7 @@ class DeskRenderer:
     # ---- images
 
     def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
-        """The images of the exposure whose middle is t (s)."""
+        """The images of the exposure with midpoint t (s)."""
         left, *right = self.images(t)
         arrival = t if t_arrival is None else t_arrival
         return StereoFrame(t, arrival, left, right[0] if right else None, index=index)
@@ -160,8 +160,8 @@ class DeskRenderer:
         return left, right
 
     def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
-        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first; drawn
-        ``into`` these where there are any."""
+        """The image of each camera, (h, w, 3) uint8 BGR, the left one first; drawn ``into`` the
+        given arrays, if any."""
         p, ns = self.params, nanoseconds(t)
         moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
         shadow = self._shadow(moments[len(moments) // 2])
@@ -172,7 +172,7 @@ class DeskRenderer:
         return drawn
 
     def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
-        """What the hand keeps from the lamp, and points around its shadow on the desk."""
+        """The hand's shadow of the lamp, and points around it on the desk."""
         middle = now.p_CB.mean(axis=0)
         towards = self._lights.place - middle
         towards /= np.linalg.norm(towards)
@@ -201,7 +201,7 @@ class DeskRenderer:
         return out
 
     def _developed(self, light: NDArray[np.float32], rng: np.random.Generator) -> Image:
-        """What the camera makes of linear light (h, w, 3)."""
+        """The camera's output for linear light (h, w, 3)."""
         out = np.empty(light.shape, np.uint8)
         shift = rng.integers(0, 512, 2)
         develop(np.ascontiguousarray(light), self._sensor, shift, out)
@@ -209,7 +209,7 @@ class DeskRenderer:
         return through_jpeg(out, quality) if quality else out
 
     def _add_shadow(self, view: _CameraView, shadow: tuple[CastShadow, Array]) -> _Box:
-        """The hand's shadow on the desk into the view's light; where that is."""
+        """Draws the hand's shadow on the desk into the view's light; returns its bounds."""
         points = shadow[1] - view.eye
         points = points[points[:, 2] > 0.05]
         if len(points) == 0:
@@ -234,7 +234,8 @@ class DeskRenderer:
         boxes: list[IntArray],
         shadow: CastShadow,
     ) -> _Box:
-        """The hand into the view's light: the mean over the moments, through the lens; where."""
+        """Draws the hand into the view's light: the mean over the exposures, through the lens;
+        returns its bounds."""
         all_boxes = np.concatenate(boxes)
         some = all_boxes[all_boxes[:, 0] < all_boxes[:, 2]]
         if len(some) == 0:

@@ -1,4 +1,4 @@
-"""From linear light to the image that a camera gives: noise, tone curve and JPEG."""
+"""Converts linear light to a camera's image: noise, tone curve and JPEG."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LEVELS = 4096
 
 
 class Sensor(NamedTuple):
-    """Of each channel BGR: variance per linear value (3,) and of darkness (3,); the tone curve
+    """For each channel BGR: variance per linear value (3,) and in darkness (3,); the tone curve
     (LEVELS,) for 0..2; a tile of noise (n, n, 3) of unit variance."""
 
     shot: Float32Vector
@@ -35,8 +35,8 @@ class Sensor(NamedTuple):
 
 
 def sensor_of(light: RoomLight, rng: np.random.Generator) -> Sensor:
-    """The sensor under a light: a channel that white balance amplifies has more noise."""
-    gain = np.array([1.35, 0.85, 1.15])  # of white balance: a sensor sees green best
+    """The sensor in a light: a channel amplified by white balance has more noise."""
+    gain = np.array([1.35, 0.85, 1.15])  # of white balance: a sensor is most sensitive to green
     return Sensor(
         (light.shot * gain).astype(np.float32),
         ((light.read * gain) ** 2).astype(np.float32),
@@ -46,10 +46,10 @@ def sensor_of(light: RoomLight, rng: np.random.Generator) -> Sensor:
 
 
 def bayer_noise(rng: np.random.Generator, side: int = 512) -> NDArray[np.float32]:
-    """(side, side, 3) noise of a colour sensor of unit variance, which can be laid beside itself.
+    """(side, side, 3) noise of a colour sensor of unit variance, periodic.
 
-    Every pixel measures one colour and has the others from its neighbours (bilinear demosaicing of
-    the pattern BGGR), so that noise hangs together over two pixels.
+    Every pixel measures one colour and interpolates the others from its neighbours (bilinear
+    demosaicing of the pattern BGGR), so that noise is correlated over two pixels.
     """
     raw = rng.standard_normal((side, side)).astype(np.float32)
     out = np.empty((side, side, 3), np.float32)
@@ -66,9 +66,9 @@ def bayer_noise(rng: np.random.Generator, side: int = 512) -> NDArray[np.float32
 
 @kernel(fastmath=True)
 def develop(light: Float32Stack, s: Sensor, shift: IntVector, out: Written[ByteStack]) -> None:
-    """Linear ``light`` (h, w, 3) with noise and through the tone curve into ``out`` (h, w, 3).
+    """Converts linear ``light`` (h, w, 3) with noise and the tone curve to ``out`` (h, w, 3).
 
-    shift (2,) is where in the tile of noise the image begins.
+    shift (2,) is the image's origin in the tile of noise.
     """
     noise, curve = s.noise, s.curve
     rows, columns = noise.shape[0], noise.shape[1]
@@ -90,7 +90,7 @@ def develop(light: Float32Stack, s: Sensor, shift: IntVector, out: Written[ByteS
 
 
 def through_jpeg(image: Image, quality: int) -> Image:
-    """The image as a camera compresses it: colour at half the resolution (4:2:0)."""
+    """The image after a camera's compression: colour at half the resolution (4:2:0)."""
     sampling = int(cv2.IMWRITE_JPEG_SAMPLING_FACTOR_420)
     flags = [cv2.IMWRITE_JPEG_QUALITY, quality, cv2.IMWRITE_JPEG_SAMPLING_FACTOR, sampling]
     packed = cv2.imencode(".jpg", image, flags)[1]
@@ -98,5 +98,5 @@ def through_jpeg(image: Image, quality: int) -> Image:
 
 
 def leaked(light: Array, share: float) -> Array:
-    """Linear colours (…, 3) of which red takes a ``share`` of the others."""
+    """Linear colours (…, 3) with a ``share`` of the other channels added to red."""
     return light + share * (light[..., :1] + light[..., 1:2]) * np.array([0.0, 0.0, 1.0])

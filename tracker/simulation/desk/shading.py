@@ -1,4 +1,4 @@
-"""The gloved hand in linear light: cloth with a grain, ragged patches, a lamp and its shadow."""
+"""The gloved hand in linear light: textured cloth, irregular patches, a lamp and its shadow."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from tracker.simulation.sewn import SewnPatches, patch_at
 from tracker.simulation.solids import Instant
 
 GRAIN_TEXEL = 0.0004  # m
-FELT = 0.4  # of the knitted cloth's grain, that felt has
-OTHERS = 0.35  # the same of sleeves, skin and what is held
+FELT = 0.4  # grain of felt, relative to the knitted cloth's
+OTHERS = 0.35  # likewise for sleeves, skin and held objects
 
 
 class Knit(NamedTuple):
-    """Of all solids, capsules first: owner (n,) and colour (n, 3) linear BGR. Tiles (n, n), n a
-    power of two: brightness of the cloth about 1, and how far (m) patches' edges wander."""
+    """For all solids, capsules first: owner (n,) and colour (n, 3) linear BGR. Tiles (n, n), n a
+    power of two: brightness of the cloth about 1, and displacement (m) of patches' edges."""
 
     owner: IntVector
     colour: Matrix
@@ -38,9 +38,9 @@ class Knit(NamedTuple):
 
 
 class RoomLights(NamedTuple):
-    """A lamp at a place (3,) in C, m, with colour (3,) linear BGR where the hand works, reach2 (m²)
-    its squared distance from there, softness as in `lights.RoomLight`; a second lamp; light
-    from everywhere, most of it from ``up`` (3,); what vignetting takes, what red gets of others."""
+    """A lamp at a position (3,) in C, m, with colour (3,) linear BGR at the working volume, reach2
+    (m²) its squared distance from there, softness as in `lights.RoomLight`; a second lamp; ambient
+    light, mostly from ``up`` (3,); vignetting, and the leak into red."""
 
     place: Vector
     colour: Vector
@@ -56,7 +56,7 @@ class RoomLights(NamedTuple):
 
 
 class Surroundings(NamedTuple):
-    """What falls on the hand, and base (h, w, 3) linear BGR of the region behind it."""
+    """The light on the hand, and base (h, w, 3) linear BGR of the region behind it."""
 
     lights: RoomLights
     shadow: CastShadow
@@ -73,7 +73,7 @@ def shade_knit(
     around: Surroundings,
     total: Written[Float32Stack],
 ) -> None:
-    """Add one instant to ``total`` (h, w, 3) linear BGR."""
+    """Add one exposure to ``total`` (h, w, 3) linear BGR."""
     slope, jitter, eye, corner = rays.slope, rays.jitter, rays.eye, rays.corner
     light, shadow, base = around.lights, around.shadow, around.base
     depth, solid, R, p = buffer.depth, buffer.solid, now.R_CB, now.p_CB
@@ -142,7 +142,7 @@ def _capsule_normal(q: Vector3, a: Matrix, b: Matrix, radius: Vector, i: int) ->
 
 @kernel(fastmath=True, inline="always")
 def _box_normal(q: Vector3, R: Stack, centre: Matrix, half: Matrix, i: int) -> Vector3:
-    """Outward normal of the face of box i that the point q lies on."""
+    """Outward normal of the face of box i that contains the point q."""
     best, face, sign = -1e9, 0, 1.0
     d0, d1, d2 = q[0] - centre[i, 0], q[1] - centre[i, 1], q[2] - centre[i, 2]
     for k in range(3):
@@ -154,7 +154,7 @@ def _box_normal(q: Vector3, R: Stack, centre: Matrix, half: Matrix, i: int) -> V
 
 @kernel(fastmath=True, inline="always")
 def _fallen(q: Vector3, n: Vector3, place: Vector, soft: float) -> float:
-    """Light per squared metre of a lamp on a surface with normal n at the point q."""
+    """Irradiance by a lamp of a surface with normal n at the point q."""
     d0, d1, d2 = place[0] - q[0], place[1] - q[1], place[2] - q[2]
     r2 = d0 * d0 + d1 * d1 + d2 * d2
     cosine = (d0 * n[0] + d1 * n[1] + d2 * n[2]) / np.sqrt(r2)
@@ -163,7 +163,7 @@ def _fallen(q: Vector3, n: Vector3, place: Vector, soft: float) -> float:
 
 @kernel(fastmath=True, inline="always")
 def _on_cloth(q: Vector3, R: Stack, p: Matrix, i: int) -> tuple[float, float]:
-    """The point q of C along segment i, and across it."""
+    """The point q of C in coordinates along segment i, and across it."""
     d0, d1, d2 = q[0] - p[i, 0], q[1] - p[i, 1], q[2] - p[i, 2]
     along = R[i, 0, 0] * d0 + R[i, 1, 0] * d1 + R[i, 2, 0] * d2
     y = R[i, 0, 1] * d0 + R[i, 1, 1] * d1 + R[i, 2, 1] * d2
@@ -174,7 +174,7 @@ def _on_cloth(q: Vector3, R: Stack, p: Matrix, i: int) -> tuple[float, float]:
 def _texel(
     x: tuple[float, float], grain: Float32Matrix, ragged: Float32Matrix
 ) -> tuple[float, float]:
-    """Brightness and wandering of edges at a place of a segment's cloth, m."""
+    """Brightness and edge displacement at a point of a segment's cloth, m."""
     last = grain.shape[0] - 1
     i = int(np.floor(x[0] / GRAIN_TEXEL)) & last
     j = int(np.floor(x[1] / GRAIN_TEXEL)) & last

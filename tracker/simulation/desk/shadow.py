@@ -1,4 +1,4 @@
-"""The hand's shadow: how far towards the lamp it reaches over a grid that faces the lamp."""
+"""The hand's shadow: a height map towards the lamp, on a grid that faces the lamp."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from tracker.simulation.solids import Solids
 SIDE = 192  # texels
 TEXEL = 0.003  # m
 NOTHING = -1e3
-BIAS = 0.006  # m: what is so little under the cloth is the cloth itself
+BIAS = 0.006  # m: surfaces this close below the cloth are the cloth itself
 
 
 class CastShadow(NamedTuple):
     """A grid around ``origin`` (3,) in C with axes (3, 3): across, across and towards the lamp.
 
-    height (SIDE, SIDE) m: how far the hand reaches; soft (SIDE, SIDE) 0..1: which share of a broad
-    lamp it hides from the desk below.
+    height (SIDE, SIDE) m of the hand; soft (SIDE, SIDE) 0..1: share of an extended lamp that it
+    blocks for the desk below.
     """
 
     origin: Vector
@@ -40,7 +40,7 @@ class CastShadow(NamedTuple):
 
 
 def cast_shadow(solids: Solids, origin: Array, lamp: Array, blur: float) -> CastShadow:
-    """The shadow of solids in C by a lamp (3,), and blurred by ``blur`` (m) on the desk."""
+    """The shadow of solids in C by a lamp (3,), blurred by ``blur`` (m) on the desk."""
     towards = lamp - origin
     towards = towards / np.linalg.norm(towards)
     across = np.cross(towards, [0.0, 1.0, 0.0])
@@ -55,7 +55,7 @@ def cast_shadow(solids: Solids, origin: Array, lamp: Array, blur: float) -> Cast
 
 
 def _balls(solids: Solids) -> tuple[Array, Array]:
-    """Balls (n, 3), (n,) m that fill the solids."""
+    """Spheres (n, 3), (n,) m that fill the solids."""
     points, radii = [], []
     for a, b, r in zip(solids.a, solids.b, solids.radius, strict=True):
         n = 1 + int(np.ceil(np.linalg.norm(b - a) / (0.5 * r)))
@@ -72,7 +72,7 @@ def _balls(solids: Solids) -> tuple[Array, Array]:
 
 @kernel(fastmath=True)
 def _splat(points: Matrix, radius: Vector, height: Written[Float32Matrix]) -> None:
-    """Raise ``height`` to balls at points (n, 3) given along the grid's axes."""
+    """Raise ``height`` to spheres at points (n, 3) given along the grid's axes."""
     n, middle = len(height), len(height) / 2
     for k in range(len(points)):
         r2 = radius[k] * radius[k]
@@ -89,9 +89,10 @@ def _splat(points: Matrix, radius: Vector, height: Written[Float32Matrix]) -> No
 
 @kernel(fastmath=True, inline="always")
 def lit_share(q: Vector3, origin: Vector, axes: Matrix, height: Float32Matrix) -> float:
-    """Which share of the lamp a point q of the hand sees: mean over four texels of a `CastShadow`.
+    """Share of the lamp visible from a point q of the hand: mean over four texels of a
+    `CastShadow`.
 
-    Its arrays come one by one: to hand on a tuple of arrays costs more than the arithmetic.
+    Its arrays are separate parameters: passing a tuple of arrays costs more than the arithmetic.
     """
     d0, d1, d2 = q[0] - origin[0], q[1] - origin[1], q[2] - origin[2]
     x = (axes[0, 0] * d0 + axes[0, 1] * d1 + axes[0, 2] * d2) / TEXEL + SIDE / 2
@@ -125,7 +126,7 @@ class GroundLight(NamedTuple):
 def shaded_ground(
     rays: PixelRays, ground: GroundLight, s: CastShadow, base: Written[Float32Stack]
 ) -> None:
-    """Linear BGR (h, w, 3) of the region of ``rays``: the ground under the hand's shadow."""
+    """Linear BGR (h, w, 3) of the region of ``rays``: the ground with the hand's shadow."""
     corner, slope, soft, origin, axes = rays.corner, rays.slope, s.soft, s.origin, s.axes
     x0, y0, end = SIDE / 2, SIDE / 2, SIDE - 1.0
     w0, w1, w2 = rays.eye[0] - origin[0], rays.eye[1] - origin[1], rays.eye[2] - origin[2]
@@ -151,7 +152,7 @@ def shaded_ground(
 
 def shadow_corners(shadow: CastShadow, depth: float) -> Array:
     """(n, 3) points of C around the shadow on the desk, ``depth`` (m) below the hand along the
-    lamp's direction; none where the hand throws none."""
+    lamp's direction; empty without a shadow."""
     rows, columns = np.nonzero(shadow.soft > 0.01)
     if len(rows) == 0:
         return np.zeros((0, 3))

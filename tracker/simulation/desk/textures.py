@@ -1,4 +1,4 @@
-"""Surfaces: wood and laminate, prints, and the grain of knitted cloth."""
+"""Surfaces: wood and laminate, prints, and the texture of knitted cloth."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FELT_HSV = {
     "green": (67, 238, 142),
     "blue": (107, 242, 170),
 }
-"""Felt of the markers' hues in even light, in OpenCV units."""
+"""Felt of the markers' hues in uniform light, in OpenCV units."""
 OTHERS_BGR = {
     "teal": (125, 120, 30),
     "orange": (15, 95, 215),
@@ -31,7 +31,7 @@ OTHERS_BGR = {
 
 
 def felt(hue: str) -> NDArray[np.float64]:
-    """Linear BGR (3,) of felt, or of paint, of a hue or another colour's name."""
+    """Linear BGR (3,) of felt, or of paint, of a hue or other colour name."""
     if hue in OTHERS_BGR:
         return linear(OTHERS_BGR[hue])
     hsv = np.array([[FELT_HSV[hue]]], np.uint8)
@@ -48,7 +48,7 @@ def _noise(rng: np.random.Generator, shape: tuple[int, int], sd_px: tuple[float,
 
 
 def wood(rng: np.random.Generator, shape: tuple[int, int], texel: float) -> Texture:
-    """(h, w, 3) linear BGR of planks whose grain runs down the texture."""
+    """(h, w, 3) linear BGR of planks with vertical grain."""
     mm = 1e-3 / texel
     grain = 0.5 * _noise(rng, shape, (90 * mm, 2.2 * mm)) + 0.35 * _noise(
         rng, shape, (25 * mm, 0.9 * mm)
@@ -79,7 +79,7 @@ SURFACES = {"wood": wood, "laminate": laminate}
 
 
 def picture(rng: np.random.Generator, size: int = 96) -> Texture:
-    """(size, size, 3) linear BGR of something printed: soft colours, things of the marker hues."""
+    """(size, size, 3) linear BGR of a print: soft colours, objects of the marker hues."""
     coarse = rng.uniform(20, 150, (4, 4, 3)).astype(np.float32)
     page = np.clip(cv2.resize(coarse, (size, size), interpolation=cv2.INTER_CUBIC), 5, 240)
     page = np.ascontiguousarray(page.astype(np.uint8))
@@ -94,7 +94,7 @@ def picture(rng: np.random.Generator, size: int = 96) -> Texture:
 
 
 def knit(rng: np.random.Generator, side: int = 256, texel: float = 0.0004) -> Texture:
-    """(side, side) brightness of knitted cloth about 1, which can be laid beside itself."""
+    """(side, side) brightness of knitted cloth about 1, periodic."""
     white = rng.standard_normal((side, side)).astype(np.float32)
     fine = _wrapped_blur(white, 0.75)
     uneven = _wrapped_blur(rng.standard_normal((side, side)).astype(np.float32), 9.0)
@@ -105,7 +105,7 @@ def knit(rng: np.random.Generator, side: int = 256, texel: float = 0.0004) -> Te
 
 
 def wandering(rng: np.random.Generator, side: int = 256, sd: float = 0.00035) -> Texture:
-    """(side, side) m: how far the edges of patches cut by hand wander, to be laid beside itself."""
+    """(side, side) m: displacement of the edges of hand-cut patches, periodic."""
     white = rng.standard_normal((side, side)).astype(np.float32)
     return np.asarray(sd * _wrapped_blur(white, 3.5), np.float32)
 

@@ -1,4 +1,5 @@
-"""A skeleton fitted to recorded points: scale, where the points sit, and the pose of each frame."""
+"""Fits a skeleton to recorded points: scale, positions of the points, and the pose of each
+frame."""
 
 from __future__ import annotations
 
@@ -17,21 +18,21 @@ from tracker.simulation.recorded.track import PointTrack
 
 @dataclass(frozen=True)
 class SkeletonFitParams:
-    """Standard deviations of what the fit weighs."""
+    """Standard deviations of the fit's terms."""
 
     point: float = 0.003  # m
     rest: float = 1.0  # rad, of an angle about zero
     change: float = 0.15  # rad between two frames
     synergy: float = 0.3  # rad
     iterations: int = 4
-    rounds: int = 3  # of refining where the points sit
-    keep: float = 0.3  # of a point's nominal position in each round
+    rounds: int = 3  # of refining the positions of the points
+    keep: float = 0.3  # weight of a point's nominal position in each round
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """angles (n, J) rad, R_GB (n, 3, 3), p_GB (n, 3) m of the dorsum in the file's frame, sized to
-    the hand; residual (n, T) m, NaN where a point was missing."""
+    """angles (n, J) rad, R_GB (n, 3, 3), p_GB (n, 3) m of the dorsum in the file's frame, scaled to
+    the hand; residual (n, T) m, NaN for missing points."""
 
     angles: Array
     R_GB: Array
@@ -40,7 +41,7 @@ class Fit:
 
 
 def fit_hand(hand: HandModel, track: PointTrack, params: SkeletonFitParams | None = None) -> Fit:
-    """Angles and poses that bring the hand's points onto the track's, all frames."""
+    """Angles and poses that align the hand's points with the track's, for all frames."""
     p = params or SkeletonFitParams()
     segment, local = _targets(hand, track.targets)
     k = _most_open(track)
@@ -91,7 +92,7 @@ def _tree(hand: HandModel) -> tuple[IntArray, Array, Array, IntArray]:
 
 
 def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array]:
-    """Segment row (T,) and position in B (T, 3); of a marker on the dorsum NaN, to be found."""
+    """Segment row (T,) and position in B (T, 3); NaN for an unknown position on the dorsum."""
     segment, local = [], []
     for name in targets:
         if name.startswith("dorsum:"):
@@ -107,9 +108,9 @@ def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array
 
 
 def _most_open(track: PointTrack) -> int:
-    """The complete frame with the points furthest apart: the flattest hand."""
+    """The complete frame with the largest spread of points: the flattest hand."""
     centred = track.points - np.nanmean(track.points, axis=1, keepdims=True)
-    size = np.sum(np.sum(centred**2, axis=2), axis=1)  # NaN where a point is missing
+    size = np.sum(np.sum(centred**2, axis=2), axis=1)  # NaN for missing points
     if not np.isfinite(size).any():
         raise FileError("The recording shows the whole hand in no frame.")
     return int(np.nanargmax(size))
@@ -132,7 +133,7 @@ def _umeyama(
 
 
 def _place_on_dorsum(hand: HandModel, local: Array, points: Array, R: Array, p: Array) -> None:
-    """Fill in where dorsum markers sit, from the open frame."""
+    """Determine the positions of dorsum markers from the open frame."""
     unknown = np.isnan(local[:, 0])
     local[unknown] = (points[unknown] - p) @ R
 
@@ -140,7 +141,8 @@ def _place_on_dorsum(hand: HandModel, local: Array, points: Array, R: Array, p: 
 def _refined(
     hand: HandModel, fit: Fit, segment: IntArray, points: Array, nominal: Array, keep: float
 ) -> Array:
-    """Each point's mean position in its segment over all frames, held towards the nominal one."""
+    """Each point's mean position in its segment over all frames, regularised towards the nominal
+    one."""
     local = nominal.copy()
     untwisted = np.zeros(len(hand.segments))
     R_GB, p_GB = forward_many(*_tree(hand), untwisted, fit.angles, fit.R_GB, fit.p_GB)

@@ -1,4 +1,5 @@
-"""A recorded motion from a file: Leap, Qualisys or BVH, made smooth in the camera's volume."""
+"""A recorded motion from a file: Leap, Qualisys or BVH, smoothed and moved into the camera's
+volume."""
 
 from __future__ import annotations
 
@@ -25,7 +26,7 @@ from tracker.simulation.recorded.track import PointTrack, mirrored, resampled
 from tracker.vision.rig import default_pose
 
 CUTOFF_HZ = 7.0
-"""Hands move below this; what is above is the recorder's noise."""
+"""Cut-off frequency: hands move below it; above it is the recorder's noise."""
 
 
 class SplineMotion:
@@ -49,7 +50,7 @@ class SplineMotion:
         self._spline = make_interp_spline(t, table, k=5)
 
     def poses(self, t: Array) -> Poses:
-        edge = 0.005  # differences in time reach a little beyond both ends
+        edge = 0.005  # time differences extend slightly beyond both ends
         table = self._spline(np.clip(t, -edge, self.duration + edge))
         n = self._count
         R = so3.matrix_from_quat(table[:, n : n + 4])
@@ -57,7 +58,7 @@ class SplineMotion:
 
 
 def _low_pass(values: Array, rate_hz: float) -> Array:
-    """Zero-lag Butterworth of second order, run both ways."""
+    """Zero-phase Butterworth filter of second order, forward and backward."""
     if 0.45 * rate_hz <= CUTOFF_HZ:
         return values
     b, a = butter(2, CUTOFF_HZ / (rate_hz / 2))
@@ -73,10 +74,10 @@ def in_working_volume(
     camera: CameraPose | None = None,
     depth: float = 0.36,
 ) -> SplineMotion:
-    """The recording moved as a whole, ``up`` to G's z, into the middle of the image.
+    """The recording, rigidly transformed with ``up`` to G's z, into the centre of the image.
 
-    Turned about the vertical so that the fingers point away from the camera on average; the middle
-    of the path's range comes to ``depth`` (m) on the camera's axis, further where the path is wide.
+    It is rotated about the vertical so that the fingers point away from the camera on average; the
+    centre of the path is at ``depth`` (m) on the camera's axis, farther where the path is wide.
     """
     camera = camera or default_pose()
     turn = _level(up)
@@ -96,7 +97,7 @@ def in_working_volume(
 
 
 def _level(up: Array) -> Array:
-    """A rotation that takes ``up`` to z the shortest way."""
+    """The smallest rotation from ``up`` to z."""
     z = np.array([0.0, 0.0, 1.0])
     axis, cosine = np.cross(up, z), float(up @ z)
     sine = float(np.linalg.norm(axis))
@@ -248,7 +249,7 @@ def read_qualisys(path: Path, text: str) -> PointTrack:
 
 
 def _target(name: str) -> str | None:
-    """Where on the hand a marker sits, None if elsewhere."""
+    """The position of a marker on the hand, None if elsewhere."""
     finger, _, place = name.partition("_")
     if finger == "hand":
         return f"dorsum:{place}"
@@ -259,9 +260,9 @@ def _target(name: str) -> str | None:
 
 
 MOST_BYTES = 500_000_000
-"""Of a recording once unpacked; an hour at 120 Hz takes 220 MB."""
+"""Limit for an unpacked recording; an hour at 120 Hz takes 220 MB."""
 UNPACKING = (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError)
-"""What damage to an archive raises; the last one where it says that a password is needed."""
+"""Exceptions raised for damaged archives; the last one if a password is required."""
 TARGETS = (
     *(f"thumb_{part}" for part in ("cmc", "mcp", "ip", "tip")),
     *(f"{f}_{part}" for f in FINGERS for part in ("mcp", "pip", "dip", "tip")),
@@ -288,7 +289,7 @@ def read_leap(path: Path) -> PointTrack:
 
 
 RATE_HZ = 50.0
-"""Of the fit; with a cut-off of 7 Hz more would add nothing."""
+"""Of the fit; with a cut-off of 7 Hz a higher rate would add nothing."""
 
 
 def load_motion(path: Path, hand: HandModel, camera: CameraPose | None = None) -> SplineMotion:

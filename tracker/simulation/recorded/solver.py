@@ -14,7 +14,7 @@ from tracker.simulation.kinematics import forward_many
 class FittedSkeleton(NamedTuple):
     """parent (S,), -1 for the root; origin (S, 3) m in the parent's B; R_rest (S, 3, 3); column
     (S, 3) of abduction, flexion and twist among the angles, -1 where fixed; limits (J, 2) rad;
-    coupling (C, 4): angle, other, ratio, offset of a synergy held softly."""
+    coupling (C, 4): angle, other, ratio, offset of a soft synergy."""
 
     parent: IntVector
     origin: Matrix
@@ -25,7 +25,7 @@ class FittedSkeleton(NamedTuple):
 
 
 class PointTargets(NamedTuple):
-    """Where the points sit: segment (T,), and position (T, 3) m in its B."""
+    """Positions of the points: segment (T,), and position (T, 3) m in its B."""
 
     segment: IntVector
     local: Matrix
@@ -48,11 +48,11 @@ def solve_frames(
     weights: Vector,
     iterations: int,
 ) -> tuple[Matrix, Stack, Matrix, Matrix]:
-    """Each frame in turn, starting from the one before.
+    """Solves the frames in order, each starting from the previous one.
 
-    points (n, T, 3) m in G, NaN where missing, of the targets. weights: 1 / standard deviation of
-    (a point, 1/m; rest, 1/rad; change of angle, 1/rad; synergy, 1/rad).
-    Returns angles (n, J), R_GB (n, 3, 3), p_GB (n, 3) of the root, residual (n, T) m.
+    points (n, T, 3) m in G of the targets, NaN where missing. weights: 1 / standard deviation of (a
+    point, 1/m; rest, 1/rad; change of angle, 1/rad; synergy, 1/rad). Returns angles (n, J), R_GB
+    (n, 3, 3), p_GB (n, 3) of the root, residual (n, T) m.
     """
     parent, origin, R_rest, column = hand.parent, hand.origin, hand.R_rest, hand.column
     limits, segment, local = hand.limits, targets.segment, targets.local
@@ -142,7 +142,7 @@ def _priors(
     coupling: Matrix,
     weights: Vector,
 ) -> None:
-    """Rest, steadiness and synergies: what decides where no point does."""
+    """Priors for rest, smoothness and synergies, which determine unobserved joints."""
     for j in range(len(a)):
         H[6 + j, 6 + j] += weights[1] ** 2 + weights[2] ** 2
         g[6 + j] += weights[1] ** 2 * (0.0 - a[j]) + weights[2] ** 2 * (before[j] - a[j])
@@ -162,7 +162,7 @@ def _priors(
 
 @kernel
 def _rotated(step: Vector, R: Matrix) -> Matrix:
-    """Exp(step) R, made orthonormal again."""
+    """Exp(step) R, orthonormalised."""
     angle = np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2)
     K = np.array([[0.0, -step[2], step[1]], [step[2], 0.0, -step[0]], [-step[1], step[0], 0.0]])
     a = 1.0 if angle < 1e-8 else np.sin(angle) / angle

@@ -1,4 +1,4 @@
-"""Points of a recorded hand over time, whatever the file they came from."""
+"""Points of a recorded hand over time, independent of the file format."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from tracker.messages import Array
 
 @dataclass(frozen=True, eq=False)
 class PointTrack:
-    """Named points at times t (n,) s from 0: points (n, T, 3), NaN where not seen.
+    """Named points at times t (n,) s from 0: points (n, T, 3), NaN where missing.
 
-    ``targets`` (T,) gives for each point where it is on the hand: a keypoint's name, or
-    "dorsum:<name>" for a marker somewhere on the back of the hand. ``up`` (3,) points against
-    gravity in the file's frame. ``unit`` is metres per unit of ``points``, None if unknown.
+    ``targets`` (T,) is the position of each point on the hand: a keypoint's name, or
+    "dorsum:<name>" for a marker on the back of the hand. ``up`` (3,) points against gravity in the
+    file's frame. ``unit`` is metres per unit of ``points``, None if unknown.
     """
 
     t: Array
@@ -27,7 +27,7 @@ class PointTrack:
     unit: float | None
 
     def checked(self, path: str) -> PointTrack:
-        """Itself, if a hand can be fitted to it. Raises FileError."""
+        """Returns itself, if a hand can be fitted to it. Raises FileError."""
         if len(self.t) < 20:
             raise FileError(f"{path} holds only {len(self.t)} frames of a hand; 20 are needed.")
         if not np.all(np.diff(self.t) > 0):
@@ -39,7 +39,7 @@ class PointTrack:
 
 
 def mirrored(track: PointTrack, side: str) -> PointTrack:
-    """The track as of a hand of ``side``: mirrored in a plane that holds ``up`` if it must be."""
+    """The track for a hand of ``side``: mirrored in a plane that contains ``up`` if necessary."""
     if track.side == side:
         return track
     across = np.cross(track.up, [1.0, 0, 0])
@@ -51,11 +51,11 @@ def mirrored(track: PointTrack, side: str) -> PointTrack:
 
 
 def resampled(track: PointTrack, rate_hz: float) -> PointTrack:
-    """At an even rate, by linear interpolation between neighbours; gaps stay gaps."""
+    """At a uniform rate, by linear interpolation between neighbours; gaps are preserved."""
     t = np.arange(0.0, track.t[-1], 1 / rate_hz)
     after = np.clip(np.searchsorted(track.t, t, side="right"), 1, len(track.t) - 1)
     t0, t1 = track.t[after - 1], track.t[after]
     share = ((t - t0) / (t1 - t0))[:, None, None]
     points = track.points[after - 1] * (1 - share) + track.points[after] * share
-    points[t1 - t0 > 0.1] = np.nan  # a hole in the file, not two neighbours
+    points[t1 - t0 > 0.1] = np.nan  # a gap in the file, not two neighbours
     return PointTrack(t, points, track.targets, track.up, track.side, track.unit)
