@@ -38,6 +38,7 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
     Validity,
+    WristPose,
 )
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
@@ -70,6 +71,7 @@ __all__ = [
     "StereoRig",
     "Tracking",
     "Validity",
+    "WristPose",
     "load",
     "record",
     "settings_text",

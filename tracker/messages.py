@@ -108,6 +108,27 @@ class CameraImuSample(_Frozen):
     accel: Array
 
 
+@record("wrist_pose", shapes={"p_GT": "3", "q_GT": "4", "p_BT": "3", "q_BT": "4"})
+@dataclass(frozen=True, eq=False, slots=True)
+class WristPose(_Frozen):
+    """Pose in G of a tracker T that is fixed to the back of a hand, as another system measured it.
+
+    p_GT (3,) m and q_GT (4,) xyzw; q_GT is NaN if the system measures positions alone. p_BT (3,) m
+    and q_BT (4,) are the tracker's pose in the frame B of the hand's root segment. The variances
+    are those of an axis, m² and rad².
+    """
+
+    t: float
+    t_arrival: float
+    side: str
+    p_GT: Array
+    q_GT: Array
+    p_BT: Array
+    q_BT: Array
+    position_variance: float
+    rotation_variance: float
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class StereoFrame(_Frozen):
     """One exposure of both cameras. Images are (h, w, 3) uint8 BGR; None where a camera is dark."""
@@ -431,6 +452,7 @@ class RobotMemory(_Frozen):
 Message = (
     ImuSample
     | CameraImuSample
+    | WristPose
     | StereoFrame
     | BlobFrame
     | FrameResult

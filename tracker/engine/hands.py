@@ -26,6 +26,7 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     Search,
+    WristPose,
 )
 from tracker.vision.sharing import share, taken_twice
 
@@ -138,6 +139,11 @@ class Hands:
         """Feeds a sample of the camera's own IMU."""
         for pipeline in self.pipelines.values():
             pipeline.feed_camera_imu(sample)
+
+    def feed_wrist(self, pose: WristPose) -> None:
+        """Feeds the pose of a tracker to the hand that it is on."""
+        if pose.side in self.pipelines:
+            self.pipelines[pose.side].feed_wrist(pose)
 
     def feed_event(self, event: Event) -> None:
         """Feeds a guided pose or a pose reset to one hand if the event names it, else to all."""

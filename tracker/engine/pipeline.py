@@ -29,6 +29,7 @@ from tracker.messages import (
     IntArray,
     Tracking,
     Validity,
+    WristPose,
 )
 from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
 from tracker.online.frame_timing import FrameTiming, FrameTimingKept
@@ -92,7 +93,7 @@ class Pipeline:
         self._notices, self._abandoned = Outbox(), False
         self.source_notices = Outbox()
         """About what the hand follows: packets, or images alone."""
-        self._reported_guided = False
+        self._reported_guided = self._reported_wrist = False
         self.blob_limit = BlobLimit()
         self._packet = -np.inf  # arrival of the last packet, s
         self._by_images = False
@@ -181,6 +182,14 @@ class Pipeline:
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
         """Feeds a sample of the camera's own IMU, which gives a pose to images without one."""
         self._camera.feed(sample)
+
+    def feed_wrist(self, pose: WristPose) -> None:
+        """Feeds the pose of a tracker on the hand, which gives a glove without a camera a
+        position."""
+        found = self.engine.feed_wrist(pose)
+        if found is not None and not self._reported_wrist:
+            self._reported_wrist = True
+            self._notices.post(found)
 
     def camera_pose(self, t: float) -> CameraPose:
         """Returns the assumed pose of the camera in an image of ``t`` that has no pose."""

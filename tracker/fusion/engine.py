@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from typing import Any, NamedTuple, Protocol
 
-from tracker.base.notices import Notice
+from tracker.base.notices import Notice, warning
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -14,6 +14,7 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     IntArray,
+    WristPose,
 )
 
 COAST_DAMPING = 2.0  # 1/s: decay rate of a velocity that no marker confirms
@@ -76,6 +77,11 @@ class Engine(Protocol):
         """The predicted hand in an image of ``t`` not processed yet; None while its position is
         unknown, and for an engine that does not use images for tracking."""
         return None
+
+    def feed_wrist(self, pose: WristPose) -> Notice | None:
+        """Take the pose of a tracker on the hand. Reports a pose that cannot be used, once; what an
+        engine that takes its position from images reports is that it ignores them."""
+        return warning("wrist_pose.not_used")
 
     def reset_pose(self) -> Notice | None:
         """Align the joints with a flat hand that the wearer holds now. Returns a notice of the

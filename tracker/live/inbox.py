@@ -16,7 +16,7 @@ from typing import TypeVar
 from tracker.base.channels import Closed
 from tracker.engine.hands import Sided
 from tracker.fusion.engine import Engine
-from tracker.messages import BlobFrame, StereoFrame
+from tracker.messages import BlobFrame, StereoFrame, WristPose
 
 T = TypeVar("T")
 SIZE = 4096  # 40 s of packets
@@ -58,7 +58,8 @@ class ResetCommand:
 
 
 Command = EngineCommand | GuidedCommand | ResetCommand
-Item = Sided | DetectedFrame | Command
+Queued = Sided | WristPose | Command
+Item = Queued | DetectedFrame
 
 
 class Inbox:
@@ -66,12 +67,12 @@ class Inbox:
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
-        self._items: deque[Sided | Command] = deque()
+        self._items: deque[Queued] = deque()
         self._frames: deque[DetectedFrame] = deque()
         self._overflowed = self._skipped = 0
         self._closed = False
 
-    def put(self, item: Sided | Command) -> None:
+    def put(self, item: Queued) -> None:
         """Appends an item. If the queue is full, it is lost and counted."""
         with self._changed:
             self._overflowed += self._is_refused(self._items, item, SIZE)

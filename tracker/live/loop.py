@@ -34,6 +34,7 @@ from tracker.messages import (
     ImuSample,
     Status,
     Tracking,
+    WristPose,
 )
 from tracker.online.colour_watch import ColourWatch
 from tracker.vision.region_prediction import RegionPrediction, together
@@ -65,6 +66,11 @@ class ArrivalOrder:
         """Returns the blobs, to be fed next, with a stamp not earlier than any before."""
         self._last_ns = max(nanoseconds(frame.t_arrival), self._last_ns)
         return replace(frame, t_arrival=seconds(self._last_ns))
+
+    def wrist(self, pose: WristPose) -> WristPose:
+        """Returns the pose, to be fed next, with a stamp later than all before."""
+        self._last_ns = max(nanoseconds(pose.t_arrival), next_instant(self._last_ns))
+        return replace(pose, t_arrival=seconds(self._last_ns))
 
     def mark(self) -> float:
         """Returns an instant (s) between the messages before and after."""
@@ -132,6 +138,8 @@ class LiveLoop:
         started = self.clock()
         if isinstance(item, Sided):
             self._feed_imu(item)
+        elif isinstance(item, WristPose):
+            self._feed_wrist(item)
         elif isinstance(item, EngineCommand):
             self._execute(item)
         elif isinstance(item, GuidedCommand):
@@ -162,6 +170,15 @@ class LiveLoop:
         hand.telemetry.took("imu", now - sample.t_arrival)
         self.load.packet(now, now - sample.t)
 
+    def _feed_wrist(self, pose: WristPose) -> None:
+        if pose.side not in self.seen:
+            return
+        with self._pipeline_lock:
+            pose = self._order.wrist(pose)
+            self.journal.record(pose, pose.side)
+            self.hands.feed_wrist(pose)
+        self._feed_reference(pose)
+
     def _feed_frame(self, found: DetectedFrame) -> None:
         with self._pipeline_lock:
             blobs = self._order.blobs(found.blobs)
@@ -182,7 +199,7 @@ class LiveLoop:
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
 
-    def _feed_reference(self, message: Sided | BlobFrame) -> None:
+    def _feed_reference(self, message: Sided | BlobFrame | WristPose) -> None:
         reference = self._reference
         if reference is not None:
             reference.put(message)

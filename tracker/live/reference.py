@@ -8,7 +8,9 @@ import threading
 from tracker.base.channels import Closed, Fifo
 from tracker.base.errors import GlovetrackError
 from tracker.engine.hands import Hands, Sided
-from tracker.messages import BlobFrame, Estimate
+from tracker.messages import BlobFrame, Estimate, WristPose
+
+Fed = Sided | BlobFrame | WristPose
 
 _log = logging.getLogger(__name__)
 
@@ -21,7 +23,7 @@ class ReferenceEngine:
 
     def __init__(self, hands: Hands) -> None:
         self._hands = hands
-        self._inbox: Fifo[Sided | BlobFrame] = Fifo(MOST_WAITING)
+        self._inbox: Fifo[Fed] = Fifo(MOST_WAITING)
         self._estimates: dict[str, Estimate] = {}
         self._thread = threading.Thread(target=self._run, name="glovetrack-reference", daemon=True)
         self._thread.start()
@@ -35,7 +37,7 @@ class ReferenceEngine:
         """Returns the second engine's latest estimate of a hand."""
         return self._estimates.get(side)
 
-    def put(self, message: Sided | BlobFrame) -> None:
+    def put(self, message: Fed) -> None:
         """Queues a message that was just fed to the first engine."""
         self._inbox.put(message)
 
@@ -58,10 +60,12 @@ class ReferenceEngine:
             _log.warning("The second engine has ended: %s", error, exc_info=True)
             self._estimates = {}  # it shows no hand any more rather than an old one
 
-    def _feed(self, message: Sided | BlobFrame) -> None:
+    def _feed(self, message: Fed) -> None:
         if isinstance(message, Sided):
             estimate = self._hands.feed_imu(message.side, message.sample)
             self._estimates[message.side] = estimate
+        elif isinstance(message, WristPose):
+            self._hands.feed_wrist(message)
         else:
             self._hands.feed_frame(message)
             for side in self._hands.pipelines:

@@ -38,6 +38,7 @@ from tracker.messages import (
     ImuSample,
     Message,
     Status,
+    WristPose,
 )
 from tracker.sensors.sources import CameraSource, GloveSource
 from tracker.session.description import MAIN
@@ -239,6 +240,10 @@ class HandOfTracker:
     def reset_pose(self) -> None:
         """Aligns the hand with a flat one, fingers straight ahead, which the wearer holds."""
         self._inbox.put(ResetCommand(self.side))
+
+    def place(self, pose: WristPose) -> None:
+        """Feeds the pose of a tracker on the hand, which another system measured."""
+        self._inbox.put(pose)
 
     def subscribe(self, subscriber: Callable[[Estimate], None]) -> Callable[[], None]:
         """Calls ``subscriber``, which must not block, with each estimate, in order of time; returns

@@ -6,12 +6,12 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
-from tracker.messages import BlobFrame, CameraImuSample, Event, ImuSample
+from tracker.messages import BlobFrame, CameraImuSample, Event, ImuSample, WristPose
 from tracker.session.decode import Decoded
 from tracker.session.images import PackedFrame
 from tracker.vision.detector import Detector, detect_frame
 
-_Packet = ImuSample | CameraImuSample | Event
+_Packet = ImuSample | CameraImuSample | WristPose | Event
 AHEAD = 12  # pairs of images unpacked before the engine asks for them: 65 MB at 720p
 
 
@@ -39,7 +39,7 @@ def detected(
                     waiting.append(message)
                 waiting.append(pool.submit(_find, detector(), message))
                 images += 1
-            elif isinstance(message, ImuSample | CameraImuSample | Event):
+            elif isinstance(message, _Packet):
                 waiting.append(message)
             while images > AHEAD or (waiting and not isinstance(waiting[0], Future)):
                 first = waiting.popleft()

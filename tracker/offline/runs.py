@@ -27,6 +27,7 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     Tracking,
+    WristPose,
 )
 from tracker.offline.own_colours import OwnColours
 from tracker.offline.track_report import Counter, StatusClock, TrackReport, TruthCheck
@@ -252,6 +253,9 @@ class LiveRun:
             self._feed_imu(message.side, message.sample)
             return
         self._has_camera_imu |= isinstance(message, CameraImuSample)
+        if isinstance(message, WristPose):
+            self._feed_wrist(message)
+            return
         self._outputs[self._main].message(self._posed(message))
         if isinstance(message, BlobFrame):
             self._feed_frame(message)
@@ -261,6 +265,10 @@ class LiveRun:
             self._hands.feed_event(message)
         elif not isinstance(message, PackedFrame):
             raise TypeError("a packet of a session has a side")
+
+    def _feed_wrist(self, pose: WristPose) -> None:
+        self._outputs[pose.side].message(pose)
+        self._hands.feed_wrist(pose)
 
     def _used(self, side: str) -> list[FrameResult]:
         """What the engine of that side has made of images."""

@@ -37,6 +37,7 @@ from tracker.messages import (
     Event,
     ImuSample,
     StereoFrame,
+    WristPose,
 )
 from tracker.offline import by_side
 from tracker.offline.detection import detected
@@ -357,9 +358,14 @@ def with_sides(reader: SessionReader, messages: Iterator[Fed]) -> Iterator[Fed |
         for hand in reader.info.hands:
             if hand.side != side:
                 other = stack.enter_context(SessionReader(reader.path, side=hand.side))
-                packets = (m for m in other.messages((ImuSample,)) if isinstance(m, ImuSample))
-                streams.append(_sided(packets, hand.side))
+                streams.append(_sided(_packets(other), hand.side))
         yield from heapq.merge(*streams, key=_order)
+
+
+def _packets(reader: SessionReader) -> Iterator[Fed]:
+    """Yields what belongs to one hand alone."""
+    kinds = (ImuSample, WristPose)
+    return (m for m in reader.messages(kinds) if isinstance(m, kinds))
 
 
 def _sided(messages: Iterable[Fed], side: str) -> Iterator[Fed | Sided]:
@@ -383,17 +389,18 @@ def _of_reader(
     images are searched.
     """
     if info.rig is None:
-        return reader.packed_messages((ImuSample, Event, BlobFrame))  # type: ignore[return-value]
+        return reader.packed_messages((ImuSample, WristPose, Event, BlobFrame))  # type: ignore[return-value]
     keep = options.with_sensors
     if not _is_searched(reader, options):
-        kinds = (ImuSample, CameraImuSample, Event, BlobFrame, *((StereoFrame,) if keep else ()))
+        fed = (ImuSample, CameraImuSample, WristPose, Event, BlobFrame)
+        kinds = (*fed, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in EYES):
         what = (
             "no images to try other colours on" if options.colours else "neither blobs nor images"
         )
         raise FileError(f"{reader.path} contains {what}.")
-    packed = reader.packed_messages((ImuSample, CameraImuSample, Event, StereoFrame))
+    packed = reader.packed_messages((ImuSample, CameraImuSample, WristPose, Event, StereoFrame))
     if colours is not None:
         return colours.searched(packed, threads, keep)
     detector = make_detector(profile_of(info), info)

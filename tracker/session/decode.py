@@ -22,6 +22,7 @@ from tracker.messages import (
     Message,
     Status,
     StereoFrame,
+    WristPose,
 )
 from tracker.session.decode_estimate import EstimateDecoder, tracking_of
 from tracker.session.decode_sensors import SensorDecoder, Timing
@@ -34,6 +35,7 @@ from tracker.session.ros import motion, topics
 MESSAGE_KINDS: tuple[type, ...] = (
     ImuSample,
     CameraImuSample,
+    WristPose,
     StereoFrame,
     BlobFrame,
     Estimate,
@@ -80,6 +82,7 @@ class MessageDecoder:
         table: dict[type, list[str]] = {
             ImuSample: [*imus, topics.packets(side)],
             CameraImuSample: [topics.CAMERA_IMU],
+            WristPose: [topics.wrist_exact(side)],
             StereoFrame: [*(topics.image(c) for c in EYES), *camera],
             BlobFrame: [
                 *(f(c) for c in EYES for f in (topics.cloth, topics.blobs)),

@@ -18,6 +18,7 @@ from tracker.messages import (
     CameraPose,
     Cloth,
     ImuSample,
+    WristPose,
 )
 from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame, check_image
@@ -25,7 +26,7 @@ from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.rigs import exact_pose, is_camera, pose_of
 from tracker.session.ros import motion, sensors, topics
-from tracker.session.ros.cdr import CdrReader
+from tracker.session.ros.cdr import CdrError, CdrReader
 
 T = TypeVar("T")
 
@@ -132,7 +133,7 @@ def _half_period(source: McapInput, candidates: list[str], default: int) -> int:
     return int(np.median(steps)) // 2 if len(steps) else default // 2
 
 
-Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame
+Sensed = ImuSample | CameraImuSample | WristPose | BlobFrame | PackedFrame
 
 
 class SensorDecoder:
@@ -161,6 +162,7 @@ class SensorDecoder:
         table: dict[str, Callable[[RawMessage], list[Sensed]]] = {
             topics.packets(side): self._packet,
             topics.CAMERA_IMU: self._camera_imu,
+            topics.wrist_exact(side): self._wrist,
             topics.CAMERA_POSE: self._exact_pose,
         }
         table |= {topics.imu(side, name): self._imu for name in self._info.glove.imu_names}
@@ -197,6 +199,15 @@ class SensorDecoder:
         part = sensors.unpack_imu(raw.data)
         t, arrival = self._t(part.stamp), self._t(raw.log_time)
         return [CameraImuSample(t, arrival, part.gyro.copy(), part.accel.copy())]
+
+    def _wrist(self, raw: RawMessage) -> list[Sensed]:
+        values = motion.unpack_numbers(raw.data)
+        if len(values) != 16:
+            raise CdrError("the pose of a tracker has 16 numbers")
+        p_GT, q_GT, p_BT, q_BT, variances = np.split(values.copy(), [3, 7, 10, 14])
+        t, arrival, side = self._t(raw.publish_time), self._t(raw.log_time), self._info.side
+        variance = float(variances[0]), float(variances[1])
+        return [WristPose(t, arrival, side, p_GT, q_GT, p_BT, q_BT, *variance)]
 
     def _packet(self, raw: RawMessage) -> list[Sensed]:
         times = sensors.unpack_time_reference(raw.data)

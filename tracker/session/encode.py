@@ -14,6 +14,7 @@ from tracker.base.clock import nanoseconds
 from tracker.base.notices import to_json
 from tracker.geometry import so3
 from tracker.messages import (
+    Array,
     BlobFrame,
     Calibration,
     CameraImuSample,
@@ -31,6 +32,7 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
     Validity,
+    WristPose,
 )
 from tracker.session.description import MAIN, SessionInfo
 from tracker.session.encode_robot import RobotEncoder
@@ -104,6 +106,8 @@ class Encoder:
                 return self.imu(message)
             case CameraImuSample():
                 return self.camera_imu(message)
+            case WristPose():
+                return self.wrist(message)
             case StereoFrame():
                 return self.images(message)
             case BlobFrame():
@@ -142,6 +146,18 @@ class Encoder:
         stamp, frame = self._wall(m.t), topics.camera_frame("left")
         data = sensors.pack_imu(sensors.ImuMessage(stamp, frame, m.gyro, m.accel))
         yield Out(topics.CAMERA_IMU, sensors.IMU, self._wall(m.t_arrival), stamp, data)
+
+    def wrist(self, m: WristPose) -> Iterator[Out]:
+        """The pose of a tracker on the hand for other programs, and to the last bit."""
+        stamp, log = self._wall(m.t), self._wall(m.t_arrival)
+        covariance = np.diag(np.repeat([m.position_variance, m.rotation_variance], 3))
+        if not np.isfinite(m.q_GT).all():
+            covariance[3, 3] = -1.0
+        pose = motion.PoseWithCovariance(stamp, topics.WORLD, m.p_GT, m.q_GT, covariance)
+        data = motion.pack_pose_with_covariance(pose)
+        yield Out(topics.wrist_pose(m.side), motion.POSE_COVARIANCE, log, stamp, data)
+        exact = motion.pack_numbers(wrist_numbers(m))
+        yield Out(topics.wrist_exact(m.side), motion.NUMBERS, log, stamp, exact)
 
     def camera_pose(
         self, t: float, t_arrival: float, pose: CameraPose | None, exact: bool = True
@@ -314,6 +330,12 @@ class Encoder:
         second = [] if rig.one_camera else [right]
         moving = self._info.moving_camera
         yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, second)
+
+
+def wrist_numbers(m: WristPose) -> Array:
+    """(16,) p_GT, q_GT, p_BT, q_BT and both variances."""
+    variances = [m.position_variance, m.rotation_variance]
+    return np.concatenate([m.p_GT, m.q_GT, m.p_BT, m.q_BT, variances])
 
 
 CALIBRATION_ROWS = tuple(

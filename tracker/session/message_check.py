@@ -11,7 +11,17 @@ from tracker.session.rigs import exact_pose
 from tracker.session.ros import motion, sensors, topics
 from tracker.session.ros.cdr import CdrError
 
-_OURS = ("/glove/", "/camera/", "/hand/", "/tf", "/tracker/", "/events", "/truth/", "/robot")
+_OURS = (
+    "/glove/",
+    "/camera/",
+    "/hand/",
+    "/tf",
+    "/tracker/",
+    "/events",
+    "/truth/",
+    "/robot",
+    "/room/",
+)
 """Topics of others may have messages of the same type name and another version."""
 _DECODERS: dict[str, Callable[[bytes], object]] = {
     sensors.IMU: sensors.unpack_imu,
@@ -24,6 +34,7 @@ _DECODERS: dict[str, Callable[[bytes], object]] = {
     motion.POSES: motion.unpack_poses,
     motion.JOINTS: motion.unpack_joints,
     motion.DIAGNOSTICS: motion.unpack_diagnostics,
+    motion.POSE_COVARIANCE: motion.unpack_pose_with_covariance,
     motion.STRING: motion.unpack_string,
     motion.NUMBERS: motion.unpack_numbers,
 }

@@ -38,6 +38,14 @@ TEXTS = {
         "heading by {heading_deg:.0f}°."
     ),
     "pose_reset.asked": "Pose reset: hand flat, fingers straight ahead.",
+    "wrist_pose.not_used": (
+        "The pose of the wrist from another tracking system is ignored: this engine uses the "
+        "camera. Choose the engine inertial to use it."
+    ),
+    "wrist_pose.misaligned": (
+        "{side:word} hand: the pose of the wrist from another tracking system disagrees with "
+        "gravity by more than 30° and is ignored. Align the tracker with the hand."
+    ),
     "guided.not_learned": "The engine {engine} does not learn from guided poses.",
     "guided.unknown": 'There is no guided pose "{pose}". It is ignored.',
     "guided.no_phase": 'The guided pose "{pose}" neither begins nor ends. It is ignored.',

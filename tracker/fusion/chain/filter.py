@@ -151,7 +151,7 @@ class ChainFilter:
         rows = tilt_rows(self.state, self._layout, self._params.constraint, around)
         if rows is not None:
             self.kept.last_tilt = t
-            self._use(*rows)
+            self.use(*rows)
 
     def constrain(self, t: float) -> bool:
         """Applies anatomy alone while no image arrives, at most once per ``period``; returns
@@ -159,14 +159,14 @@ class ChainFilter:
         if t - self.kept.last_constraint < self._params.constraint.period:
             return False
         self.kept.last_constraint = t
-        self._use(*self._constraints.rows(self.state))
+        self.use(*self._constraints.rows(self.state))
         return True
 
     def stay(self) -> None:
         """Without images: a wearer remains near the same position and comes to rest now and then;
         to be used as often as anatomy (eq. 57)."""
         H = np.eye(6, len(self.state.P))
-        self._use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
+        self.use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
 
     def straighten(self) -> None:
         """Corrects all joints with an IMU towards a hand that the wearer holds flat.
@@ -175,7 +175,7 @@ class ChainFilter:
         """
         for _ in range(PASSES):
             H, r, variance = flat_rows(self.state, self._layout)
-            self._use(H, r, PASSES * variance)
+            self.use(H, r, PASSES * variance)
 
     def correct(self, seen: Rows) -> None:
         """One stacked update: matches and anatomy, linearised at the same state."""
@@ -202,7 +202,7 @@ class ChainFilter:
         HP = full @ self.state.P
         self._update(full, HP, HP @ full.T, r, R)
 
-    def _use(self, H: Array, r: Array, variance: Array) -> None:
+    def use(self, H: Array, r: Array, variance: Array) -> None:
         """Applies a few rows H (m, N), with innovation r (m,) and variance (m,)."""
         HP, HPH = products(H, self.state.P)
         self._update(H, HP, HPH, r, np.diag(variance))

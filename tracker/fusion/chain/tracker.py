@@ -107,7 +107,7 @@ class ChainTracker:
 
     # ---- images
 
-    def image(self, frame: BlobFrame) -> FrameResult:
+    def image(self, frame: BlobFrame) -> FrameResult | None:
         # 1. A hand lost while markers are in view is searched for as at the start.
         begun = self._restart(frame)
         if begun is not None:

@@ -82,6 +82,15 @@ class TrackingJudge:
         elif gap > self._params.lost_after:
             now.tracking = Tracking.COASTING
 
+    def measured(self, t: float, credible: bool) -> float:
+        """After a pose that another system measured, which agrees with the state or not: since when
+        (s) poses have been disagreeing without a break; infinite where this one agrees."""
+        now = self.kept
+        now.strange_since = np.inf if credible else min(now.strange_since, t)
+        if credible:
+            self.judge(t, enough=True)
+        return now.strange_since
+
     def support(self, t: float, there: bool) -> bool:
         """Call after an image that supports the pose or not: whether the output may be called
         measured.

@@ -21,7 +21,7 @@ import numpy as np
 
 from tracker.base.records import record
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
-from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
+from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking, WristPose
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
 
 LATE_MARGIN = 0.03  # s in addition to the largest image delay so far
@@ -49,6 +49,8 @@ class TimedState(Protocol):
 
 
 S = TypeVar("S", bound=TimedState)
+Observation = BlobFrame | WristPose
+"""What corrects a filter at its instant: an image, or a pose that another system measured."""
 
 
 class Filter(Protocol[S]):
@@ -73,10 +75,10 @@ class Filter(Protocol[S]):
     def carry(self, state: S, t: float) -> None:
         """Propagate a nominal state to ``t`` through the packets in between."""
 
-    def image(self, frame: BlobFrame) -> FrameResult:
-        """Process an image of the state's own time."""
+    def image(self, frame: Any) -> FrameResult | None:
+        """Process an `Observation` of the state's own time."""
 
-    def start(self, frame: BlobFrame) -> FrameResult | None:
+    def start(self, frame: Any) -> FrameResult | None:
         """Search for the hand without a prior; None where it is not found, or no search is due."""
 
     def no_image(self) -> bool:
@@ -98,7 +100,7 @@ class ImagesWithoutPackets:
 
     filter: Any  # its `Filter.kept`
     last_frame: float
-    frames: list[BlobFrame] = field(default_factory=list)
+    frames: list[Observation] = field(default_factory=list)
 
 
 @record("timeline")
@@ -109,7 +111,7 @@ class TimelineKept(Generic[S]):
     head: S
     lag: float
     last_frame: float
-    waiting: list[BlobFrame]
+    waiting: list[Observation]
     results: list[FrameResult]
     packets: list[ImuSample]
     health: ImuHealthKept
@@ -129,7 +131,7 @@ class Timeline(Generic[S]):
         self._silence, self._lag = silence, lag
         self._health = ImuHealth(buffer.imus)
         self._head: S = target.state.copy_nominal()
-        self._waiting: list[BlobFrame] = []
+        self._waiting: list[Observation] = []
         self._results: list[FrameResult] = []
         self._last_frame = self._reported = -np.inf
         self._ahead: ImagesWithoutPackets | None = None
@@ -149,7 +151,7 @@ class Timeline(Generic[S]):
             self._filter.carry(self._head, sample.t)
         return self._head
 
-    def feed_frame(self, frame: BlobFrame) -> None:
+    def feed_frame(self, frame: Observation) -> None:
         """Queue an image; it is used once packets cover its exposure."""
         self._waiting.append(frame)
         self._use_waiting()
@@ -197,7 +199,7 @@ class Timeline(Generic[S]):
             self._use(frame)
             self.rebuild_head()
 
-    def _use(self, frame: BlobFrame) -> None:
+    def _use(self, frame: Observation) -> None:
         result: FrameResult | None = None
         if self._searching:
             result = self._filter.start(frame)
@@ -211,14 +213,14 @@ class Timeline(Generic[S]):
             self._results.append(result)
             self._reported = result.t
 
-    def _ready(self, frame: BlobFrame) -> bool:
+    def _ready(self, frame: Observation) -> bool:
         """Whether packets cover the image, or none have arrived for too long to wait for them."""
         if self._buffer.covers(frame.t):
             return True
         newest, now = self._buffer.newest, self._waiting[-1].t_arrival
         return newest is not None and now - newest.t_arrival > self._silence
 
-    def _note_ahead(self, frame: BlobFrame) -> None:
+    def _note_ahead(self, frame: Observation) -> None:
         """Before an image is used without packets: save the state to return to."""
         if self._buffer.covers(frame.t) or self._searching:
             return

@@ -21,6 +21,8 @@ _FIELDS = {
     "geometry_msgs/Pose": "geometry_msgs/Point position, geometry_msgs/Quaternion orientation",
     "geometry_msgs/PoseArray": "std_msgs/Header header, geometry_msgs/Pose[] poses",
     "geometry_msgs/PoseWithCovariance": "geometry_msgs/Pose pose, float64[36] covariance",
+    "geometry_msgs/PoseWithCovarianceStamped": "std_msgs/Header header, "
+    "geometry_msgs/PoseWithCovariance pose",
     "geometry_msgs/Quaternion": "float64 x, float64 y, float64 z, float64 w",
     "geometry_msgs/Transform": "geometry_msgs/Vector3 translation, "
     "geometry_msgs/Quaternion rotation",

@@ -19,6 +19,8 @@ JOINTS = "sensor_msgs/msg/JointState"
 DIAGNOSTICS = "diagnostic_msgs/msg/DiagnosticArray"
 STRING = "std_msgs/msg/String"
 NUMBERS = "std_msgs/msg/Float64MultiArray"
+POSE_COVARIANCE = "geometry_msgs/msg/PoseWithCovarianceStamped"
+_NO_ROTATION = np.array([0.0, 0.0, 0.0, 1.0])
 
 
 class Transform(NamedTuple):
@@ -36,6 +38,17 @@ class PoseArray(NamedTuple):
     frame: str
     position: Array  # (n, 3) m
     orientation: Array  # (n, 4)
+
+
+class PoseWithCovariance(NamedTuple):
+    """position (3,) m, orientation (4,) xyzw, covariance (6, 6) of the errors about the axes of
+    ``frame``; its first rotational variance is -1 where no orientation is known."""
+
+    stamp: int
+    frame: str
+    position: Array
+    orientation: Array
+    covariance: Array
 
 
 class JointState(NamedTuple):
@@ -87,6 +100,22 @@ def unpack_poses(data: bytes) -> PoseArray:
     stamp, frame = source.header()
     values = source.doubles(7 * source.count(56)).reshape(-1, 7)
     return PoseArray(stamp, frame, values[:, :3].copy(), values[:, 3:].copy())
+
+
+def pack_pose_with_covariance(m: PoseWithCovariance) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, m.frame)
+    known = np.isfinite(m.orientation).all()
+    out.doubles(np.concatenate([m.position, m.orientation if known else _NO_ROTATION]))
+    out.doubles(m.covariance.ravel())
+    return out.done()
+
+
+def unpack_pose_with_covariance(data: bytes) -> PoseWithCovariance:
+    source = CdrReader(data)
+    stamp, frame = source.header()
+    values = source.doubles(43)
+    return PoseWithCovariance(stamp, frame, values[:3], values[3:7], values[7:].reshape(6, 6))
 
 
 def pack_joints(m: JointState) -> bytes:

@@ -20,6 +20,16 @@ def packets(side: str) -> str:
     return f"/glove/{side}/packets"
 
 
+def wrist_pose(side: str) -> str:
+    """Pose of a tracker on the hand, which another system measured, as other programs read it."""
+    return f"/room/{side}/pose"
+
+
+def wrist_exact(side: str) -> str:
+    """The same to the last bit, and where on the hand the tracker is: numbers."""
+    return f"/room/{side}/tracker"
+
+
 def image(camera: str) -> str:
     return f"/camera/{camera}/image/compressed"
 
