@@ -1,7 +1,7 @@
 """The pose of a tracker on the back of the hand as a measurement of the chain filter.
 
 With l = p_BT - lever, where the state's position is that of the root's IMU at ``lever`` in B:
-p_GT = p + R_GB l and R_GT = R_GB R_BT. Equation numbers are those of docs/chain.md.
+p_GT = p + R_GB l and R_GT = R_GB R_BT (docs/chain.md, "Without a camera").
 """
 
 from __future__ import annotations
