@@ -9426,6 +9426,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>The pose of the wrist from another tracking system is ignored: this engine uses the camera. Choose the engine inertial to use it.</source>
+      <translation>Die Lage des Handgelenks aus einem anderen Trackingsystem wird ignoriert: Dieses Verfahren nutzt die Kamera. Wählen Sie das Verfahren inertial, um sie zu nutzen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{side:word} hand: the pose of the wrist from another tracking system disagrees with gravity by more than 30° and is ignored. Align the tracker with the hand.</source>
+      <translation>Hand {side:word}: Die Lage des Handgelenks aus einem anderen Trackingsystem weicht um mehr als 30° von der Schwerkraft ab und wird ignoriert. Richten Sie den Tracker zur Hand aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The engine {engine} does not learn from guided poses.</source>
       <translation>Das Verfahren {engine} lernt nicht aus angeleiteten Haltungen.</translation>
     </message>

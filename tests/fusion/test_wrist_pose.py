@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from rosbags.highlevel import AnyReader
 
-from tests.fusion.test_chain_jacobians import layout as layout  # noqa: PLC0414
+from tests.fusion.test_chain_jacobians import layout as layout
 from tests.fusion.test_chain_jacobians import numeric, random_state
 from tests.room_tracker import NOWHERE, RoomTracker, in_order
 from tracker.base.config import to_toml
