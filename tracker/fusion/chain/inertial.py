@@ -177,8 +177,8 @@ class InertialEngine(ChainEngine):
         self._results.append(FrameResult.nothing(frame.t, self.tracking, markers))
 
     def feed_wrist(self, pose: WristPose) -> Notice | None:
-        """Process a tracker's pose; it is used once packets cover its time. One that is far from the
-        newest packet is ignored."""
+        """Process a tracker's pose; it is used once packets cover its time. One far from the newest
+        packet is ignored."""
         newest = self.newest
         if newest is None or abs(pose.t - newest) > LONGEST_LAG or not np.isfinite(pose.p_GT).all():
             return None
