@@ -114,7 +114,7 @@ def sheet_pose(
     seen = [left for left, _ in looks if left is not None]
     if not seen:
         raise ConfigError(failure("touch.no_sheet"))
-    left = _median([c for c in seen], rig.left)
+    left = _median(list(seen), rig.left)
     right = {} if rig.one_camera else _median([c for _, c in looks if c is not None], rig.right)
     scale, scale_sd = _scale(left, right, rig)
     if ruler is not None:
