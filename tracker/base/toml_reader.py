@@ -175,6 +175,15 @@ class TomlTable:
                 raise self.fail(key, "is not a key that this file may have")
 
 
+def texts(table: TomlTable, key: str) -> tuple[str, ...]:
+    """A text, or a list of texts that is not empty. Raises FileError for another value."""
+    value = table._take(key, ...)
+    found = [value] if isinstance(value, str) else value
+    if not isinstance(found, list) or not found or not all(isinstance(v, str) for v in found):
+        raise table.fail(key, "must be a text or a list of texts")
+    return tuple(found)
+
+
 class TomlText:
     """The text behind a table, for line numbers in messages."""
 

@@ -87,11 +87,20 @@ def align(first: Path, second: Path, by: str = "movement") -> Alignment:
 
 def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
     """Raises FileError if no offset, or more than one, fits well."""
-    x, y = (_even(c) for c in (a, b))
-    r = _correlations(x, y)
+    x, y = (_even(c)[:, None] for c in (a, b))
+    return match_channels(x, y, float(a.t[0] - b.t[0]))
+
+
+def match_channels(x: Array, y: Array, apart: float = 0.0, overlap: float = OVERLAP) -> Match:
+    """Of K channels x (N, K) and y (M, K) at even steps of 1/`RATE`, NaN where unknown, together;
+    x begins ``apart`` s later than y; they have ``overlap`` s in common at least.
+
+    Raises FileError if no offset, or more than one, fits well.
+    """
+    r = _correlations(x, y, overlap)
     lags = np.arange(-(len(y) - 1), len(x)) / RATE
     if not np.isfinite(r).any():
-        raise FileError(notice("align.too_short", needed_s=OVERLAP))
+        raise FileError(notice("align.too_short", needed_s=overlap))
     k = int(np.nanargmax(r))
     far = np.abs(lags - lags[k]) > APART
     elsewhere = float(np.nanmax(r[far])) if np.isfinite(r[far]).any() else -1.0
@@ -99,8 +108,7 @@ def best_match(a: SpeedCourse, b: SpeedCourse) -> Match:
         raise FileError(notice("align.no_fit", correlation=r[k]))
     if elsewhere > RIVAL * r[k]:
         raise FileError(notice("align.ambiguous", correlation=r[k], elsewhere=elsewhere))
-    offset = float(lags[k] + _between(r, k) / RATE + a.t[0] - b.t[0])
-    return Match(offset, float(r[k]), elsewhere)
+    return Match(float(lags[k] + _between(r, k) / RATE + apart), float(r[k]), elsewhere)
 
 
 def _even(course: SpeedCourse) -> Array:
@@ -118,24 +126,31 @@ def _even(course: SpeedCourse) -> Array:
     return np.where(t[after] - t[after - 1] > LONGEST_FILLED, np.nan, x)
 
 
-def _correlations(x: Array, y: Array) -> Array:
-    """Pearson's of what both know at each lag, from -(len(y) - 1) on; NaN below `OVERLAP`."""
+def _correlations(x: Array, y: Array, overlap: float) -> Array:
+    """Pearson's of what x (N, K) and y (M, K) both know at each lag, from -(M - 1) on, pooled over
+    the channels; NaN below ``overlap`` s."""
     from scipy.signal import fftconvolve  # a quarter of a second that the window starts without
 
     known_x, known_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
-    x = np.where(known_x > 0, x - np.nanmean(x), 0.0)
-    y = np.where(known_y > 0, y - np.nanmean(y), 0.0)
+    x, y = (np.where(np.isfinite(v), v - _mean(v), 0.0) for v in (x, y))
 
     def over(p: Array, q: Array) -> Array:
-        return np.asarray(fftconvolve(p, q[::-1]))
+        return np.asarray(fftconvolve(p, q[::-1], axes=0))
 
     n = np.maximum(over(known_x, known_y), 1e-9)
     sum_x, sum_y = over(x, known_y), over(known_x, y)
-    variance_x = over(x**2, known_y) - sum_x**2 / n
-    variance_y = over(known_x, y**2) - sum_y**2 / n
+    variance_x = (over(x**2, known_y) - sum_x**2 / n).sum(axis=1)
+    variance_y = (over(known_x, y**2) - sum_y**2 / n).sum(axis=1)
     scale = np.sqrt(np.maximum(variance_x, 1e-12) * np.maximum(variance_y, 1e-12))
-    r = (over(x, y) - sum_x * sum_y / n) / scale
-    return np.where((n >= OVERLAP * RATE) & (scale > 1e-6 * n), r, np.nan)
+    r = (over(x, y) - sum_x * sum_y / n).sum(axis=1) / scale
+    n = n.max(axis=1)
+    return np.where((n >= overlap * RATE) & (scale > 1e-6 * n), r, np.nan)
+
+
+def _mean(x: Array) -> Array:
+    """(K,) of the known values of each channel; 0 without any."""
+    known = np.isfinite(x)
+    return np.asarray(np.where(known, x, 0.0).sum(axis=0) / np.maximum(known.sum(axis=0), 1))
 
 
 def _between(r: Array, k: int) -> float:

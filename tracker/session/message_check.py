@@ -21,6 +21,7 @@ _OURS = (
     "/truth/",
     "/robot",
     "/room/",
+    "/reference/",
 )
 """Topics of others may have messages of the same type name and another version."""
 _DECODERS: dict[str, Callable[[bytes], object]] = {

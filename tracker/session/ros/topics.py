@@ -66,6 +66,11 @@ def truth(side: str, what: str) -> str:
     return f"/truth/{side}/{what}"
 
 
+def reference(side: str, what: str) -> str:
+    """keypoints or joint_states as a laboratory measured them, see extensions/reference."""
+    return f"/reference/{side}/{what}"
+
+
 ROBOT = (
     "robot_description", "model", "memory", "joint_commands", "joint_states", "scene", "contact",
 )  # fmt: skip

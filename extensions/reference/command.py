@@ -1,0 +1,76 @@
+"""The commands ``import-reference`` and ``accuracy``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tracker.base.terminal import add_json, check_json, finish
+from tracker.hand.names import SIDES
+
+
+def add_import(command: argparse.ArgumentParser) -> None:
+    """Arguments of ``import-reference``."""
+    command.add_argument(
+        "reference", type=Path, metavar="REFERENCE", help="C3D, TRC, TSV, CSV or BVH file"
+    )
+    command.add_argument("session", type=Path, metavar="SESSION", help="the tracked session")
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="OUT.mcap", help="the new session"
+    )
+    command.add_argument(
+        "--mapping", type=Path, metavar="TOML", help="names of points, columns of a CSV, unit"
+    )
+    command.add_argument(
+        "--by",
+        choices=("movement", "clock", "pulse"),
+        default="movement",
+        help="how to align the times",
+    )
+    command.add_argument(
+        "--pulse", default="", metavar="NAME", help="name of the reference's events or channel"
+    )
+    command.add_argument(
+        "--start", default="", metavar="TIME", help="clock time of the reference's start (ISO 8601)"
+    )
+    command.add_argument("--no-drift", action="store_true", help="assume clocks of one rate")
+    command.add_argument(
+        "--register",
+        choices=("rigid", "none"),
+        default="rigid",
+        help="estimate the laboratory's frame, or use the session's",
+    )
+    command.add_argument("--hand", choices=SIDES, default="", help="hand in a session of both")
+    add_json(command)
+
+
+def import_reference_command(args: argparse.Namespace) -> int:
+    """Write the session with its reference, and report alignment and registration."""
+    from extensions.reference.importing import ImportOptions, import_reference
+
+    files = [args.reference, args.session]
+    check_json(args, files)
+    options = ImportOptions(
+        args.mapping,
+        args.by,
+        args.pulse,
+        args.start,
+        args.hand,
+        not args.no_drift,
+        args.register,
+    )
+    about = import_reference(args.reference, args.session, args.output, options, args.force)
+    timing = about.timing
+    lines = [f"{about.file}: {about.kind}, {len(about.keypoints)} keypoints, {about.rate:g} Hz."]
+    line = f"Time: starts at {timing.offset:+.4f} s of the session, by {timing.by}"
+    if timing.parts:
+        line += f"; residual {1e3 * timing.residual:.2f} ms of {timing.parts} parts"
+    if timing.drift_sd == timing.drift_sd:
+        line += f"; drift {1e6 * timing.drift:+.1f} ± {1e6 * timing.drift_sd:.1f} ppm"
+    lines.append(f"{line}.")
+    lines.append(
+        f"Registration: residual {1e3 * about.rigid.residual:.2f} mm rigid, "
+        f"{1e3 * about.with_offsets.residual:.2f} mm with marker offsets."
+    )
+    finish(args, about.as_json(), lines, [*files, args.output])
+    return 0

@@ -1,0 +1,13 @@
+"""Descriptors of the reference extension."""
+
+from __future__ import annotations
+
+from extensions.reference.command import add_import, import_reference_command
+from tracker.base.command import Command
+
+IMPORT = Command(
+    "import-reference",
+    "add a motion-capture recording to a session as a reference",
+    import_reference_command,
+    add=add_import,
+)

@@ -1,0 +1,59 @@
+"""Reading a reference file of any known format, which its content decides."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from extensions.reference.formats.bvh import CENTIMETRE, read_bvh
+from extensions.reference.formats.c3d import read_c3d
+from extensions.reference.formats.optitrack import read_optitrack
+from extensions.reference.formats.qualisys import read_qualisys
+from extensions.reference.formats.table import read_table
+from extensions.reference.formats.trc import read_trc
+from extensions.reference.formats.vicon import read_vicon
+from extensions.reference.mapping import PointMapping
+from extensions.reference.recording import UNITS, Recording
+from tracker.base.errors import FileError
+from tracker.base.files import read_bounded
+from tracker.base.notices import notice
+
+MOST_BYTES = 2_000_000_000
+_MILLIMETRE = UNITS["mm"]
+
+
+def read_reference(path: Path, mapping: PointMapping | None = None, pulse: str = "") -> Recording:
+    """Raises FileError if the file is unreadable, empty or of an unknown format.
+
+    ``pulse`` names an analogue channel of C3D files whose rising edges are events.
+    """
+    mapping = mapping or PointMapping()
+    if path.suffix.lower() == ".c3d":
+        return read_c3d(path, pulse)
+    lines = _lines(path)
+    if mapping.table is not None:
+        return read_table(path, lines, mapping.table, mapping.unit or _MILLIMETRE)
+    first = next((line.strip() for line in lines if line.strip()), "")
+    if first.startswith("HIERARCHY"):
+        return read_bvh(path, lines, mapping.unit or CENTIMETRE)
+    if first.startswith("PathFileType"):
+        return read_trc(path, lines)
+    if first.startswith("NO_OF_FRAMES") or "\nMARKER_NAMES" in "\n".join(lines[:40]):
+        return read_qualisys(path, lines)
+    if first.startswith("Format Version"):
+        return read_optitrack(path, lines)
+    if any(line.strip().strip(",\t") == "Trajectories" for line in lines):
+        return read_vicon(path, lines)
+    raise FileError(notice("reference.unknown_format", file=path))
+
+
+def _lines(path: Path) -> list[str]:
+    try:
+        data = read_bounded(path, MOST_BYTES, "a reference recording")
+    except OSError as error:
+        raise FileError(notice("file.not_readable", path=path, why=error.strerror)) from error
+    for coding in ("utf-8-sig", "cp1252"):
+        try:
+            return data.decode(coding).splitlines()
+        except UnicodeDecodeError:
+            continue
+    return data.decode("latin-1").splitlines()

@@ -1,0 +1,165 @@
+"""`import_reference` adds a laboratory's recording to a session as a reference."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+import numpy as np
+
+from extensions.reference.formats.read import read_reference
+from extensions.reference.mapping import PointMapping, as_keypoints, read_mapping
+from extensions.reference.recording import Recording
+from extensions.reference.registration import Registration, register, register_offsets
+from extensions.reference.session import Described, at_instants, write_with_reference
+from extensions.reference.timing import Timing, by_clock, by_movement, by_pulse, refined
+from tracker.base.clock import NS
+from tracker.base.errors import ConfigError, FileError
+from tracker.base.files import check_target
+from tracker.base.notices import notice
+from tracker.geometry import so3
+from tracker.messages import Array, Event, Validity
+from tracker.session.export.series import EstimateSeries, recorded_series
+from tracker.session.glance import PLACELESS
+from tracker.session.motion import instants
+from tracker.session.reader import SessionReader
+
+_REFINEMENTS = 5  # of the time alignment by the registered points, at most
+_CONVERGED = 2e-7  # change of the drift
+_FEW = 100  # instants with measured points; with fewer, inferred ones are used too
+
+
+@dataclass(frozen=True)
+class ImportOptions:
+    """``mapping``: a file; ``by``: one of `timing.WAYS`; ``pulse``: names of the reference's events
+    or of a channel, empty: all events; ``start``: wall clock of the reference's t = 0 (ISO 8601);
+    ``register``: rigid, or none for a reference in the session's own frame."""
+
+    mapping: Path | None = None
+    by: str = "movement"
+    pulse: str = ""
+    start: str = ""
+    side: str = ""
+    with_drift: bool = True
+    register: str = "rigid"
+
+
+def import_reference(
+    reference: Path, session: Path, out: Path, options: ImportOptions | None = None,
+    force: bool = False,
+) -> Described:  # fmt: skip
+    """Write ``out``, the session with the reference of one hand.
+
+    Raises FileError if a file is not readable or they do not match, ConfigError for options.
+    """
+    options = options or ImportOptions()
+    check_target(out, force, [reference, session])
+    mapping = PointMapping() if options.mapping is None else read_mapping(options.mapping)
+    whole = read_reference(reference, mapping, options.pulse)
+    with SessionReader(session, side=options.side) as reader:
+        series = recorded_series(reader, segments=False)
+        names = reader.info.keypoint_names
+        recording = as_keypoints(whole, names, reader.info.side, mapping, reference)
+        t = instants(reader, series)
+        timing = _timing(reader, series, t, recording, options)
+        pairs = _Pairs.of(series, t, recording)
+        rigid, with_offsets = pairs.registered(timing, options.register, reference)
+        for _ in range(_REFINEMENTS if options.by == "movement" else 0):
+            before = timing
+            timing = pairs.refined(before, with_offsets, options.with_drift)
+            rigid, with_offsets = pairs.registered(timing, options.register, reference)
+            if abs(timing.drift - before.drift) < _CONVERGED:
+                break
+        about = Described(reference.name, recording.kind, recording.rate, recording.names, timing,
+                          rigid, with_offsets)  # fmt: skip
+        start = reader.anchor.monotonic(reader.span_ns[0])
+        at = timing.session_time(recording.t)
+        stamps = np.array([reader.anchor.wall(start + s) for s in at], np.int64)
+        inside = (at >= t[0] - 1.0) & (at <= t[-1] + 1.0)
+        points = rigid.world(recording.points)
+        write_with_reference(reader, out, about, stamps[inside], points[inside], force)
+    return about
+
+
+def _timing(
+    reader: SessionReader,
+    series: EstimateSeries,
+    t: Array,
+    recording: Recording,
+    options: ImportOptions,
+) -> Timing:
+    if options.by == "clock":
+        found = by_clock(_start_ns(recording, options, reader.path), reader.span_ns[0])
+    elif options.by == "pulse":
+        start = reader.anchor.monotonic(reader.span_ns[0])
+        events = [m for m in reader.messages((Event,)) if isinstance(m, Event)]
+        ours = [e.t - start for e in events if e.kind == "pulse"]
+        theirs = [p.t for p in recording.pulses if options.pulse in ("", p.name)]
+        found = by_pulse(ours, theirs)
+    else:
+        columns = [series.keypoint_names.index(n) for n in recording.names]
+        placeless = reader.info.engine == PLACELESS
+        points = series.keypoints[:, columns]
+        found = by_movement(t, points, recording.t, recording.points, placeless, options.with_drift)
+    at = found.session_time(recording.t)
+    if at[-1] < t[0] or at[0] > t[-1]:
+        raise FileError(notice("reference.no_overlap", session=reader.path))
+    return found
+
+
+def _start_ns(recording: Recording, options: ImportOptions, session: Path) -> int:
+    """Of the reference's t = 0; a time without a zone is this computer's local time."""
+    start = recording.start
+    if options.start:
+        try:
+            start = datetime.fromisoformat(options.start)
+        except ValueError as error:
+            raise ConfigError(notice("reference.bad_start", text=options.start)) from error
+    if start is None:
+        raise FileError(notice("reference.no_clock", session=session))
+    return round(start.timestamp() * 1e6) * (NS // 1_000_000)
+
+
+@dataclass(frozen=True, eq=False)
+class _Pairs:
+    """The keypoints that both know: x_G (N, K, 3) m where they were measured, at t (N,) s, and the
+    axes of their segments R_GB (N, K, 3, 3)."""
+
+    t: Array
+    x_G: Array
+    R_GB: Array
+    recording: Recording
+
+    @classmethod
+    def of(cls, series: EstimateSeries, t: Array, recording: Recording) -> _Pairs:
+        columns = [series.keypoint_names.index(n) for n in recording.names]
+        used = series.state[:, columns] == Validity.MEASURED
+        if used.any(axis=1).sum() < _FEW:
+            used = series.state[:, columns] != Validity.LOST
+        x_G = np.where(used[:, :, None], series.keypoints[:, columns], np.nan)
+        return cls(t, x_G, so3.matrix_from_quat(series.q[:, columns]), recording)
+
+    def reference(self, timing: Timing) -> Array:
+        """(N, K, 3) m in the laboratory's frame."""
+        at = timing.session_time(self.recording.t)
+        return at_instants(at, self.recording.points, self.t)
+
+    def registered(self, timing: Timing, how: str, path: Path) -> tuple[Registration, Registration]:
+        """The rigid registration, and that with marker offsets."""
+        x_L = self.reference(timing)
+        if how == "none":
+            unmoved = _unmoved(x_L, self.x_G)
+            return unmoved, unmoved
+        rigid = register(x_L, self.x_G, path.name)
+        return rigid, register_offsets(x_L, self.x_G, self.R_GB, rigid)
+
+    def refined(self, timing: Timing, registration: Registration, with_drift: bool) -> Timing:
+        theirs = registration.keypoints(self.reference(timing), self.R_GB)
+        return refined(timing, self.t, self.x_G, theirs, with_drift)
+
+
+def _unmoved(x_L: Array, x_G: Array) -> Registration:
+    none = np.zeros((x_L.shape[1], 3))
+    residual = float(np.sqrt(np.nanmean(((x_L - x_G) ** 2).sum(axis=2))))
+    return Registration(np.eye(3), np.zeros(3), residual, 1.0, none, none)

@@ -1,0 +1,92 @@
+"""Sessions whose estimates are the truth of a simulated hand with known noise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation, Slerp
+
+from tracker.geometry import so3
+from tracker.messages import Array, Event
+from tracker.offline.simulate import SimulateOptions, build, truth_message
+from tracker.session.description import SessionInfo
+from tracker.session.writer import RecorderParams, SessionRecorder
+
+DURATION = 60.0  # s
+START = 0.5  # s of the simulation at the session's first estimate
+
+
+@dataclass(frozen=True, eq=False)
+class Wearer:
+    """``points(t)``: keypoints (n, K, 3) m and axes of their segments (n, K, 3, 3) at session times
+    t (n,) s from -1 on; ``session(path, noise, duration, seed, person, events)`` writes a session
+    of them at 100 Hz, with noise (sd in m, as claimed) per coordinate."""
+
+    info: SessionInfo
+    points: Callable[[Array], tuple[Array, Array]]
+    session: Callable[..., Path]
+
+
+@pytest.fixture(scope="session")
+def wearer() -> Wearer:
+    """Positions by a cubic spline through 100 instants per second, orientations in between."""
+    sim, info = build(SimulateOptions(seed=4, duration=DURATION + 4, images=False))
+    hand, glove = info.hand, info.glove
+    segments = glove.keypoint_segments(hand)
+    at = np.arange(-1.0, DURATION + 2.0, 0.01)
+    poses = sim.motion.poses(at + START)
+    p = np.empty((len(at), len(segments), 3))
+    R = np.empty((len(at), len(segments), 3, 3))
+    for i in range(len(at)):
+        R_GB, p_GB = hand.forward(poses.angles[i], poses.R_GB[i], poses.p_GB[i])
+        p[i] = glove.keypoint_positions(hand, R_GB, p_GB, np.ones((len(hand.segments), 3)))
+        R[i] = R_GB[segments]
+    turns = [Slerp(at, Rotation.from_matrix(R[:, k])) for k in range(len(segments))]
+    spline = CubicSpline(at, p)
+
+    def points(t: Array) -> tuple[Array, Array]:
+        return spline(t), np.stack([turn(t).as_matrix() for turn in turns], axis=1)
+
+    def session(
+        path: Path,
+        noise: float = 0.0,
+        duration: float = DURATION,
+        seed: int = 1,
+        person: str = "",
+        events: Sequence[Event] = (),
+    ) -> Path:
+        of = replace(info, participant=person)
+        rng = np.random.default_rng(seed)
+        t = np.arange(0, duration, 0.01)
+        x, R_GB = points(t)
+        x = x + rng.normal(0, 1, x.shape) * noise
+        q = so3.quat_from_matrix(R_GB)
+        like = truth_message(START, sim.truth(START), of)
+        sd = np.full(len(segments), noise)
+        with SessionRecorder(path, of, RecorderParams(images="none", sync=False)) as recorder:
+            for i, s in enumerate(t):
+                e = replace(like, t=float(s) + START, keypoints=x[i], keypoint_q=q[i])
+                recorder.write(replace(e, keypoint_sd=sd))
+            for event in events:
+                recorder.write(event)
+        return path
+
+    return Wearer(info, points, session)
+
+
+@pytest.fixture(scope="session")
+def tracked(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A minute with noise of 1 mm."""
+    return wearer.session(tmp_path_factory.mktemp("reference") / "tracked.mcap", 0.001)
+
+
+@pytest.fixture(scope="session")
+def short(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Likewise, 20 s."""
+    path = tmp_path_factory.mktemp("reference") / "short.mcap"
+    return wearer.session(path, 0.001, duration=20.0)
