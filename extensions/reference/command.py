@@ -74,3 +74,45 @@ def import_reference_command(args: argparse.Namespace) -> int:
     )
     finish(args, about.as_json(), lines, [*files, args.output])
     return 0
+
+
+def add_accuracy(command: argparse.ArgumentParser) -> None:
+    """Arguments of ``accuracy``."""
+    command.add_argument(
+        "sessions",
+        type=Path,
+        nargs="+",
+        metavar="SESSION",
+        help="sessions with a reference, or folders of them",
+    )
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="REPORT.html", help="the HTML page"
+    )
+    command.add_argument(
+        "--without-offsets", action="store_true", help="do not correct the markers' positions"
+    )
+    command.add_argument(
+        "--anonymous", action="store_true", help="omit the names of recordings and participants"
+    )
+    add_json(command)
+
+
+def accuracy_command(args: argparse.Namespace) -> int:
+    """Write the page, and print the line that can be quoted."""
+    from extensions.reference.accuracy import headline, measure
+    from extensions.reference.numbers import as_json
+    from extensions.reference.page import page
+    from extensions.reference.pairs import anonymized, read_pairs
+    from tracker.base.files import check_target, write_whole
+    from tracker.session.glance import sessions_in
+
+    paths = [path for path, _ in sessions_in(args.sessions)]
+    check_json(args, paths)
+    check_target(args.output, args.force, paths)
+    offsets = not args.without_offsets
+    pairs = [p for path in paths for p in read_pairs(path)]
+    pairs = anonymized(pairs) if args.anonymous else pairs
+    measured = [measure(p, offsets) for p in pairs]
+    write_whole(args.output, page(measured, offsets), args.force, paths)
+    finish(args, as_json(measured), [headline(measured)], [*paths, args.output])
+    return 0

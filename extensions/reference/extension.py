@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from extensions.reference.command import add_import, import_reference_command
+from extensions.reference.command import (
+    accuracy_command,
+    add_accuracy,
+    add_import,
+    import_reference_command,
+)
 from tracker.base.command import Command
 
 IMPORT = Command(
@@ -10,4 +15,10 @@ IMPORT = Command(
     "add a motion-capture recording to a session as a reference",
     import_reference_command,
     add=add_import,
+)
+ACCURACY = Command(
+    "accuracy",
+    "report the accuracy of sessions against their references",
+    accuracy_command,
+    add=add_accuracy,
 )

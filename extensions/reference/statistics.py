@@ -11,8 +11,7 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import f as f_distribution
-from scipy.stats import t as t_distribution
+from scipy.special import fdtri, stdtrit  # scipy.stats takes seconds to import
 
 from tracker.messages import Array
 
@@ -54,7 +53,7 @@ def bland_altman(
     low, high = bias - factor * sd, bias + factor * sd
     if len(d) < 2 or n < 2:
         return Agreement(len(d), n, bias, sd, low, high, UNKNOWN, UNKNOWN, UNKNOWN)
-    t = float(t_distribution.ppf(0.975, n - 1))
+    t = float(stdtrit(n - 1, 0.975))
     of_bias = t * sd / np.sqrt(n)
     of_limit = t * sd * np.sqrt(1 / n + factor**2 / (2 * (n - 1)))
     return Agreement(
@@ -142,8 +141,8 @@ def _icc_interval(
     freedom = (a * methods + b * error) ** 2 / (
         (a * methods) ** 2 / (k - 1) + (b * error) ** 2 / ((n - 1) * (k - 1))
     )
-    upper = float(f_distribution.ppf(0.975, n - 1, freedom))
-    lower = float(f_distribution.ppf(0.975, freedom, n - 1))
+    upper = float(fdtri(n - 1, freedom, 0.975))
+    lower = float(fdtri(freedom, n - 1, 0.975))
     common = k * methods + (k * n - k - n) * error
     return (
         float(n * (between - upper * error) / (upper * common + n * between)),
@@ -196,7 +195,7 @@ def random_intercept(values: Sequence[float], people: Sequence[Hashable]) -> Poo
     spread = between + error / counts
     weights = 1 / spread if (spread > 0).all() else counts
     mean = float((weights * means).sum() / weights.sum())
-    half = float(t_distribution.ppf(0.975, a - 1)) * (
+    half = float(stdtrit(a - 1, 0.975)) * (
         float(np.sqrt(1 / weights.sum())) if (spread > 0).all() else 0.0
     )
     return Pooled(

@@ -1,0 +1,226 @@
+"""The accuracy report as one HTML page that contains its figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+import numpy as np
+
+from extensions.reference.accuracy import (
+    ALL,
+    Bin,
+    Measured,
+    PointRow,
+    ScalarRow,
+    headline,
+    summary,
+)
+from extensions.reference.angles import MODEL
+from extensions.reference.figures import agreement, errors, svg
+from extensions.reference.statistics import Interval
+from tracker import __version__
+
+_STYLE = """
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
+  color: #222; background: #fff }
+table { border-collapse: collapse; margin: .6em 0 1.4em; font-variant-numeric: tabular-nums }
+th, td { padding: .15em .6em; text-align: right; border-bottom: 1px solid #ddd;
+  white-space: nowrap }
+th:first-child, td:first-child { text-align: left }
+thead th { border-bottom: 2px solid #888; vertical-align: bottom }
+.wide { overflow-x: auto } svg { max-width: 100%; height: auto } .note { color: #555 }
+.quote { font-size: 1.15em; border-left: 4px solid #0072b2; padding: .3em 1em }
+@media print { .wide { overflow: visible } body { font-size: 10px } }
+"""
+
+
+def page(measured: Sequence[Measured], offsets: bool = True) -> str:
+    """The report of one or several recordings; ``offsets``: errors are with marker offsets."""
+    parts = [
+        "<h1>Accuracy against a reference</h1>",
+        f'<p class="quote">{escape(headline(measured))}</p>',
+        _recordings(measured),
+        _summary(measured),
+    ]
+    for m in measured:
+        parts += _one(m, offsets)
+    parts.append(_definitions(offsets))
+    body = "\n".join(parts)
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        f"<title>Accuracy against a reference</title><style>{_STYLE}</style></head>\n"
+        f"<body>{body}\n</body></html>\n"
+    )
+
+
+def number(value: float, digits: int = 1) -> str:
+    """Empty if the value is unknown."""
+    return f"{value:.{digits}f}" if np.isfinite(value) else ""
+
+
+def _interval(ci: Interval, scale: float = 1.0, digits: int = 1) -> str:
+    if not np.isfinite(ci).all():
+        return ""
+    return f"{scale * ci[0]:.{digits}f} to {scale * ci[1]:.{digits}f}"
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    top = "".join(f"<th>{escape(h)}</th>" for h in head)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(c)}</td>" for c in row) + "</tr>\n" for row in rows
+    )
+    return f'<div class="wide"><table><thead><tr>{top}</tr></thead>\n{body}</table></div>'
+
+
+def _recordings(measured: Sequence[Measured]) -> str:
+    head = ("recording", "participant", "engine", "reference", "time offset s", "drift ppm",
+            "time residual ms", "registration rigid mm", "with marker offsets mm", "RMSE mm",
+            "95 % interval", "joint angles °")  # fmt: skip
+    rows = []
+    for m in measured:
+        about, timing = m.pairs.about, m.pairs.about.timing
+        drift = f"{1e6 * timing.drift:+.1f} ± {1e6 * timing.drift_sd:.1f}"
+        rows.append([
+            m.pairs.name, m.pairs.person, f"{m.pairs.engine} {m.pairs.version}",
+            f"{about.file} ({about.kind}, {about.rate:.6g} Hz)", f"{timing.offset:+.4f}",
+            drift if np.isfinite(timing.drift_sd) else "not estimated",
+            number(1e3 * timing.residual, 2), number(1e3 * about.rigid.residual, 2),
+            number(1e3 * about.with_offsets.residual, 2), number(1e3 * m.whole.rmse, 2),
+            _interval(m.whole.rmse_ci, 1e3, 2), number(float(np.rad2deg(m.angle_rmse))),
+        ])  # fmt: skip
+    return "<h2>Recordings</h2>" + _table(head, rows)
+
+
+def _summary(measured: Sequence[Measured]) -> str:
+    head = ("", "unit", "mean", "95 % interval", "sd between people", "sd within a person",
+            "people", "recordings")  # fmt: skip
+    rows = [
+        [r.name, r.unit, number(p.mean, 2), _interval(p.ci, digits=2), number(p.between, 2),
+         number(p.within, 2), str(p.people), str(p.recordings)]
+        for r in summary(measured)
+        for p in [r.pooled]
+    ]  # fmt: skip
+    return "<h2>All recordings</h2>" + _table(head, rows) if len(measured) > 1 else ""
+
+
+def _one(m: Measured, offsets: bool) -> list[str]:
+    angles = [r for r in m.scalars if r.is_angle]
+    lengths = [r for r in m.scalars if not r.is_angle]
+    parts = [
+        f"<h2>{escape(m.pairs.name)}</h2>",
+        "<h3>Keypoints</h3>",
+        _points(m, offsets),
+        _marker_offsets(m),
+    ]
+    if angles:
+        parts += ["<h3>Joint angles</h3>", _scalars(angles), svg(agreement(m))]
+    if lengths:
+        parts += ["<h3>Distances of fingertips</h3>", _scalars(lengths)]
+    parts += [
+        "<h3>Speed, state and claimed standard deviation</h3>",
+        svg(errors(m)),
+        _bins([*m.speeds, *m.states]),
+        f'<p class="note">Mean squared error in units of the claimed variance (1 if it is correct):'
+        f" {number(m.nees, 2)}.</p>",
+        "<h3>Largest errors</h3>",
+        _worst(m),
+    ]
+    return parts
+
+
+def _points(m: Measured, offsets: bool) -> str:
+    head = ["", "n", "independent", "RMSE mm", "95 % interval", "95 % below mm"]
+    head += [f"bias {a} mm" for a in "xyz"] + [f"limits {a} mm" for a in "xyz"] + ["ICC(2,1)"]
+    if offsets:
+        head.insert(5, "without marker offsets mm")
+    return _table(head, [_point(r, offsets) for r in m.points])
+
+
+def _point(r: PointRow, offsets: bool) -> list[str]:
+    cells = [r.name, str(r.n), number(r.n_effective, 0), number(1e3 * r.rmse, 2)]
+    cells += [_interval(r.rmse_ci, 1e3, 2), number(1e3 * r.p95)]
+    if offsets:
+        cells.insert(5, number(1e3 * r.rmse_rigid, 2))
+    cells += [number(1e3 * a.bias, 2) for a in r.axes]
+    cells += [_interval((a.low, a.high), 1e3) for a in r.axes]
+    icc = number(r.icc.value, 3) + (f" ({_interval(r.icc.ci, digits=3)})" if r.name != ALL else "")
+    return [*cells, icc.removesuffix(" ()")]
+
+
+def _marker_offsets(m: Measured) -> str:
+    found = m.pairs.about
+    if not found.with_offsets.offsets.any():
+        return ""
+    rows = [
+        [name, *(f"{1e3 * v:+.1f} ± {1e3 * s:.1f}" for v, s in zip(d, sd, strict=True)),
+         number(1e3 * float(np.linalg.norm(d)))]
+        for name, d, sd in zip(found.keypoints, found.with_offsets.offsets,
+                               found.with_offsets.offset_sd, strict=True)
+    ]  # fmt: skip
+    note = (
+        '<p class="note">Marker offsets: the constant position of each marker relative to the '
+        "estimated keypoint, in the axes of the keypoint's segment. They contain the placement of "
+        "the marker and the constant error of the estimate.</p>"
+    )
+    return note + _table(("", "x mm", "y mm", "z mm", "length mm"), rows)
+
+
+def _scalars(rows: Sequence[ScalarRow]) -> str:
+    head = ("", "unit", "independent", "RMSE", "bias", "95 % interval", "sd", "limits of agreement",
+            "interval of the lower", "of the upper", "ICC(2,1)", "95 % interval")  # fmt: skip
+    out = []
+    for r in rows:
+        scale, unit = (float(np.rad2deg(1.0)), "°") if r.is_angle else (1e3, "mm")
+        a = r.agreement
+        out.append([
+            r.name, unit, number(a.n_effective, 0), number(scale * r.rmse, 2),
+            number(scale * a.bias, 2), _interval(a.bias_ci, scale, 2), number(scale * a.sd, 2),
+            _interval((a.low, a.high), scale, 1), _interval(a.low_ci, scale, 1),
+            _interval(a.high_ci, scale, 1), number(r.icc.value, 3), _interval(r.icc.ci, digits=3),
+        ])  # fmt: skip
+    return _table(head, out)
+
+
+def _bins(bins: Sequence[Bin]) -> str:
+    rows = [[b.name, number(100 * b.share), number(1e3 * b.rmse, 2), number(1e3 * b.p95)]
+            for b in bins]  # fmt: skip
+    return _table(("", "share %", "RMSE mm", "95 % below mm"), rows)
+
+
+def clock(t: float) -> str:
+    """Time in the session as the replay shows it: minutes, seconds and milliseconds."""
+    minutes, seconds = divmod(t, 60.0)
+    return f"{int(minutes)}:{seconds:06.3f}"
+
+
+def _worst(m: Measured) -> str:
+    rows = [[clock(w.t), w.keypoint, number(1e3 * w.error), w.state, number(w.speed, 2)]
+            for w in m.worst]  # fmt: skip
+    return _table(("time in the session", "keypoint", "error mm", "state", "speed m/s"), rows)
+
+
+def _definitions(offsets: bool) -> str:
+    how = "after the marker offsets" if offsets else "without marker offsets"
+    definitions = (
+        f"Errors are estimate minus reference at each instant of the estimate, {how}. The "
+        "reference was registered with the estimate, so a constant difference of position, "
+        "orientation and, by movement, time between both systems is not part of the error. Errors "
+        "contain those of the reference.",
+        "x, y and z are the axes of the hand: to the fingers, to the left, out of the back.",
+        "Limits of agreement: bias ± 1.96 sd (Bland & Altman 1986). Intervals are 95 % confidence "
+        "intervals from the number of independent values, which follows from the autocorrelation "
+        "of the errors (Geyer 1992).",
+        "ICC(2,1): absolute agreement, two-way random effects, single measurement (Shrout & Fleiss "
+        "1979; interval of McGraw & Wong 1996). Of a keypoint: the least of its three coordinates.",
+        f"Joint angles of both are computed from keypoints by one model: {MODEL}.",
+        "Errors within k sd: the distance is compared with k √3 times the claimed standard "
+        "deviation per coordinate; the grey curve is χ²₃(3k²).",
+        "All recordings: a random intercept per person, by the method of moments; the interval is "
+        "by Student's t with one degree of freedom less than there are people. With one recording "
+        "per person the sd between people contains that within a person.",
+        "Measured: the part was seen by an IMU or a marker within the last half second. Inferred: "
+        "by synergy or from earlier measurements, as in occlusions. Lost values have no error.",
+    )
+    items = "".join(f"<li>{escape(s)}</li>" for s in definitions)
+    return f"<h2>Definitions</h2><ul>{items}</ul><p>Glovetrack {escape(__version__)}</p>"
