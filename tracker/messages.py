@@ -94,6 +94,15 @@ class CameraPose(_Frozen):
     p_GC: Array
 
 
+@record("camera_motion", shapes={"v_G": "3", "w_G": "3"})
+@dataclass(frozen=True, eq=False, slots=True)
+class CameraMotion(_Frozen):
+    """How the left rectified camera moves during an exposure: v_G (3,) m/s, w_G (3,) rad/s in G."""
+
+    v_G: Array
+    w_G: Array
+
+
 @record("camera_imu_sample", shapes={"gyro": "3", "accel": "3"})
 @dataclass(frozen=True, eq=False, slots=True)
 class CameraImuSample(_Frozen):
@@ -201,7 +210,8 @@ class BlobFrame(_Frozen):
 
     ``unhidden`` (2, M), where there is another hand: the factor by which that one, standing before
     them, lessens the probability that the left and the right camera see each marker of this one.
-    ``search`` is how far a hand may be looked for: a search takes as long as ten images.
+    ``search`` is how far a hand may be looked for: a search takes as long as ten images. ``motion``
+    is that of a moving camera whose rows are exposed one after the other.
     """
 
     t: float
@@ -215,6 +225,7 @@ class BlobFrame(_Frozen):
     index: int = -1
     unhidden: Array | None = None
     search: Search = Search.ANEW
+    motion: CameraMotion | None = None
 
 
 @record(
@@ -227,6 +238,7 @@ class BlobFrame(_Frozen):
         "match_left": "int m",
         "match_right": "int m",
         "residual": "m 4",
+        "row_shift": "2 m 2",
     },
 )
 @dataclass(frozen=True, eq=False, slots=True)
@@ -236,7 +248,9 @@ class FrameResult(_Frozen):
     predicted_left/right (M, 2) px of each marker (raw image), NaN outside; predicted_cov (M, 2, 2)
     of the left image; visible (M,) prior probability; match_left/right (M,) blob index or -1;
     residual (M, 4) px (left u, v, right u, v), NaN where unmatched. ``another``: the hand was given
-    up, since most of its patches were other markers than they seemed.
+    up, since most of its patches were other markers than they seemed. ``row_shift`` (2, M, 2)
+    rectified px of a rolling shutter: how far markers move in the left and the right image from the
+    image's instant until their rows are exposed.
     """
 
     t: float
@@ -250,6 +264,7 @@ class FrameResult(_Frozen):
     residual: Array
     stereo_points: int  # markers matched in both images
     another: bool = False
+    row_shift: Array | None = None
 
     @staticmethod
     def nothing(t: float, tracking: Tracking, markers: int) -> FrameResult:

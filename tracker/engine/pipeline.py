@@ -31,6 +31,7 @@ from tracker.messages import (
     Validity,
     WristPose,
 )
+from tracker.online.camera_motion import CameraMotionEstimate, TimedPose
 from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
 from tracker.online.frame_timing import FrameTiming, FrameTimingKept
 from tracker.online.pair_offset import PairOffset, PairOffsetKept
@@ -58,6 +59,7 @@ class PipelineKept:
     pair: PairOffsetKept = field(default_factory=PairOffsetKept)
     packet: float = -np.inf
     by_images: bool = False
+    camera_motion: TimedPose | None = None
 
 
 class Pipeline:
@@ -85,7 +87,7 @@ class Pipeline:
         self._uses_images = capabilities_of(self.settings.engine).images
         self.rig = rig = rig or ideal_rig()
         self._watch = RigWatch(rig)
-        self._camera = CameraTilt(rig.pose)
+        self._camera, self._camera_motion = CameraTilt(rig.pose), CameraMotionEstimate()
         offset = TimeOffset(hand, glove, rig)
         self.timing = FrameTiming(offset, self.settings.timing)
         self.pair_offset = PairOffset(rig)
@@ -135,7 +137,9 @@ class Pipeline:
         self.pair_offset.remember(frame)
         frame = self.ahead.synchronised(frame)
         if self._watch.usable(frame):
-            self.engine.feed_frame(self._camera.posed(self.timing.corrected(frame)))
+            frame = self._camera.posed(self.timing.corrected(frame))
+            rolling = self.rig.line_time > 0.0
+            self.engine.feed_frame(self._camera_motion.moved(frame) if rolling else frame)
             self._collect()
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
@@ -235,7 +239,9 @@ class Pipeline:
         timing, camera = self.timing.get_state(), self._camera.get_state()
         pair = self.pair_offset.get_state()
         engine = self.engine.get_state()
-        return PipelineKept(engine, timing, camera, pair, self._packet, self._by_images)
+        return PipelineKept(
+            engine, timing, camera, pair, self._packet, self._by_images, self._camera_motion.last
+        )
 
     def set_state(self, state: PipelineKept) -> None:
         """Restores a state that `get_state` returned."""
@@ -244,6 +250,7 @@ class Pipeline:
         self._camera.set_state(state.camera)
         self.pair_offset.set_state(state.pair)
         self._packet, self._by_images = state.packet, state.by_images
+        self._camera_motion.last = state.camera_motion
 
 
 def inferred(estimate: Estimate) -> Estimate:

@@ -93,6 +93,17 @@ class SimulateOptions:
         ),
     )
     """s"""
+    readout: float = field(
+        default=0.0,
+        metadata=argument(
+            "rolling shutter: time from the first row's exposure to the last one's (default: 0, "
+            "all rows at once)",
+            "--readout-ms",
+            type=thousandths,
+            metavar="MS",
+        ),
+    )
+    """s"""
     lenses: str = field(
         default="both",
         metadata=argument(

@@ -29,7 +29,7 @@ from tracker.simulation.shows import WORD
 from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
-from tracker.vision.rig import StereoRig, ideal_rig
+from tracker.vision.rig import LONGEST_READOUT, StereoRig, ideal_rig, with_readout
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
@@ -63,7 +63,8 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
 
 def _rig(options: SimulateOptions) -> StereoRig | None:
     """What looks on, if anything."""
-    known = {"both": ideal_rig(), "one": with_one_camera(ideal_rig()), "none": None}
+    rig = with_readout(ideal_rig(), options.readout)
+    known = {"both": rig, "one": with_one_camera(rig), "none": None}
     if options.lenses not in known:
         raise ConfigError(f"The lenses can be {', '.join(known)}, not {options.lenses!r}.")
     return known[options.lenses]
@@ -76,6 +77,8 @@ def _check_numbers(options: SimulateOptions) -> None:
         raise ConfigError("The frame rate must be between 5 and 240 a second.")
     if not 0 <= options.right_late <= MOST_LATE:
         raise ConfigError("The right camera may be late by 0 to 50 ms.")
+    if not 0 <= options.readout <= LONGEST_READOUT:
+        raise ConfigError("The rows of an image may be exposed over 0 to 100 ms.")
 
 
 def _info(options: SimulateOptions, texts: tuple[str, str]) -> SessionInfo:

@@ -198,8 +198,11 @@ class TimeOffset:
         if len(marker) < self._params.markers:
             return None
         pose, rig = frame.pose or self._rig.pose, self._rig
+        sides = rig.left.rectify(frame.left.uv[left]), rig.right.rectify(frame.right.uv[right])
+        if result.row_shift is not None:
+            sides = sides[0] - result.row_shift[0, marker], sides[1] - result.row_shift[1, marker]
         p_G, R_GB, misfit = _placed(
-            rig.left.rectify(frame.left.uv[left]), rig.right.rectify(frame.right.uv[right]),
+            np.ascontiguousarray(sides[0]), np.ascontiguousarray(sides[1]),
             rig.intrinsics, pose.R_GC, self._nominal[marker],
         )  # fmt: skip
         return _RootView(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
@@ -214,6 +217,8 @@ class TimeOffset:
         if blobs is None or len(marker) < self._params.markers_of_one:
             return None
         uv, rig = camera.rectify(blobs.uv[match[marker]]), self._rig
+        if result.row_shift is not None:
+            uv = uv - result.row_shift[int(camera is rig.right), marker]
         seen = (uv - [rig.cx, rig.cy]) / [rig.fx, rig.fy]
         found = posed(self._nominal[marker], seen)
         if found is None or found[2] > self._params.misfit:

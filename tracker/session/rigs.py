@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from tracker.base.clock import nanoseconds, seconds
 from tracker.base.damage import LeftOut
 from tracker.base.errors import ConfigError, FileError
+from tracker.base.notices import notice
 from tracker.geometry import so3
 from tracker.messages import EYES, CameraPose
 from tracker.session.mcap.input import McapInput, RawMessage
@@ -20,6 +22,40 @@ from tracker.vision.rig import Camera, StereoRig
 _INFOS = {topics.camera_info(c): c for c in EYES}
 _LOOK_FOR_RIG = 500  # messages
 _BEFORE_CONTENT = 12  # bytes of CDR header and stamp, which differ where nothing else does
+
+
+CAMERA = "camera"
+"""Metadata record of a camera with a rolling shutter."""
+LINE_TIME, FROM = "line_time_ns", "from_ns"
+
+
+def shutter_record(rig: StereoRig, since: int | None = None) -> dict[str, str]:
+    """The values of the record `CAMERA`: of a calibration valid from the log time ``since`` (ns)
+    on, None from the start."""
+    values = {LINE_TIME: str(nanoseconds(rig.line_time))}
+    return values if since is None else values | {FROM: str(since)}
+
+
+class LineTimes:
+    """How much later each row of a session's images is exposed than the one above it."""
+
+    def __init__(self, source: McapInput) -> None:
+        """Raises FileError for a record without a plausible number."""
+        self._from = [(0, 0.0)]
+        for record in source.metadata():
+            if record.name == CAMERA and LINE_TIME in record.metadata:
+                values = record.metadata
+                try:
+                    since, line_time = int(values.get(FROM, "0")), int(values[LINE_TIME])
+                except ValueError as error:
+                    raise FileError(notice("session.line_time", path=source.path)) from error
+                self._from.append((since, seconds(line_time)))
+        self._from.sort(key=lambda entry: entry[0])
+
+    def at(self, log_time: int) -> float:
+        """s a row, of a calibration that is valid from this log time (ns) on; 0 where all rows are
+        exposed at once."""
+        return [line_time for since, line_time in self._from if since <= log_time][-1]
 
 
 def is_camera(t: motion.Transform) -> bool:
@@ -80,17 +116,19 @@ def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
 
     Raises FileError where left and right are not of one calibration.
     """
-    start, count = _Start(), camera_count(source)
+    start, count, log_time = _Start(), camera_count(source), 0
     wanted = frozenset([*_INFOS, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
     for n, raw in enumerate(ordered(source, wanted)):
         start.take(raw, source.left_out)
+        log_time = raw.log_time
         if (len(start.cameras) == count and start.first is not None) or n > _LOOK_FOR_RIG:
             break
     pose, moving = start.exact or start.fixed or start.first, start.fixed is None
     if len(start.cameras) < count or pose is None:
         return None, moving
     try:
-        return _rig_of(start.cameras, pose, count), moving
+        rig = _rig_of(start.cameras, pose, count)
+        return replace(rig, line_time=LineTimes(source).at(log_time)), moving
     except ConfigError as error:
         raise FileError(f"{source.path}: {error}") from error
 
@@ -150,11 +188,12 @@ def rig_changes(source: McapInput, moving: CameraPose | None) -> Iterator[tuple[
     """
     pose_topics = [] if moving is not None else [topics.TF_STATIC, topics.CAMERA_POSE]
     current, changed = _Current(camera_count(source), pose=moving), -1
+    line_times = LineTimes(source)
     for raw in ordered(source, frozenset([*_INFOS, *pose_topics])):
         if 0 <= changed < raw.log_time and (rig := current.rig()) is not None:
-            yield changed, rig
+            yield changed, replace(rig, line_time=line_times.at(changed))
             changed = -1
         if current.take(raw, source.left_out):
             changed = raw.log_time
     if changed >= 0 and (rig := current.rig()) is not None:
-        yield changed, rig
+        yield changed, replace(rig, line_time=line_times.at(changed))

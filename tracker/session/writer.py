@@ -19,6 +19,7 @@ from tracker.session.encode import Arrivals, Encoder, ImageCoding, Out, status_n
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
 from tracker.session.mcap.disk import automatic_path
+from tracker.session.rigs import CAMERA, shutter_record
 from tracker.session.ros import motion, topics
 from tracker.vision.rig import StereoRig
 
@@ -108,6 +109,8 @@ class SessionRecorder:
         out.metadata(METADATA, self.info.metadata())
         for name, text in self.info.attachments().items():
             out.attach(name, text, now)
+        if self.info.rig is not None and self.info.rig.line_time:
+            out.metadata(CAMERA, shutter_record(self.info.rig))
         if self.info.rig is not None:
             self._put(out, self._encoder.rig(self.info.rig, seconds(self.info.anchor.monotonic_ns)))
         self._put(out, self._descriptions(now))
@@ -189,7 +192,11 @@ class SessionRecorder:
 
     def write_rig(self, rig: StereoRig, t: float) -> None:
         """Writes a calibration that is valid from ``t`` on."""
+        before = 0.0 if self.info.rig is None else self.info.rig.line_time
         self.info = replace(self.info, rig=rig)
+        if rig.line_time != before:
+            record = shutter_record(rig, self.info.anchor.wall(t))
+            self._guarded(lambda out: out.metadata(CAMERA, record))
         self._guarded(lambda out: self._put(out, self._encoder.rig(rig, t)))
 
     def _put(self, out: McapOutput, messages: Iterator[Out]) -> None:

@@ -44,8 +44,16 @@ class EyeView(NamedTuple):
 
 JITTER_PX = np.array([[-0.25, 0.15], [0.3, 0.3], [-0.05, -0.35], [0.2, -0.1]])
 """Sub-pixel offset of each instant: smooths edges at no cost."""
+SPEED_STEP = 0.005  # s
 SLOW_PX = 0.5
 """px of motion over half the shutter below which two instants are sufficient."""
+
+
+def speed_of(scene: Scene, t: float) -> float:
+    """px/s by which the fastest segment moves about the time t (s)."""
+    first, last = (scene.instant(t + s) for s in (-SPEED_STEP, SPEED_STEP))
+    path = float(np.abs(last.p_CB - first.p_CB).max())
+    return path / (2 * SPEED_STEP) / max(float(first.p_CB[0, 2]), 0.05) * scene.rig.fx
 
 
 def moments_of(

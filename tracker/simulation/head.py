@@ -15,6 +15,7 @@ from tracker.simulation.smooth import SmoothNoise, rng_for
 class HeadParams:
     """Standard deviations along or about each axis; all zero for a static camera.
 
+    ``turn_deg`` (°/s) is the peak rate of a head that turns from side to side with ``turn_hz`` Hz.
     ``tells``: its reports, "pose" with each image, the measurements of its "imu", or "nothing".
     """
 
@@ -24,6 +25,8 @@ class HeadParams:
     error_mm: float = 0.0  # of the reported pose
     error_deg: float = 0.0
     error_time: float = 1.5
+    turn_deg: float = 0.0
+    turn_hz: float = 1.5
     tells: str = "pose"
 
 
@@ -44,12 +47,17 @@ class Head:
     def moves(self) -> bool:
         """Whether a pose is reported with each frame."""
         p = self._params
-        return any((p.sway_mm, p.sway_deg, p.error_mm, p.error_deg))
+        return any((p.sway_mm, p.sway_deg, p.error_mm, p.error_deg, p.turn_deg))
 
     def pose(self, t: float) -> CameraPose:
         """The true pose of the left camera in G at the time t (s)."""
         p = self._params
-        return _moved(self._stand, self._sway(np.array([t]))[0], p.sway_mm, p.sway_deg)
+        pose = _moved(self._stand, self._sway(np.array([t]))[0], p.sway_mm, p.sway_deg)
+        if p.turn_deg == 0:
+            return pose
+        omega = 2 * np.pi * p.turn_hz
+        turned = np.deg2rad(p.turn_deg) / omega * np.sin(omega * t)
+        return CameraPose(pose.R_GC @ so3.exp(np.array([0.0, turned, 0.0])), pose.p_GC)
 
     def reported(self, t: float) -> CameraPose | None:
         """The pose from the camera's odometry; None for a static camera or without odometry."""

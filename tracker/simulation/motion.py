@@ -7,7 +7,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from tracker.messages import Array
+from tracker.messages import Array, CameraPose
 from tracker.simulation.smooth import minimum_jerk
 
 
@@ -77,6 +77,35 @@ class Faster:
 
     def poses(self, t: Array) -> Poses:
         return self.motion.poses(np.asarray(t) * self.factor)
+
+
+ALONG, DOWN = (0.8, 1.6), (0.6, 2.3)
+"""Share of the speed, and Hz, of a hand's swing along the rows of an image and across them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Swinging:
+    """A motion carried to and fro before a camera, at ``speed`` m/s where it is fastest."""
+
+    motion: Motion
+    speed: float
+    camera: CameraPose
+
+    @property
+    def duration(self) -> float:
+        return self.motion.duration
+
+    @property
+    def follows_synergies(self) -> bool:
+        return self.motion.follows_synergies
+
+    def poses(self, t: Array) -> Poses:
+        poses = self.motion.poses(t)
+        shift = np.zeros((len(t), 3))
+        for axis, (share, hz) in enumerate((ALONG, DOWN)):
+            omega = 2 * np.pi * hz
+            shift[:, axis] = share * self.speed / omega * np.sin(omega * np.asarray(t))
+        return poses._replace(p_GB=poses.p_GB + shift @ self.camera.R_GC.T)
 
 
 @dataclass(frozen=True, eq=False)

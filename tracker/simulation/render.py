@@ -19,8 +19,10 @@ from tracker.simulation.exposure import (
     moments_of,
     patches_of_all,
     seen_patches,
+    speed_of,
 )
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
+from tracker.simulation.row_sampling import RowBand, bands_of
 from tracker.simulation.sewn import SeenPatches
 from tracker.simulation.shading import Cloth, Light, develop, shade
 from tracker.simulation.smooth import rng_for
@@ -115,25 +117,41 @@ class Renderer:
     def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
         """The image of each camera, (h, w, 3) uint8 BGR, the left one first; drawn ``into`` the
         given arrays, if any."""
-        moments = moments_of(
-            self.scene, t, self.params.shutter, min(self.params.exposures, len(JITTER_PX))
-        )
+        exposures = self._exposures(t)
         ns = nanoseconds(t)
         rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
         sides = [int(side == "right") for side in self.scene.rig.sides]
         out = tuple(into or (np.empty_like(self._ground[side]) for side in sides))
         for image, side in zip(out, sides, strict=True):
-            self._draw(image, moments, side, rng)
+            image[:] = self._noisy[side][int(rng.integers(4))]
+            for moments, band in exposures:
+                self._draw(image, moments, side, rng, band)
         return out
 
+    def _exposures(self, t: float) -> list[tuple[list[Instant], RowBand | None]]:
+        """Instants of the shutter, and of a rolling one the rows that are exposed then."""
+        p, rig = self.params, self.scene.rig
+        how = p.shutter, min(p.exposures, len(JITTER_PX))
+        if rig.line_time == 0.0:
+            return [(moments_of(self.scene, t, *how), None)]
+        bands = bands_of(rig, rig.left, speed_of(self.scene, t))
+        return [(moments_of(self.scene, t + band.delay, *how), band) for band in bands]
+
     def _draw(
-        self, out: Image, moments: list[Instant], side: int, rng: np.random.Generator
+        self,
+        out: Image,
+        moments: list[Instant],
+        side: int,
+        rng: np.random.Generator,
+        band: RowBand | None,
     ) -> None:
-        """Draws the view of the left (0) or the right camera (1) into ``out`` (h, w, 3)."""
-        out[:] = self._noisy[side][int(rng.integers(4))]
+        """Draws the view of the left (0) or the right camera (1) into ``out`` (h, w, 3), or into a
+        band of its rows."""
         eye = np.array([self.scene.rig.baseline * side, 0.0, 0.0])
         camera = self.scene.rig.right if side else self.scene.rig.left
         boxes = [pixels_of(bounds(m.solids, eye, self._K), camera) for m in moments]
+        if band is not None:
+            boxes = [_within(box, band) for box in boxes]
         all_boxes = np.concatenate(boxes)
         some = all_boxes[all_boxes[:, 0] < all_boxes[:, 2]]
         if len(some) == 0:
@@ -167,3 +185,11 @@ class Renderer:
             np.concatenate([solids.colour, solids.box_colour]) * self.params.gain,
         )
         shade(rays, buffer, solids, cloth, patches, self._light, ground, total)
+
+
+def _within(pixels: IntArray, band: RowBand) -> IntArray:
+    """Bounds (n, 4) px of what is in these rows, empty where nothing is."""
+    out = pixels.copy()
+    out[:, [1, 3]] = np.clip(out[:, [1, 3]], band.first, band.end)
+    out[out[:, 1] >= out[:, 3]] = 0
+    return out

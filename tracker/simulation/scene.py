@@ -21,6 +21,7 @@ from tracker.simulation.patches import (
     sample_pattern,
     view_patches,
 )
+from tracker.simulation.row_sampling import OwnRow, instants_for, row_delay
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import BodyShape, Instant, Solids, together
 from tracker.simulation.wearer import Wearer
@@ -63,6 +64,15 @@ class SeenMarkers(NamedTuple):
     visible: NDArray[np.bool_]
     facing: Array
     whole: Array
+
+
+class _Balls(NamedTuple):
+    """Coloured balls in one image: uv, extent (n, 2) px, hue (n,), and which of them are seen."""
+
+    uv: Array
+    extent: Array
+    hue: IntArray
+    seen: NDArray[np.bool_]
 
 
 class SimulatedScene:
@@ -139,21 +149,55 @@ class SimulatedScene:
         """The blobs that a good detector finds in the exposure at t (s)."""
         now = self.instant(t)
         rng = rng_for(self.seed, "blobs", nanoseconds(t) % 2**32, nanoseconds(t) // 2**32)
-        left = self._side(now, t, False, rng)
-        right = None if self.rig.one_camera else self._side(now, t, True, rng)
+        look = self._look_by_rows if self.rig.line_time else self._look
+        left = self._side(*look(now, t, False), rng)
+        right = None if self.rig.one_camera else self._side(*look(now, t, True), rng)
         arrival = t if t_arrival is None else t_arrival
         hues = self.wearer.glove.hues
         return BlobFrame(t, arrival, hues, left, right, self.reported_pose(t), index=index)
 
-    def _side(self, now: Instant, t: float, right: bool, rng: np.random.Generator) -> Blobs:
-        seen = self.markers_seen(now, right)
+    def _look(self, now: Instant, t: float, right: bool) -> tuple[SeenMarkers, list[_Balls]]:
+        """What one camera sees at one instant."""
+        balls = [self._coloured(now, extra, t, right) for extra in self.extras]
+        return self.markers_seen(now, right), balls
+
+    def _look_by_rows(
+        self, now: Instant, t: float, right: bool
+    ) -> tuple[SeenMarkers, list[_Balls]]:
+        """The same of a rolling shutter: everything as it is when its own row is exposed."""
+        rig, camera = self.rig, self.rig.right if right else self.rig.left
+        first = self._look(now, t, right)
+        rows = np.concatenate([first[0].uv[:, 1], *(b.uv[:, 1] for b in first[1])])
+        after = instants_for(rig, camera, rows)
+        looks = [self._look(self.instant(t + s), t + s, right) for s in after]
+        seen, balls = [look[0] for look in looks], list(zip(*(b for _, b in looks), strict=True))
+
+        def own(uv: Array) -> OwnRow:
+            return OwnRow.of(after, row_delay(rig, camera, uv[..., 1]))
+
+        uv, extent, _, facing, whole = (np.stack(column) for column in zip(*seen, strict=True))
+        there = own(uv)
+        uv, extent, facing, whole = map(there.of_values, (uv, extent, facing, whole))
+        visible = (facing > self.params.facing) & (whole > self.params.whole)
+        visible &= inside(camera, uv, extent)
+        out = []
+        for same in balls:
+            at = own(np.stack([b.uv for b in same]))
+            place, size = (
+                at.of_values(np.stack([getattr(b, n) for b in same])) for n in ("uv", "extent")
+            )
+            shown = np.stack([b.seen for b in same])[at.before, np.arange(len(place))]
+            out.append(_Balls(place, size, same[0].hue, shown & inside(camera, place, size)))
+        return SeenMarkers(uv, extent, visible, facing, whole), out
+
+    def _side(self, seen: SeenMarkers, balls: list[_Balls], rng: np.random.Generator) -> Blobs:
         kept = seen.visible & (rng.random(len(seen.visible)) >= self.params.dropout)
         hue = self.wearer.glove.marker_hue[kept]
         uv, size = seen.uv[kept], seen.extent[kept]
-        for extra in self.extras:
-            more = self._coloured(now, extra, t, right)
-            uv, size = np.concatenate([uv, more[0]]), np.concatenate([size, more[1]])
-            hue = np.concatenate([hue, more[2]])
+        for more in balls:
+            uv = np.concatenate([uv, more.uv[more.seen]])
+            size = np.concatenate([size, more.extent[more.seen]])
+            hue = np.concatenate([hue, more.hue[more.seen]])
         free = ~touching(uv, size, hue)
         return self._measured(uv[free], size[free], hue[free], rng)
 
@@ -165,10 +209,8 @@ class SimulatedScene:
         score = rng.uniform(0.7, 1.0, len(uv))
         return Blobs((uv + noise)[order], size[order], hue[order], score)
 
-    def _coloured(
-        self, now: Instant, extra: Extra, t: float, right: bool
-    ) -> tuple[Array, Array, IntArray]:
-        """Distractors in one image that are not occluded: uv, size (px) and hue index."""
+    def _coloured(self, now: Instant, extra: Extra, t: float, right: bool) -> _Balls:
+        """Distractors in one image; those ``seen`` are not occluded."""
         centre, radius, names = extra.coloured(t)
         pose = self.pose(t)
         p_C = (centre - pose.p_GC) @ pose.R_GC
@@ -182,7 +224,7 @@ class SimulatedScene:
         known = np.array([h in hues for h in names], bool)
         seen = front & known & inside(camera, uv, size) & self._in_sight(now, p_C, radius, right)
         hue = np.array([hues.index(h) if h in hues else -1 for h in names], np.int64)
-        return uv[seen], size[seen], hue[seen]
+        return _Balls(uv, size, hue, seen)
 
     def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> NDArray[np.bool_]:
         """(n,) bool: whether the balls' centres are visible past the solids."""

@@ -38,16 +38,16 @@ def through(frame: BlobFrame, lenses: str) -> BlobFrame:
     return frame
 
 
-def one_camera_rig(camera: Camera, pose: CameraPose) -> StereoRig:
+def one_camera_rig(camera: Camera, pose: CameraPose, line_time: float = 0.0) -> StereoRig:
     """A rig for a device with one camera, the left one, whose pose is that of ``camera.R``'s
-    axes."""
+    axes; ``line_time`` as of the rig."""
     P_left = np.column_stack([camera.P[:, :3], np.zeros(3)])
     P_right = P_left.copy()
     P_right[0, 3] = -UNUSED_BASELINE * P_left[0, 0]
     left, right = (replace(camera, P=P) for P in (P_left, P_right))
-    return StereoRig(left, right, pose, one_camera=True)
+    return StereoRig(left, right, pose, True, line_time)
 
 
 def with_one_camera(rig: StereoRig) -> StereoRig:
     """A stereo rig without its right camera."""
-    return one_camera_rig(rig.left, rig.pose)
+    return one_camera_rig(rig.left, rig.pose, rig.line_time)

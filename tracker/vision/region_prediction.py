@@ -89,7 +89,11 @@ class RegionPrediction:
             view = PosedCamera(
                 pose.R_GC, pose.p_GC, shift, rig.intrinsics, camera.width, camera.height
             )
-            uv, radius, rows = seen_soon(markers, t + late - self.t, view)
+            ahead = np.full(len(self.p_G), t + late - self.t)
+            uv, radius, rows = seen_soon(markers, ahead, view)
+            if rig.line_time:
+                ahead[rows] += rig.row_delays(np.stack([uv, uv]))[int(camera is rig.right)]
+                uv, radius, rows = seen_soon(markers, ahead, view)
             sides.append(DetectionHints(camera.unrectify(uv), radius, hue[rows]))
         return sides[0], sides[1]
 
@@ -115,10 +119,10 @@ def together(predictions: Sequence[RegionPrediction]) -> RegionPrediction:
 
 @kernel(nogil=False)
 def seen_soon(
-    markers: MovingMarkers, ahead: float, view: PosedCamera
+    markers: MovingMarkers, ahead: Vector, view: PosedCamera
 ) -> tuple[Matrix, Vector, IntVector]:
     """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near an image,
-    ``ahead`` s later.
+    each ``ahead`` (n,) s later.
 
     Markers behind the camera, or so far outside the image that a lens polynomial is invalid, are
     excluded.
@@ -131,13 +135,13 @@ def seen_soon(
     for i in range(len(p_G)):
         x, y, z = 0.0, 0.0, 0.0
         for k in range(3):
-            d = p_G[i, k] + ahead * v_G[i, k] - p_GC[k]
+            d = p_G[i, k] + ahead[i] * v_G[i, k] - p_GC[k]
             x, y, z = x + d * R_GC[k, 0], y + d * R_GC[k, 1], z + d * R_GC[k, 2]
         if not z >= NEAREST:
             continue
         u, v = fx * (x - view.shift) / z + cx, fy * y / z + cy
         if -0.5 * width < u < 1.5 * width and -0.5 * height < v < 1.5 * height:
-            reach = size[i] + 3 * sd[i] + SPEED_SD * abs(ahead)
+            reach = size[i] + 3 * sd[i] + SPEED_SD * abs(ahead[i])
             uv[n, 0], uv[n, 1], rows[n] = u, v, i
             radius[n] = fx * reach / max(z, CLOSE) + MARGIN_PX
             n += 1

@@ -6,19 +6,21 @@ where both cameras share K and rows. The four matrices are those of a ROS Camera
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
 import cv2
 import numpy as np
 
+from tracker.base.clock import nanoseconds, seconds
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose
 
+LONGEST_READOUT = 0.1  # s, from the first row of an image to the last
 NEAREST = 0.01  # m in front of the camera, minimum depth for projection
 
 
@@ -74,15 +76,21 @@ class StereoRig:
     """Two cameras and, for a fixed rig, its pose in G.
 
     A device with ``one_camera`` has only the left one; the right one is then a placeholder, see
-    `tracker.vision.lenses.one_camera_rig`.
+    `tracker.vision.lenses.one_camera_rig`. ``line_time`` s, a whole number of nanoseconds, is the
+    delay of each row of the left image after the row above it; 0 for a global shutter. The right
+    camera has the same readout time. Raises ConfigError for impossible values.
     """
 
     left: Camera
     right: Camera
     pose: CameraPose
     one_camera: bool = False
+    line_time: float = 0.0
 
     def __post_init__(self) -> None:
+        if not 0.0 <= self.line_time * (self.left.height - 1) <= LONGEST_READOUT + 1e-6:
+            raise ConfigError(notice("stereo.line_time", line_time_us=self.line_time * 1e6))
+        object.__setattr__(self, "line_time", seconds(nanoseconds(self.line_time)))
         if self.baseline <= 1e-4:
             raise ConfigError(notice("stereo.baseline_negative", baseline_mm=self.baseline * 1000))
         if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
@@ -118,6 +126,19 @@ class StereoRig:
     def baseline(self) -> float:
         """Distance of the two cameras, m."""
         return float(-self.right.P[0, 3] / self.right.P[0, 0])
+
+    def row_delays(self, uv: Array) -> Array:
+        """(2, n) s by which the rows of rectified pixels uv (2, n, 2) are exposed after the middle
+        row, whose instant is that of the image. Rows outside the image count as its edge."""
+        out = np.zeros(uv.shape[:2])
+        if self.line_time == 0.0:
+            return out
+        for c, camera in enumerate((self.left, self.right)):
+            seen = np.flatnonzero(np.isfinite(uv[c]).all(axis=1))
+            row = np.clip(camera.unrectify(uv[c, seen])[:, 1], 0, camera.height - 1)
+            per_row = self.line_time * self.left.height / camera.height
+            out[c, seen] = (row - (camera.height - 1) / 2) * per_row
+        return out
 
     def project(self, p_C: Array, right: bool = False) -> Array:
         """Points (…, 3) of C to rectified pixels (…, 2). NaN for points not in front (z < 1 cm)."""
@@ -181,6 +202,12 @@ def ideal_rig(
     left = Camera(width, height, K, none, np.eye(3), P_left)
     right = Camera(width, height, K, none, np.eye(3), P_right)
     return StereoRig(left, right, pose or default_pose())
+
+
+def with_readout(rig: StereoRig, readout: float) -> StereoRig:
+    """The rig whose rows are exposed one after the other, the last one ``readout`` s after the
+    first."""
+    return replace(rig, line_time=readout / (rig.left.height - 1))
 
 
 def default_pose() -> CameraPose:

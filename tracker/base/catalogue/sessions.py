@@ -2,6 +2,7 @@
 
 TEXTS = {
     "session.messages_damaged": "Damaged messages in {file} were ignored: {topics:list}.",
+    "session.line_time": "{path}: the camera's line time is not a whole number of nanoseconds.",
     "session.robot_unknown": "{path} does not describe the robot {robot}.",
     "session.robot_not_json": "The session's robot description is not JSON.",
     "session.robot_not_object": "The session's robot description is not a JSON object.",

@@ -89,6 +89,9 @@ TEXTS = {
         "The stereo calibration has a baseline of {baseline_mm:.1f} mm: left and right "
         "are swapped, or this is not a stereo pair."
     ),
+    "stereo.line_time": (
+        "A line time of {line_time_us:g} µs is not plausible: an image is read within 0.1 s."
+    ),
     "stereo.matrices_differ": "The two rectified cameras must share one matrix P[:, :3].",
     "board.unknown_kind": 'A board is {kinds:or}, not "{kind}".',
     "board.square_count": (

@@ -16,6 +16,12 @@ from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.pixel_rows import point_rows
 from tracker.fusion.chain.prediction import PosedRig, Prediction, expected, pixel_jacobians, viewed
+from tracker.fusion.chain.row_exposure import (
+    RowExposure,
+    exposed,
+    marker_velocities,
+    with_velocity,
+)
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import Completion
 from tracker.kernels import kernel
@@ -91,14 +97,23 @@ class PixelModel:
         self._complete.wear(gains, lateral)
 
     def predict(
-        self, state: ChainState, pose: CameraPose, unhidden: Array | None = None
+        self,
+        state: ChainState,
+        pose: CameraPose,
+        unhidden: Array | None = None,
+        exposure: RowExposure | None = None,
     ) -> Prediction:
-        """Predicts the markers in the images; ``unhidden`` as in a `BlobFrame`."""
+        """Predicts the markers in the images; ``unhidden`` as in a `BlobFrame`, ``exposure`` for a
+        camera with a rolling shutter."""
         lay, rig, noise = self._layout, self._rig, self._noise.pixel
         view, markers, body = PosedRig.of(rig, pose), marker_points(state, lay), state.body
         p_GB, p_G, normal_G, p_C, uv = viewed(
             lay.skeleton, body, state.p, markers, lay.glove.marker_normal, view
         )
+        delay = None
+        if exposure is not None:
+            v_C = marker_velocities(state, lay, markers, exposure, view)
+            uv, p_C, delay = exposed(p_C, v_C, uv, rig)
         R_all, p_all, *_ = self._complete(state.R_GB, p_GB, state.scale3())
         seen = MarkerRows(p_G, normal_G, self._segment)
         prior = visibility_at(uv, PosedHand(self._shape, R_all, p_all), seen, rig, pose)
@@ -108,7 +123,25 @@ class PixelModel:
         rows, H, HP, cov, S = expected(
             lay.skeleton, lay.blocks, body, markers, state.P, prior, A, noise
         )
-        return Prediction(rows, uv, prior, H, HP, cov, A, S)
+        found = Prediction(rows, uv, prior, H, HP, cov, A, S)
+        if delay is not None:
+            with_velocity(found, delay, state.P, noise.pixel_px)
+        return found
+
+    def row_shift(
+        self, state: ChainState, pose: CameraPose, exposure: RowExposure | None
+    ) -> Array | None:
+        """(2, M, 2) rectified px from where markers are at the image's instant to where they are
+        when their rows are exposed; None of a global shutter."""
+        if exposure is None:
+            return None
+        lay, rig = self._layout, self._rig
+        view, markers = PosedRig.of(rig, pose), marker_points(state, lay)
+        *_, p_C, uv = viewed(
+            lay.skeleton, state.body, state.p, markers, lay.glove.marker_normal, view
+        )
+        v_C = marker_velocities(state, lay, markers, exposure, view)
+        return exposed(p_C, v_C, uv, rig).uv - uv
 
     def match(self, prediction: Prediction, seen: tuple[SeenBlobs, ...]) -> IntArray:
         """(2, M) row of `seen` for each marker, -1 for none."""

@@ -5,7 +5,7 @@ The measurement rows are in `pixels`; how a hand is found without a prior, in `s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -19,10 +19,12 @@ from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.params import ChainParams, NoiseParams
 from tracker.fusion.chain.pixels import USUAL_LN_DET, PixelModel, SeenBlobs, Tally, seen_blobs
-from tracker.fusion.chain.prediction import Prediction
+from tracker.fusion.chain.prediction import PosedRig, Prediction
 from tracker.fusion.chain.reports import frame_result
+from tracker.fusion.chain.row_exposure import RowExposure, root_velocities
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import LIKELY, Evidence, evidence
+from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.geometry import so3
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.vision.correspondence import misfit
@@ -105,11 +107,14 @@ NOBODY = -2  # owner of a blob without a marker
 
 
 class SeenImage(NamedTuple):
-    """An exposure: blobs of both sides in rectified pixels, and the camera pose."""
+    """An exposure: blobs of both sides in rectified pixels, and the camera pose; the motion during
+    the exposure of a rolling shutter, and the blobs without the camera's rotation during it."""
 
     frame: BlobFrame
     blobs: tuple[SeenBlobs, ...]
     pose: CameraPose
+    exposure: RowExposure | None
+    unturned: tuple[SeenBlobs, ...]
 
     @property
     def most_blobs(self) -> int:
@@ -154,8 +159,16 @@ class RecognitionKept:
 class Recognition:
     """For one glove seen by one rig."""
 
-    def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
+    def __init__(
+        self,
+        layout: ChainLayout,
+        rig: StereoRig,
+        params: ChainParams,
+        buffer: ImuBuffer | None = None,
+    ) -> None:
+        """``buffer`` is what a camera with a rolling shutter reads rates from."""
         self._layout, self._rig, self._params = layout, rig, params
+        self._buffer = buffer or ImuBuffer(len(layout.glove.imus))
         self._pixels = PixelModel(layout, rig, params.noise)
         self._loose = LooseRows(layout, rig, params.noise)
         self.digit = digit_of(layout)
@@ -168,12 +181,23 @@ class Recognition:
     def image(self, frame: BlobFrame) -> SeenImage:
         """The blobs of a frame whose hue is in the glove."""
         blobs = seen_blobs(frame, self._rig, self._layout.glove.hues)
-        return SeenImage(frame, blobs, frame.pose or self._rig.pose)
+        pose, rig = frame.pose or self._rig.pose, self._rig
+        exposure, unturned = RowExposure.of(frame, rig, self._buffer), blobs
+        if exposure is not None:
+            left, right = (
+                side._replace(uv=exposure.turned_back(side.uv, bool(c), rig, pose))
+                for c, side in enumerate(blobs)
+            )
+            unturned = left, right
+        return SeenImage(frame, blobs, pose, exposure, unturned)
+
+    def _predict(self, state: ChainState, image: SeenImage) -> Prediction:
+        return self._pixels.predict(state, image.pose, image.frame.unhidden, image.exposure)
 
     def follow(self, state: ChainState, image: SeenImage) -> Recognised:
         """Matches blobs near the markers predicted by ``state``, or near those of the previous
         image."""
-        prediction = self._pixels.predict(state, image.pose, image.frame.unhidden)
+        prediction = self._predict(state, image)
         compared, previous = prediction, self.kept.previous
         if previous is not None:
             compared = previous.at(image.frame.t, self._params.prior.velocity)
@@ -181,7 +205,7 @@ class Recognition:
 
     def look(self, state: ChainState, image: SeenImage) -> Recognised:
         """Matches blobs near the markers predicted by ``state``, independent of earlier images."""
-        prediction = self._pixels.predict(state, image.pose, image.frame.unhidden)
+        prediction = self._predict(state, image)
         return Recognised(prediction, self._pixels.match(prediction, image.blobs))
 
     def evidence(self, image: SeenImage, found: Recognised) -> Evidence:
@@ -194,10 +218,18 @@ class Recognition:
             *evidence(found.prediction, found.match, left, right, hue, of_marker, digits)
         )
 
-    def pairs(self, image: SeenImage) -> StereoMatches:
-        """All stereo points that blob pairs may form."""
+    def pairs(self, state: ChainState, image: SeenImage) -> StereoMatches:
+        """All stereo points that blob pairs may form. For a rolling shutter, they are moved to the
+        image's instant with the velocity of the root of ``state``."""
         left, right = image.blobs
-        return all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
+        pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
+        if image.exposure is None:
+            return pairs
+        uv = np.stack([left.uv[pairs.left_index], right.uv[pairs.right_index]])
+        view = PosedRig.of(self._rig, image.pose)
+        v_C = root_velocities(state, self._layout, pairs.p_C, image.exposure, view)
+        delay = self._rig.row_delays(uv).mean(axis=0)
+        return replace(pairs, p_C=pairs.p_C - delay[:, None] * v_C)
 
     def free_points(
         self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int
@@ -290,6 +322,23 @@ class Recognition:
         frame = image.frame
         if self._params.guide == "previous":
             self.kept.previous = PreviousPrediction(
-                frame.t, self._pixels.predict(state, image.pose)
+                frame.t, self._pixels.predict(state, image.pose, exposure=image.exposure)
             )
-        return frame_result(frame, self._rig, tracking, found.prediction, image.blobs, found.match)
+        result = frame_result(
+            frame, self._rig, tracking, found.prediction, image.blobs, found.match
+        )
+        shift = self._pixels.row_shift(state, image.pose, image.exposure)
+        return result if shift is None else replace(result, row_shift=shift)
+
+    def at_once(self, state: ChainState, image: SeenImage, found: Recognised) -> SeenImage:
+        """The image with recognised blobs where they would be, had all rows been exposed at the
+        image's own instant."""
+        shift = self._pixels.row_shift(state, image.pose, image.exposure)
+        if shift is None:
+            return image
+        sides = []
+        for c, side in enumerate(image.blobs):
+            uv, marker = side.uv.copy(), np.flatnonzero(found.match[c] >= 0)
+            uv[found.match[c, marker]] -= shift[c, marker]
+            sides.append(side._replace(uv=uv))
+        return image._replace(blobs=(sides[0], sides[1]), exposure=None)

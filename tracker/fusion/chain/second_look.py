@@ -71,7 +71,7 @@ class SecondLook:
             return self._by_one_camera(image, found, seen)
         if seen.is_credible:
             return found, seen
-        shift = self._starter.shift(self._filter.state, image.blobs, image.pose)
+        shift = self._starter.shift(self._filter.state, image.unturned, image.pose)
         if shift is None:
             return found, seen
         moved = self._filter.shifted_by(shift, SHIFT_SD)
@@ -113,7 +113,7 @@ class SecondLook:
         """
         if self._recognition.is_all_known(image, found):
             return found
-        pairs = self._recognition.pairs(image)
+        pairs = self._recognition.pairs(self._filter.state, image)
         for digit in range(self._digits.count):
             found = self._with_digit(image, pairs, found, digit)
         return found

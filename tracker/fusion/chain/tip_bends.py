@@ -17,15 +17,16 @@ from tracker.base.records import record
 from tracker.fusion.chain.distal import ASIDE, OFFSET, OWN, RATIO, DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import driven_points
 from tracker.fusion.chain.kinematics import segment_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, Points
 from tracker.fusion.chain.prediction import PosedRig, pixel_jacobians
+from tracker.fusion.chain.row_exposure import RowExposure, exposed, marker_velocities
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.state import ChainState
-from tracker.messages import Array, BlobFrame, CameraPose
+from tracker.messages import Array, BlobFrame, CameraPose, IntArray
 from tracker.vision.cloth import ClothMap, cloth_map
 from tracker.vision.rig import NEAREST, Camera, StereoRig
 from tracker.vision.tip_scan import ExpectedTip, scan_tip
-from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, seen_from, visibility
 
 LASTS = 1.0  # s for which a measured end joint is assumed constant
 APART = 0.15  # s between two evaluated images: successive outlines are not independent
@@ -112,9 +113,17 @@ class TipBends:
 
     # ---- measurement
 
-    def image(self, state: ChainState, frame: BlobFrame, pose: CameraPose, own: Synergies) -> bool:
+    def image(
+        self,
+        state: ChainState,
+        frame: BlobFrame,
+        pose: CameraPose,
+        own: Synergies,
+        exposure: RowExposure | None = None,
+    ) -> bool:
         """Locates the tips of a hand that was just corrected; returns whether the result of `worn`
-        may have changed. ``own`` are the wearer's synergies without tip measurements."""
+        may have changed. ``own`` are the wearer's synergies without tip measurements, ``exposure``
+        is that of a rolling shutter."""
         if 0.0 <= state.t - self.kept.t < APART:
             return False
         sides = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
@@ -130,6 +139,8 @@ class TipBends:
         shift = np.zeros_like(J[..., 0, :]) if not len(worn) else worn - self.kept.bend
         maps = [None if c is None else cloth_map(c) for c in sides]
         view, there = PosedRig.of(self._rig, pose), self.in_sight(state, points[:, 1], pose)
+        if exposure is not None:
+            points = self._when_exposed(points, driven.parent, state, exposure, view)
         for k in range(len(J)):
             p_C = (points[k] - pose.p_GC) @ pose.R_GC
             if p_C[:, 2].min() <= NEAREST:
@@ -141,6 +152,27 @@ class TipBends:
             seen = [m if sees else None for m, sees in zip(maps, there[:, k], strict=True)]
             self._correct(k, tip, seen)
         return True
+
+    def _when_exposed(
+        self,
+        points: Array,
+        segment: IntArray,
+        state: ChainState,
+        exposure: RowExposure,
+        view: PosedRig,
+    ) -> Array:
+        """Points (d, 2, 3) m in G, two on each ``segment`` (d,), at the exposure of their own rows,
+        relative to the camera pose of the image."""
+        at, p_G = np.repeat(segment, 2), points.reshape(-1, 3)
+        from_joint = p_G - segment_positions(state, self._layout)[at]
+        in_B = np.einsum("nji,nj->ni", state.R_GB[at], from_joint)
+        ends = Points(at, np.zeros_like(in_B), np.ascontiguousarray(in_B))
+        v_C = marker_velocities(state, self._layout, ends, exposure, view)
+        p_C = np.ascontiguousarray((p_G - view.p_GC) @ view.R_GC)
+        uv = seen_from(p_G, self._rig, CameraPose(view.R_GC, view.p_GC))
+        there = exposed(p_C, v_C, uv, self._rig).p_C
+        out: Array = (there @ view.R_GC.T + view.p_GC).reshape(points.shape)
+        return out
 
     def in_sight(self, state: ChainState, middle: Array, pose: CameraPose) -> NDArray[np.bool_]:
         """(2, d) whether a camera sees the tips whose middles are (d, 3) m in G: no part of the

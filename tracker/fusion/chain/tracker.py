@@ -56,7 +56,7 @@ class ChainTracker:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
         self.filter = ChainFilter(layout, params, buffer, tape)
         self._judge = TrackingJudge(params.match)
-        self._recognition = Recognition(layout, rig, params)
+        self._recognition = Recognition(layout, rig, params, buffer)
         self._starter = Starter(layout, rig, params)
         distal = DistalSegments(layout, params.synergy)
         self.shown = ShownHand(layout, params.noise, distal)
@@ -141,7 +141,8 @@ class ChainTracker:
             return replace(result, another=True)
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Occasionally the calibration is solved for again.
-        self.wearer.calibration.refine(self.state, image, found, self._buffer, self.wearer.guided)
+        still = self._recognition.at_once(self.state, image, found)
+        self.wearer.calibration.refine(self.state, still, found, self._buffer, self.wearer.guided)
         return result
 
     def _is_back(self, image: SeenImage, found: Recognised) -> bool:
@@ -158,13 +159,13 @@ class ChainTracker:
     def _look_for_tips(self, image: SeenImage) -> None:
         """Measure the end joints in the outline of the glove."""
         own = self.wearer.guided.synergies
-        if self._tips.image(self.state, image.frame, image.pose, own):
+        if self._tips.image(self.state, image.frame, image.pose, own, image.exposure):
             self.wearer.show()
 
     def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
         """Move to a better pose where the images show one; otherwise change nothing."""
         count = found.tally.matched
-        pose = self._starter.again(self.state, image.blobs, image.pose, count)
+        pose = self._starter.again(self.state, image.unturned, image.pose, count)
         if pose is None:
             return found
         moved = self.filter.moved_to(pose)
@@ -201,7 +202,7 @@ class ChainTracker:
         if image.most_blobs < MANY_MARKERS:
             self._judge.saw_nothing()
         t = frame.t
-        candidates = self._starter.candidates(self._buffer, image.blobs, image.pose, t, known)
+        candidates = self._starter.candidates(self._buffer, image.unturned, image.pose, t, known)
         started = self._second.likeliest(image, candidates)
         if started is None:
             return None

@@ -9,8 +9,9 @@ import numpy as np
 from tracker.base.records import record
 from tracker.fusion.ablations.segment_pose import stereo_covariance
 from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.row_exposure import RowExposure, exposed
 from tracker.fusion.output.completion import Completion
-from tracker.fusion.vist.layout import VistLayout
+from tracker.fusion.vist.layout import V, VistLayout
 from tracker.fusion.vist.params import VistMatch, VistNoise
 from tracker.fusion.vist.points import jacobians, own_covariance, positions
 from tracker.fusion.vist.state import VistState
@@ -18,7 +19,14 @@ from tracker.messages import Array, CameraPose, IntArray
 from tracker.vision.correspondence import match_translation
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import match_stereo
-from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, both_cameras, visibility
+from tracker.vision.visibility import (
+    HandShape,
+    MarkerRows,
+    PosedHand,
+    both_cameras,
+    seen_from,
+    visibility,
+)
 
 
 @record("vist.prediction", shapes={"p_G": "m 3", "prior": "2 m", "H": "m 3 21", "cov": "m 3 3"})
@@ -82,9 +90,12 @@ class MarkerModel:
         self._complete = Completion(layout.chain)
         self._hand_segment = layout.chain.glove.marker_segment(layout.hand)
 
-    def expect(self, state: VistState, pose: CameraPose) -> Expected:
-        """Predicted marker positions, and the probability that each camera sees them
-        (eqs. 4 and 5)."""
+    def expect(
+        self, state: VistState, pose: CameraPose, rows: RowExposure | None = None
+    ) -> Expected:
+        """Predicted marker positions, and the probability that each camera sees them (eqs. 4
+        and 5). With the ``rows`` of a rolling shutter, each position is that at the exposure of the
+        marker's own row, relative to the camera pose of the image."""
         lay = self._layout
         segment, glove = lay.chain.marker_segment, lay.chain.glove
         p_G = positions(state, segment, lay.marker_lever)
@@ -95,7 +106,37 @@ class MarkerModel:
         # eqs. 4 and 5
         prior = visibility(PosedHand(self._shape, R_all, p_all), markers, self._rig, pose)
         H = jacobians(state, segment, lay.marker_lever)
+        if rows is not None:
+            p_G, delay = self._when_exposed(state, p_G, pose, rows)
+            H[:, :, V : V + 3] += delay[:, None, None] * np.eye(3)
         return Expected(p_G, prior, H, own_covariance(state, H, segment))
+
+    def row_shift(self, state: VistState, pose: CameraPose, rows: RowExposure) -> Array:
+        """(2, M, 2) px from where the glove's markers are at the image's instant to where they are
+        when their rows are exposed; NaN of markers without a state."""
+        lay = self._layout
+        p_G = positions(state, lay.chain.marker_segment, lay.marker_lever)
+        moved, _ = self._when_exposed(state, p_G, pose, rows)
+        out = np.full((2, len(lay.glove.markers), 2), np.nan)
+        out[:, lay.kept] = seen_from(moved, self._rig, pose) - seen_from(p_G, self._rig, pose)
+        return out
+
+    def _when_exposed(
+        self, state: VistState, p_G: Array, pose: CameraPose, rows: RowExposure
+    ) -> tuple[Array, Array]:
+        """Markers (m, 3) m in G moved on to the exposure of their rows, and how much later (m,) s
+        that is."""
+        lay, segment = self._layout, self._layout.chain.marker_segment
+        imu, parent = lay.imu_of, lay.chain.parent
+        w_G = np.einsum("nij,nj->ni", state.R_GI, rows.gyro[imu] - state.bg)
+        for i in np.flatnonzero(~rows.valid[imu]):
+            w_G[i] = w_G[parent[i]] if parent[i] >= 0 else 0.0
+        v_G = state.v_GI[segment] + np.cross(w_G[segment], p_G - state.p_GI[segment])
+        v_G -= rows.v_GC + np.cross(rows.w_GC, p_G - pose.p_GC)
+        p_C, v_C = (np.ascontiguousarray(x @ pose.R_GC) for x in (p_G - pose.p_GC, v_G))
+        delay = exposed(p_C, v_C, seen_from(p_G, self._rig, pose), self._rig).delay
+        moved: Array = p_G + delay[:, None] * v_G
+        return moved, delay
 
     def match(self, guide: Expected, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> Matched:
         """Matches the image's stereo points with markers. ``guide`` is the reference: the markers

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.base.records import record
 from tracker.fusion.chain.params import ChainParams, MatchParams
 from tracker.fusion.chain.pixels import SeenBlobs, seen_blobs
+from tracker.fusion.chain.row_exposure import RowExposure
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.output.output import Sensed
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Readings
@@ -90,7 +92,22 @@ def is_better(recognised: int, matched: int, expected: float) -> bool:
     return recognised >= max(MIN_RECOGNISED, 1.2 * matched, RECOGNISED_SHARE * expected)
 
 
-Seen = tuple[SeenBlobs, ...]
+class SeenFrame(NamedTuple):
+    """An exposure: blobs of both sides in rectified pixels, where the camera was, and what moved
+    while a rolling shutter exposed its rows."""
+
+    blobs: tuple[SeenBlobs, ...]
+    pose: CameraPose
+    rows: RowExposure | None
+
+    def unturned(self, rig: StereoRig) -> tuple[SeenBlobs, ...]:
+        """The blobs without the camera's turn while the rows were exposed."""
+        if self.rows is None:
+            return self.blobs
+        return tuple(
+            side._replace(uv=self.rows.turned_back(side.uv, bool(c), rig, self.pose))
+            for c, side in enumerate(self.blobs)
+        )
 
 
 @record("vist.tracker")
@@ -183,14 +200,13 @@ class VistTracker:
     # ---- images
 
     def image(self, frame: BlobFrame) -> FrameResult:
-        seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
-        pose = frame.pose or self._rig.pose
+        seen = self._seen(frame)
         self._rest()
-        expected, matched = self._look(self.state, seen, pose, self._previous(frame.t))
+        expected, matched = self._look(self.state, seen, self._previous(frame.t))
         likely = float(both_cameras(expected.prior).sum())
         if self._track.should_search(frame.t, len(matched), likely, self._params.tracking):
             self._track.last_search = frame.t
-            expected, matched = self._search_again(seen, pose, expected, matched)
+            expected, matched = self._search_again(seen, expected, matched)
         enough = len(matched) >= self._params.tracking.min_markers
         if not enough and self._track.is_coasting(frame.t, self._params.tracking):
             matched = matched.none()  # in a wide gate, one or two points may be chance matches
@@ -200,15 +216,20 @@ class VistTracker:
         self._track.judge(frame.t, enough, self._params.tracking)
         if enough:
             self.state.held_back = np.zeros((2, 3))
-        return self._finish(frame, seen, pose, expected, matched)
+        return self._finish(frame, seen, expected, matched)
+
+    def _seen(self, frame: BlobFrame) -> SeenFrame:
+        blobs = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
+        rows = RowExposure.of(frame, self._rig, self._buffer)
+        return SeenFrame(blobs, frame.pose or self._rig.pose, rows)
 
     def _look(
-        self, state: VistState, seen: Seen, pose: CameraPose, previous: Expected | None
+        self, state: VistState, seen: SeenFrame, previous: Expected | None
     ) -> tuple[Expected, Matched]:
         """Markers as predicted by ``state``, and the matches near them, or near those of the
         ``previous`` image."""
-        expected = self._markers.expect(state, pose)
-        return expected, self._markers.match(previous or expected, seen, pose)
+        expected = self._markers.expect(state, seen.pose, seen.rows)
+        return expected, self._markers.match(previous or expected, seen.blobs, seen.pose)
 
     def _previous(self, t: float) -> Expected | None:
         """The reference for correspondence where the IMUs' prediction must not be used."""
@@ -221,9 +242,9 @@ class VistTracker:
         if frame.search < Search.ANEW or since < self._params.tracking.search_period:
             return None
         self._track.last_search = frame.t
-        seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
-        pose = frame.pose or self._rig.pose
-        found = self._starter.first(self._buffer, seen, pose, frame.t)
+        seen = self._seen(frame)
+        blobs = seen.unturned(self._rig)
+        found = self._starter.first(self._buffer, blobs, seen.pose, frame.t)
         if found is None:
             return None
         # the search takes gyro biases from a hand at rest, but tremor rotates a finger at 0.1
@@ -233,16 +254,17 @@ class VistTracker:
         self.state.P = initial_covariance(self._layout, self._params.prior)
         self._track.tracking, self._track.last_good = Tracking.TRACKING, frame.t
         for _ in range(2):  # the second pass matches and linearises at a better state
-            expected, matched = self._look(self.state, seen, pose, None)
+            expected, matched = self._look(self.state, seen, None)
             self._filter.correct(self.state, expected, matched)
-        return self._finish(frame, seen, pose, expected, matched)
+        return self._finish(frame, seen, expected, matched)
 
     def _search_again(
-        self, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
+        self, seen: SeenFrame, expected: Expected, matched: Matched
     ) -> tuple[Expected, Matched]:
         """Move to a better pose where the images show one; otherwise change nothing."""
         chain = as_chain(self._layout, self.state)
-        found = self._starter.again(chain, seen, pose, len(matched))
+        blobs = seen.unturned(self._rig)
+        found = self._starter.again(chain, blobs, seen.pose, len(matched))
         if found is None:
             return expected, matched
         chain.R_GB, chain.p, chain.v = found.R_GB, found.p, np.zeros(3)
@@ -250,7 +272,7 @@ class VistTracker:
         trial = self.state.copy()
         trial.p_GI, trial.R_GI, trial.v_GI = placed.p_GI, placed.R_GI, placed.v_GI
         reset_motion(trial.P, self._layout, self._params.prior)
-        there, recognised = self._look(trial, seen, pose, None)
+        there, recognised = self._look(trial, seen, None)
         likely = float(both_cameras(there.prior).sum())
         if not is_better(len(recognised), len(matched), likely):
             return expected, matched
@@ -258,15 +280,21 @@ class VistTracker:
         return there, recognised
 
     def _finish(
-        self, frame: BlobFrame, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
+        self, frame: BlobFrame, seen: SeenFrame, expected: Expected, matched: Matched
     ) -> FrameResult:
         self._track.last_constraint = frame.t
         self._track.seen[matched.marker] = frame.t
         self._track.tip_sd = self._filter.tip_sd(self.state)
         if self._params.match.guide == "previous":
-            self.kept.previous = PreviousMarkers(frame.t, self._markers.expect(self.state, pose))
-        tracking = self._track.tracking
-        return frame_result(frame, self._layout, self._rig, pose, tracking, expected, matched, seen)
+            there = self._markers.expect(self.state, seen.pose, seen.rows)
+            self.kept.previous = PreviousMarkers(frame.t, there)
+        tracking, pose = self._track.tracking, seen.pose
+        result = frame_result(
+            frame, self._layout, self._rig, pose, tracking, expected, matched, seen.blobs
+        )
+        if seen.rows is None:
+            return result
+        return replace(result, row_shift=self._markers.row_shift(self.state, pose, seen.rows))
 
     # ---- output
 

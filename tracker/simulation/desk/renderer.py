@@ -26,8 +26,9 @@ from tracker.simulation.desk.shadow import (
     shadow_corners,
 )
 from tracker.simulation.desk.textures import felt, knit, wandering
-from tracker.simulation.exposure import JITTER_PX, moments_of, sewn_patches
+from tracker.simulation.exposure import JITTER_PX, moments_of, sewn_patches, speed_of
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
+from tracker.simulation.row_sampling import bands_of
 from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Instant
@@ -162,14 +163,30 @@ class DeskRenderer:
     def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
         """The image of each camera, (h, w, 3) uint8 BGR, the left one first; drawn ``into`` the
         given arrays, if any."""
-        p, ns = self.params, nanoseconds(t)
-        moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
-        shadow = self._shadow(moments[len(moments) // 2])
-        rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        drawn = tuple(self._image(view, moments, shadow, rng) for view in self._views)
+        line_time = self.scene.rig.line_time
+        drawn = self._drawn(t, nanoseconds(t)) if line_time == 0.0 else self._by_rows(t)
         for image, own in zip(into or (), drawn, strict=into is not None):
             image[:] = own
         return drawn
+
+    def _drawn(self, t: float, ns: int) -> tuple[Image, ...]:
+        """The images as everything is at the time t (s), with the noise of the instant ``ns``."""
+        p = self.params
+        moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
+        shadow = self._shadow(moments[len(moments) // 2])
+        rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
+        return tuple(self._image(view, moments, shadow, rng) for view in self._views)
+
+    def _by_rows(self, t: float) -> tuple[Image, ...]:
+        """The images of a rolling shutter: bands of rows, each of an image of its own instant."""
+        rig, ns = self.scene.rig, nanoseconds(t)
+        out: tuple[Image, ...] = ()
+        for band in bands_of(rig, rig.left, speed_of(self.scene, t)):
+            drawn = self._drawn(t + band.delay, ns)
+            out = out or tuple(image.copy() for image in drawn)
+            for image, now in zip(out, drawn, strict=True):
+                image[band.first : band.end] = now[band.first : band.end]
+        return out
 
     def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
         """The hand's shadow of the lamp, and points around it on the desk."""
