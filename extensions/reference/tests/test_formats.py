@@ -149,7 +149,7 @@ def test_bvh_positions_are_bvhio_s(tmp_path: Path) -> None:
                 wanted = 0.01 * np.array(joint.PositionWorld)
                 assert_allclose(found.points[frame, k], wanted, atol=1e-6)
     found = read_reference(path)
-    end, first = (found.points[:, found.names.index(f"RightHandIndex1{n}")] for n in (" end", ""))
+    end, first = (found.points[:, found.names.index(f"RightHandIndex1{n}")] for n in (".end", ""))
     assert_allclose(np.linalg.norm(end - first, axis=1), 0.04)
     metres = read_reference(path, PointMapping(unit=1.0))
     assert_allclose(metres.points, 100 * found.points)
@@ -312,7 +312,7 @@ def test_other_files_are_refused(text: str, tmp_path: Path) -> None:
         ("Ann:R_IndexTip", "index_tip", "right"),
         ("RightHandIndex4", "index_tip", "right"),
         ("LeftHandThumb1", "thumb_cmc", "left"),
-        ("RightHandPinky2 end", "little_tip", "right"),
+        ("RightHandPinky2.end", "little_tip", "right"),
         ("pinky_finger_mcp", "little_mcp", ""),
         ("RThumbIP", "thumb_ip", "right"),
         ("LeftHand", "wrist", "left"),
