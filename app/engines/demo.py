@@ -187,6 +187,8 @@ def _camera(rig: StereoRig, fps: float) -> CameraPart:
 class SimulatedTruth:
     """The simulated hand; ``t_0`` (s) is when its motion begins."""
 
+    is_measured = False
+
     def __init__(self, simulation: Simulation, t_0: float) -> None:
         self._simulation, self._t_0 = simulation, t_0
 

@@ -202,7 +202,9 @@ class Player(Protocol):
 
 
 class GroundTruth(Protocol):
-    """The real pose of a simulated or recorded hand."""
+    """The real pose of a simulated or recorded hand; ``is_measured``: by a laboratory."""
+
+    is_measured: bool
 
     def at(self, t: float) -> ReferenceHand | None: ...
 

@@ -10,9 +10,12 @@ that differences are those of the keypoints and not of two definitions of angles
 
 from __future__ import annotations
 
-import numpy as np
+import itertools
 
-from tracker.hand.names import FINGERS
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from tracker.hand.names import CHAINS, FINGERS, KEYPOINTS
 from tracker.messages import Array
 
 MODEL = "hand axes from wrist, index and little MCP; z-y'-x''; angles between bones beyond the MCP"
@@ -36,6 +39,42 @@ def angles_of(names: tuple[str, ...], points: Array, side: str) -> dict[str, Arr
             a, b, c = (at[n] for n in bones)
             out[f"thumb_{joint}_flexion"] = _between(b - a, c - b)
     return out
+
+
+def segment_axes(names: tuple[str, ...], points: Array, side: str) -> Array:
+    """(N, K, 4) xyzw: axes of the segment that starts at each keypoint, and of a tip's segment.
+
+    x points along the bone; y is as near as possible to the finger's flexion axis, for the thumb to
+    the hand's z cross x, since its turn about the bone does not show in keypoints. NaN where a
+    keypoint is unknown, and if wrist, index or little MCP are not among ``names``.
+    """
+    at = {name: points[:, i] for i, name in enumerate(names)}
+    R = np.full((*points.shape[:2], 3, 3), np.nan)
+    if not set(_PLANE) <= at.keys():
+        return _quaternions(R)
+    R_GH = _hand_axes(at, side)
+    for name in {"wrist", "dorsum"} & at.keys():
+        R[:, names.index(name)] = R_GH
+    for digit in CHAINS:
+        chain = [n for n in KEYPOINTS if n.startswith(f"{digit}_") and n in at]
+        first = at[chain[1]] - at[chain[0]] if len(chain) > 1 else points[:, 0]
+        for a, b in itertools.pairwise(chain):
+            x = _unit(at[b] - at[a])
+            across = first if digit != "thumb" else x
+            y = _unit(np.cross(R_GH[:, :, 2], across))
+            z = _unit(np.cross(x, y))
+            R[:, names.index(a)] = np.stack([x, np.cross(z, x), z], axis=2)
+            R[:, names.index(b)] = R[:, names.index(a)]
+    return _quaternions(R)
+
+
+def _quaternions(R: Array) -> Array:
+    """(N, K, 4) xyzw of (N, K, 3, 3); NaN where unknown."""
+    q = np.full(R.shape[:3][:2] + (4,), np.nan)
+    known = np.asarray(np.isfinite(R).all(axis=(2, 3)))
+    if known.any():
+        q[known] = Rotation.from_matrix(R[known]).as_quat()
+    return q
 
 
 def _unit(v: Array) -> Array:

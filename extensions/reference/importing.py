@@ -9,9 +9,14 @@ from pathlib import Path
 import numpy as np
 
 from extensions.reference.formats.read import read_reference
-from extensions.reference.mapping import PointMapping, as_keypoints, read_mapping
+from extensions.reference.mapping import LEAST, PointMapping, as_keypoints, read_mapping
 from extensions.reference.recording import Recording
-from extensions.reference.registration import Registration, register, register_offsets
+from extensions.reference.registration import (
+    Registration,
+    register,
+    register_offsets,
+    with_inferred,
+)
 from extensions.reference.session import Described, at_instants, write_with_reference
 from extensions.reference.timing import Timing, by_clock, by_movement, by_pulse, refined
 from tracker.base.clock import NS
@@ -123,22 +128,25 @@ def _start_ns(recording: Recording, options: ImportOptions, session: Path) -> in
 
 @dataclass(frozen=True, eq=False)
 class _Pairs:
-    """The keypoints that both know: x_G (N, K, 3) m where they were measured, at t (N,) s, and the
-    axes of their segments R_GB (N, K, 3, 3)."""
+    """The keypoints that both know: x_G (N, K, 3) m where they were measured and x_any where they
+    were known, at t (N,) s, and the axes of their segments R_GB (N, K, 3, 3)."""
 
     t: Array
     x_G: Array
+    x_any: Array
     R_GB: Array
     recording: Recording
 
     @classmethod
     def of(cls, series: EstimateSeries, t: Array, recording: Recording) -> _Pairs:
         columns = [series.keypoint_names.index(n) for n in recording.names]
-        used = series.state[:, columns] == Validity.MEASURED
-        if used.any(axis=1).sum() < _FEW:
-            used = series.state[:, columns] != Validity.LOST
-        x_G = np.where(used[:, :, None], series.keypoints[:, columns], np.nan)
-        return cls(t, x_G, so3.matrix_from_quat(series.q[:, columns]), recording)
+        state, points = series.state[:, columns], series.keypoints[:, columns]
+        known = state != Validity.LOST
+        used = state == Validity.MEASURED
+        if (used.sum(axis=0) >= _FEW).sum() < LEAST:
+            used = known
+        x_G, x_any = (np.where(rows[:, :, None], points, np.nan) for rows in (used, known))
+        return cls(t, x_G, x_any, so3.matrix_from_quat(series.q[:, columns]), recording)
 
     def reference(self, timing: Timing) -> Array:
         """(N, K, 3) m in the laboratory's frame."""
@@ -152,7 +160,9 @@ class _Pairs:
             unmoved = _unmoved(x_L, self.x_G)
             return unmoved, unmoved
         rigid = register(x_L, self.x_G, path.name)
-        return rigid, register_offsets(x_L, self.x_G, self.R_GB, rigid)
+        found = register_offsets(x_L, self.x_G, self.R_GB, rigid)
+        hardly = np.isfinite(self.x_G).all(axis=2).sum(axis=0) < _FEW
+        return rigid, with_inferred(found, x_L, self.x_any, self.R_GB, hardly)
 
     def refined(self, timing: Timing, registration: Registration, with_drift: bool) -> Timing:
         theirs = registration.keypoints(self.reference(timing), self.R_GB)

@@ -153,7 +153,7 @@ def _marker_offsets(m: Measured) -> str:
     if not found.with_offsets.offsets.any():
         return ""
     rows = [
-        [name, *(f"{1e3 * v:+.1f} ± {1e3 * s:.1f}" for v, s in zip(d, sd, strict=True)),
+        [name, *(_with_sd(1e3 * v, 1e3 * s) for v, s in zip(d, sd, strict=True)),
          number(1e3 * float(np.linalg.norm(d)))]
         for name, d, sd in zip(found.keypoints, found.with_offsets.offsets,
                                found.with_offsets.offset_sd, strict=True)
@@ -164,6 +164,10 @@ def _marker_offsets(m: Measured) -> str:
         "the marker and the constant error of the estimate.</p>"
     )
     return note + _table(("", "x mm", "y mm", "z mm", "length mm"), rows)
+
+
+def _with_sd(value: float, sd: float) -> str:
+    return f"{value:+.1f} ± {sd:.1f}" if np.isfinite(sd) else f"{value:+.1f} (inferred)"
 
 
 def _scalars(rows: Sequence[ScalarRow]) -> str:

@@ -8,7 +8,7 @@ offsets d are estimated together, by Gauss-Newton steps with Huber's weights.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from tracker.messages import Array
 
 _TRIMMED = 3.0  # robust standard deviations beyond which a point is not used
 _HUBER = 1.345
-_OFFSET_SD = 0.03  # m: markers are not farther from their keypoints; decides what motion does not
+_OFFSET_SD = 0.015  # m, of markers from their keypoints; decides what the motion does not
 _MOST = 1500  # instants that are used
 _FEWEST = 10  # instants
 _MIRRORED = 0.5  # share of the residual that a reflection must leave to be reported
@@ -113,7 +113,8 @@ def register_offsets(x_L: Array, x_G: Array, R_GB: Array, start: Registration) -
     """Pose and marker offsets together, from the rigid registration on.
 
     x_L, x_G (N, K, 3) m, R_GB (N, K, 3, 3) of the keypoints' segments. If the hand does not turn, a
-    common offset and a translation are the same; the offsets are then kept small.
+    a common offset and a translation are the same; the offsets are then kept small. The data count
+    as many times as their residuals are independent.
     """
     every = np.concatenate([x_L, x_G, R_GB.reshape(*x_L.shape[:2], 9)], axis=2)
     known = np.asarray(np.isfinite(every).all(axis=2))
@@ -124,24 +125,41 @@ def register_offsets(x_L: Array, x_G: Array, R_GB: Array, start: Registration) -
         np.where(known.reshape(known.shape + (1,) * (v.ndim - 2)), v, 0.0) for v in (x, y, B)
     )
     R, p, d = start.R_GL, start.p_GL, np.zeros((x.shape[1], 3))
+    redundancy = _redundancy(np.where(known[:, :, None], x @ R.T + p - y, np.nan))
     for _ in range(30):
         e = x @ R.T + p - y - np.einsum("nkij,kj->nki", B, d)
         norm = np.linalg.norm(e, axis=2)
         scale = 1.4826 * float(np.median(norm[known])) / 1.54 + 1e-9  # χ's median, 3 coordinates
         w = np.where(known, np.minimum(1.0, 3 * _HUBER * scale / np.maximum(norm, 1e-12)), 0.0)
         H, g = _normal_equations(x @ R.T, B, e, w)
-        H[6:, 6:] += np.eye(3 * len(d)) * (scale / _OFFSET_SD) ** 2
-        g[6:] += (scale / _OFFSET_SD) ** 2 * d.ravel()
+        prior = redundancy * (scale / _OFFSET_SD) ** 2
+        H[6:, 6:] += np.eye(3 * len(d)) * prior
+        g[6:] += prior * d.ravel()
         step = np.linalg.solve(H, -g)
         R, p, d = so3.exp(np.asarray(step[:3])) @ R, p + step[3:6], d + step[6:].reshape(-1, 3)
         if np.abs(step).max() < 1e-9:
             break
     e = np.where(known[:, :, None], x @ R.T + p - y - np.einsum("nkij,kj->nki", B, d), np.nan)
     residual = float(np.sqrt(np.nanmean((e**2).sum(axis=2))))
-    sd = scale * np.sqrt(np.diag(np.linalg.inv(H))[6:].reshape(-1, 3) * _redundancy(e))
+    sd = scale * np.sqrt(np.diag(np.linalg.inv(H))[6:].reshape(-1, 3) * redundancy)
     seen = np.asarray(known.any(axis=0))[:, None]
     return Registration(R, p, residual, float((w[known] >= 1).mean()),
                         np.where(seen, d, 0.0), np.where(seen, sd, np.nan))  # fmt: skip
+
+
+def with_inferred(
+    found: Registration, x_L: Array, x_G: Array, R_GB: Array, inferred: Array
+) -> Registration:
+    """The offsets of the keypoints ``inferred`` (K,), which are hardly ever measured and take no
+    part in the registration, too: medians over time, without a standard deviation."""
+    e = found.world(x_L) - x_G
+    offsets, sd = found.offsets.copy(), found.offset_sd.copy()
+    for k in np.flatnonzero(inferred):
+        d = np.einsum("nji,nj->ni", R_GB[:, k], e[:, k])
+        d = d[np.isfinite(d).all(axis=1)]
+        if len(d) >= _FEWEST:
+            offsets[k], sd[k] = np.median(d, axis=0), np.nan
+    return replace(found, offsets=offsets, offset_sd=sd)
 
 
 def _normal_equations(Rx: Array, B: Array, e: Array, w: Array) -> tuple[Array, Array]:

@@ -1,9 +1,9 @@
 """A session with a reference: topics ``/reference/<side>/…`` and the attachment that describes it.
 
 ``keypoints`` has the reference's keypoints in G after the rigid registration, in the order of the
-session's keypoints, NaN where the reference has none; ``joint_states`` the angles computed from
-them. The attachment ``reference_<side>.json`` contains file, time alignment, registration and
-marker offsets.
+session's keypoints, NaN where the reference has none, and axes of the segments computed from them;
+``joint_states`` the angles computed from them. The attachment ``reference_<side>.json`` contains
+file, time alignment, registration and marker offsets.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from extensions.reference.angles import angles_of
+from extensions.reference.angles import angles_of, segment_axes
 from extensions.reference.registration import Registration
 from extensions.reference.timing import Timing
 from tracker.base.errors import FileError
@@ -189,7 +189,8 @@ def _messages(
     side, names = reader.info.side, reader.info.keypoint_names
     columns = [names.index(k) for k in about.keypoints]
     angles = angles_of(about.keypoints, points, side)
-    no_q = np.full((len(names), 4), np.nan)
+    q = np.full((len(stamp_ns), len(names), 4), np.nan)
+    q[:, columns] = segment_axes(about.keypoints, points, side)
     for i, stamp in enumerate(int(s) for s in stamp_ns):
         known = {k: v[i] for k, v in angles.items() if np.isfinite(v[i])}
         joints = motion.pack_joints(
@@ -199,7 +200,7 @@ def _messages(
         yield Out(topic, motion.JOINTS, stamp, stamp, joints)
         position = np.full((len(names), 3), np.nan)
         position[columns] = points[i]
-        poses = motion.pack_poses(motion.PoseArray(stamp, topics.WORLD, position, no_q))
+        poses = motion.pack_poses(motion.PoseArray(stamp, topics.WORLD, position, q[i]))
         yield Out(topics.reference(side, "keypoints"), motion.POSES, stamp, stamp, poses)
 
 

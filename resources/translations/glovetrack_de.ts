@@ -1314,6 +1314,11 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
+      <source>laboratory</source>
+      <translation>Labor</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
       <source>truth</source>
       <translation>Wahrheit</translation>
     </message>
@@ -9996,6 +10001,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>A line time of {line_time_us:g} µs is not plausible: an image is read within 0.1 s.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The two rectified cameras must share one matrix P[:, :3].</source>
       <translation>Die beiden rektifizierten Kameras müssen eine Matrix P[:, :3] teilen.</translation>
     </message>
@@ -10093,6 +10103,11 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>Damaged messages in {file} were ignored: {topics:list}.</source>
       <translation>Beschädigte Nachrichten in {file} wurden ignoriert: {topics:list}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{path}: the camera's line time is not a whole number of nanoseconds.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="glovetrack.notices" />
@@ -10866,6 +10881,106 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="glovetrack.notices" />
+      <source>{file} does not contain two instants with a point.</source>
+      <translation>{file} enthält keine zwei Zeitpunkte mit einem Punkt.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} cannot be read: {why}.</source>
+      <translation>{file} kann nicht gelesen werden: {why}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is shorter than its header states. Copy it from the source again.</source>
+      <translation>{file} ist kürzer, als der Dateikopf angibt. Kopieren Sie die Datei erneut von der Quelle.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} does not state its points' names and sample rate.</source>
+      <translation>{file} gibt die Namen der Punkte und die Abtastrate nicht an.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} has lengths in {unit!r}; known units: {known}.</source>
+      <translation>{file} enthält Längen in {unit!r}; bekannte Einheiten: {known}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is not a C3D, TRC, BVH, Qualisys, OptiTrack or Vicon file. For another CSV, write a mapping file with [columns].</source>
+      <translation>{file} ist keine C3D-, TRC-, BVH-, Qualisys-, OptiTrack- oder Vicon-Datei. Schreiben Sie für eine andere CSV-Datei eine Zuordnungsdatei mit [columns].</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} does not contain the point {point}. Its points: {known}.</source>
+      <translation>{file} enthält den Punkt {point} nicht. Enthaltene Punkte: {known}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} does not contain the column {column}. Its columns: {known}.</source>
+      <translation>{file} enthält die Spalte {column} nicht. Enthaltene Spalten: {known}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file}: {found} of its points are named like keypoints of the hand; at least 3 are needed. Name them in a mapping file. Its points: {known}.</source>
+      <translation>{file}: {found} Punkte heißen wie Schlüsselpunkte der Hand; mindestens 3 sind nötig. Ordnen Sie die Punkte in einer Zuordnungsdatei zu. Enthaltene Punkte: {known}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The reference of {session} does not contain the time of its first frame. State it (--start), or align by movement.</source>
+      <translation>Die Referenz zu {session} enthält die Zeit des ersten Bildes nicht. Geben Sie sie an (--start), oder richten Sie nach der Bewegung aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{text!r} is not a time. Example: 2026-03-31T14:05:09.120+02:00.</source>
+      <translation>{text!r} ist keine Zeitangabe. Beispiel: 2026-03-31T14:05:09.120+02:00.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The reference and {session} do not overlap in time.</source>
+      <translation>Die Referenz und {session} überschneiden sich zeitlich nicht.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No pulse in {where}. The session needs events of the kind pulse, the reference events or a channel named with --pulse.</source>
+      <translation>Kein Puls in {where}. Die Sitzung benötigt Ereignisse der Art „pulse“, die Referenz Ereignisse oder einen mit --pulse genannten Kanal.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The pulses of the reference ({theirs}) and of the session ({ours}) do not match at one offset.</source>
+      <translation>Die Pulse der Referenz ({theirs}) und der Sitzung ({ours}) passen bei keinem eindeutigen Zeitversatz zueinander.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The movement does not determine the time offset: {windows} parts of the recording agree. Record larger movements, or align by clock or pulse.</source>
+      <translation>Die Bewegung bestimmt den Zeitversatz nicht: {windows} Abschnitte der Aufnahme stimmen überein. Nehmen Sie größere Bewegungen auf, oder richten Sie nach Uhrzeit oder Puls aus.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} is mirrored: its points fit the session after a reflection ({mirrored_mm:.1f} mm) and not without ({residual_mm:.1f} mm). Export it with right-handed axes.</source>
+      <translation>{file} ist gespiegelt: Die Punkte passen nach einer Spiegelung zur Sitzung ({mirrored_mm:.1f} mm), ohne sie nicht ({residual_mm:.1f} mm). Exportieren Sie die Datei mit rechtshändigen Achsen.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{file} and the session have {found} instants in common; at least {needed} are needed.</source>
+      <translation>{file} und die Sitzung haben {found} Zeitpunkte gemeinsam; mindestens {needed} sind nötig.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The hand has no keypoint {name}. Its keypoints: {known}.</source>
+      <translation>Die Hand hat keinen Schlüsselpunkt {name}. Ihre Schlüsselpunkte: {known}.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{session} does not contain a reference. Import one with glovetrack import-reference.</source>
+      <translation>{session} enthält keine Referenz. Importieren Sie eine mit glovetrack import-reference.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>{session}: the description of the reference cannot be read.</source>
+      <translation>{session}: Die Beschreibung der Referenz kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
       <source>The robot hand {file} is larger than {limit_bytes} bytes.</source>
       <translation>Die Roboterhand {file} ist größer als {limit_bytes} Byte.</translation>
     </message>
@@ -10963,6 +11078,36 @@ change {}: {}</source>
       <location filename="glovetrack.notices" />
       <source>The robot's process has ended. Start the robot again.</source>
       <translation>Der Prozess des Roboters ist beendet. Starten Sie den Roboter neu.</translation>
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>No image shows the sheet of the touch test. Print it with: glovetrack print touch. Record with images, with the whole sheet in view.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The printed squares measure {found_mm:.2f} mm instead of 20.00 mm ({percent:+.1f} %). Print at 100 %, not fitted to the page.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The stereo camera measures the sheet {percent:+.1f} % off its size. Calibrate the camera.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The sheet's corners differ by {fit_px:.1f} px from a flat sheet. Flatten the sheet, or calibrate the camera.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The sheet moved by {moved_mm:.1f} mm during the test. Tape it to the table and repeat.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="glovetrack.notices" />
+      <source>The printed line of 100 mm was not measured. The scale of the camera is therefore taken to be right.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="glovetrack.notices" />

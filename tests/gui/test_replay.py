@@ -314,7 +314,7 @@ def test_where_the_other_tracking_has_no_hand_the_truth_does_not_stand_for_it(co
 def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
     with SessionReader(sessions["simulated"]) as reader:
         true = next(e for e in reader.truth(1.0) if e.t >= 1.5)
-    track_ = ReferenceTrack(sessions["simulated"], truth=True)
+    track_ = ReferenceTrack(sessions["simulated"], root="truth")
     track_.seek(1.4)
     track_.advance(true.t)
     pose = track_.pose(true.t)

@@ -14,10 +14,11 @@ _SEGMENTS_KEPT = 64  # estimates of one arrival are read transforms first
 
 
 class EstimateDecoder:
-    """Puts estimates together from their topics; ``root`` is ``hand`` or ``truth``."""
+    """Puts estimates together from their topics; ``root``: ``hand``, ``truth`` or ``reference``."""
 
     def __init__(self, info: SessionInfo, root: str) -> None:
-        name = topics.hand if root == "hand" else topics.truth
+        known = {"hand": topics.hand, "truth": topics.truth, "reference": topics.reference}
+        name = known[root]
         self._keypoint_names, self._hand = info.keypoint_names, info.hand
         self._t = info.anchor.monotonic
         self._rows = {f"{info.side}_{s}": i for i, s in enumerate(info.hand.segment_names)}

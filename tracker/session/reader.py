@@ -173,7 +173,14 @@ class SessionReader(McapSession):
 
     def truth(self, start: float | None = None) -> Iterator[Estimate]:
         """What a simulated hand really did, with arrival ≥ ``start`` (s); else nothing."""
-        decoder = EstimateDecoder(self.info, "truth")
+        return self._other_hand("truth", start)
+
+    def reference(self, start: float | None = None) -> Iterator[Estimate]:
+        """What a laboratory measured of the hand, with arrival ≥ ``start`` (s); else nothing."""
+        return self._other_hand("reference", start)
+
+    def _other_hand(self, root: str, start: float | None) -> Iterator[Estimate]:
+        decoder = EstimateDecoder(self.info, root)
         first = 0 if start is None else max(self.anchor.wall(start), 0)
         for raw in ordered(self.source, frozenset(decoder.topics), first):
             estimate = None

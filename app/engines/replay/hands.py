@@ -223,8 +223,7 @@ class HandsInFile:
             for r in readers
         }
         self.references = {
-            r.info.side: References(path, r.info.side, holds(r, f"/truth/{r.info.side}/"))
-            for r in readers
+            r.info.side: References(path, r.info.side, known_hand(r)) for r in readers
         }
         self._events: deque[Event] = deque(maxlen=1000)  # for the window
         self.listeners = {r.info.side: self._attach_listeners(r) for r in readers}
@@ -333,6 +332,13 @@ def _sided(
 ) -> Iterator[OfFile]:
     for message in reader.messages(kinds, start, end):
         yield OfFile(reader.info.side, message)
+
+
+def known_hand(reader: SessionReader) -> str:
+    """What the session contains besides estimates of the reader's hand: a laboratory's
+    ``reference``, the ``truth`` of a simulation, or nothing."""
+    known = ("reference", "truth")
+    return next((k for k in known if holds(reader, f"/{k}/{reader.info.side}/")), "")
 
 
 def holds(reader: SessionReader, topic: str) -> bool:

@@ -1,4 +1,4 @@
-"""Reference hands of a replay: another tracking of the same movement, and the ground truth."""
+"""Reference hands of a replay: another tracking of the same movement; what the hand really did."""
 
 from __future__ import annotations
 
@@ -19,15 +19,16 @@ LEAD = 0.2  # s; an estimate may have been fed this long after its instant
 
 
 class ReferenceTrack:
-    """Follows a replay through the estimates of a file, or through its ground truth.
+    """Follows a replay through the estimates of a file (``root`` is ``hand``), through the ground
+    truth of a simulation (``truth``) or through a laboratory's recording (``reference``).
 
     ``side``: of the hand, in a file of both. ``shift``: s that its clock is ahead of the replay's,
     if it is of another movement.
     """
 
-    def __init__(self, path: Path, side: str = "", truth: bool = False, shift: float = 0.0) -> None:
+    def __init__(self, path: Path, side: str = "", root: str = "hand", shift: float = 0.0) -> None:
         self._reader = SessionReader(path, side=side)
-        self._truth, self._shift = truth, shift
+        self._root, self._shift = root, shift
         info = self._reader.info
         self._rows = origin_rows(info.hand, info.glove)
         self._coming: Iterator[Estimate] = iter(())
@@ -40,8 +41,9 @@ class ReferenceTrack:
         self._last = self._next = None
 
     def _messages(self, start: float) -> Iterator[Estimate]:
-        if self._truth:
-            yield from self._reader.truth(start)
+        if self._root != "hand":
+            known = {"truth": self._reader.truth, "reference": self._reader.reference}
+            yield from known[self._root](start)
             return
         for message in self._reader.messages((Estimate,), start=start):
             assert isinstance(message, Estimate)
@@ -76,14 +78,16 @@ def origin_rows(hand: HandModel, glove: GloveModel) -> list[int]:
 
 
 class References:
-    """Reference hands of one hand of a replay; ``with_truth``: the file contains the ground truth.
+    """Reference hands of one hand of a replay; ``known``: what the file contains besides, ``truth``
+    or a laboratory's ``reference``, or nothing.
 
     `want` is called by the window, everything else by the replay's thread.
     """
 
-    def __init__(self, path: Path, side: str, with_truth: bool) -> None:
+    def __init__(self, path: Path, side: str, known: str) -> None:
         self._side = side
-        self._truth = ReferenceTrack(path, side, truth=True) if with_truth else None
+        self._known = known
+        self._truth = ReferenceTrack(path, side, known) if known else None
         self._other: ReferenceTrack | None = None
         self._wanted: ReferenceTrack | None = None
         self.true_hand: ReferenceHand | None = None
@@ -91,7 +95,7 @@ class References:
 
     def truth(self) -> ReplayedTruth | None:
         """The true hand at the instant of the latest estimate; None without truth."""
-        return None if self._truth is None else ReplayedTruth(self)
+        return None if self._truth is None else ReplayedTruth(self, self._known == "reference")
 
     def want(self, path: Path | None, shift: float = 0.0) -> None:
         """The tracking in ``path``, from the next `seek` on. Raises FileError."""
@@ -127,10 +131,13 @@ class References:
 
 
 class ReplayedTruth:
-    """The true hand of a replay: at the instant of the latest estimate, for any ``t``."""
+    """The true hand of a replay: at the instant of the latest estimate, for any ``t``.
 
-    def __init__(self, references: References) -> None:
-        self._references = references
+    ``is_measured``: by a laboratory; otherwise it is the simulated one.
+    """
+
+    def __init__(self, references: References, is_measured: bool = False) -> None:
+        self._references, self.is_measured = references, is_measured
 
     def at(self, t: float) -> ReferenceHand | None:
         return self._references.true_hand

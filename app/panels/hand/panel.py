@@ -184,7 +184,9 @@ class HandPanel(Panel):
         self._gestures = ShownGestures(setup)
         tips = self._hands[0].model.tip_names
         self.controls.offer(tips, setup.comparable is not None)
-        self.controls.name_other(self.tr("truth") if setup.truth is not None else "")
+        truth = setup.truth
+        of_truth = self.tr("laboratory") if truth and truth.is_measured else self.tr("truth")
+        self.controls.name_other(of_truth if truth is not None else "")
         if self.controls.engine:
             self._choose_reference(self.controls.engine)
         self.view.orbit.look_from(FIRST_LOOK)

@@ -11,8 +11,10 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, Slerp
 
+from extensions.reference.tests.laboratory import FAULTY, markers, write_c3d
+from tracker.cli import main
 from tracker.geometry import so3
-from tracker.messages import Array, Event
+from tracker.messages import Array, Event, Validity
 from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.session.description import SessionInfo
 from tracker.session.writer import RecorderParams, SessionRecorder
@@ -24,7 +26,7 @@ START = 0.5  # s of the simulation at the session's first estimate
 @dataclass(frozen=True, eq=False)
 class Wearer:
     """``points(t)``: keypoints (n, K, 3) m and axes of their segments (n, K, 3, 3) at session times
-    t (n,) s from -1 on; ``session(path, noise, duration, seed, person, events)`` writes a session
+    t (n,) s from -1 on; ``session(path, noise, duration, seed, person, …)`` writes a session
     of them at 100 Hz, with noise (sd in m, as claimed) per coordinate."""
 
     info: SessionInfo
@@ -59,6 +61,7 @@ def wearer() -> Wearer:
         seed: int = 1,
         person: str = "",
         events: Sequence[Event] = (),
+        inferred: Sequence[str] = (),
     ) -> Path:
         of = replace(info, participant=person)
         rng = np.random.default_rng(seed)
@@ -68,10 +71,11 @@ def wearer() -> Wearer:
         q = so3.quat_from_matrix(R_GB)
         like = truth_message(START, sim.truth(START), of)
         sd = np.full(len(segments), noise)
+        state = np.where(np.isin(of.keypoint_names, inferred), Validity.INFERRED, Validity.MEASURED)
         with SessionRecorder(path, of, RecorderParams(images="none", sync=False)) as recorder:
             for i, s in enumerate(t):
                 e = replace(like, t=float(s) + START, keypoints=x[i], keypoint_q=q[i])
-                recorder.write(replace(e, keypoint_sd=sd))
+                recorder.write(replace(e, keypoint_sd=sd, keypoint_state=state))
             for event in events:
                 recorder.write(event)
         return path
@@ -90,3 +94,20 @@ def short(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Likewise, 20 s."""
     path = tmp_path_factory.mktemp("reference") / "short.mcap"
     return wearer.session(path, 0.001, duration=20.0)
+
+
+@pytest.fixture(scope="session")
+def imported(tracked: Path, faulty: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """By the command, with ``report.json`` next to it."""
+    out = tmp_path_factory.mktemp("imported") / "out.mcap"
+    words = ["-o", str(out), "--json", str(out.with_name("report.json"))]
+    assert main(["import-reference", str(faulty), str(tracked), *words]) == 0
+    return out
+
+
+@pytest.fixture(scope="session")
+def faulty(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    lab = replace(FAULTY, markers=markers(wearer))
+    _, x_L = lab.record(wearer, 59.0)
+    path = tmp_path_factory.mktemp("lab") / "faulty.c3d"
+    return write_c3d(path, wearer.info.keypoint_names, x_L)

@@ -3,12 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
 
+import ezc3d
 import numpy as np
 
-from extensions.reference.tests.conftest import Wearer
 from tracker.geometry import so3
 from tracker.messages import Array
+from tracker.session.description import SessionInfo
+
+
+class Wearer(Protocol):
+    """See conftest."""
+
+    info: SessionInfo
+
+    def points(self, t: Array) -> tuple[Array, Array]: ...
+
 
 RATE = 120.0  # Hz
 
@@ -42,3 +54,22 @@ FAULTY = Laboratory(
     p_GL=np.array([0.4, -0.2, 1.1]),
     noise=0.0003,
 )
+
+
+def markers(wearer: Wearer) -> Array:
+    """Offsets of 5 mm in random directions."""
+    d = np.random.default_rng(3).normal(size=(len(wearer.info.keypoint_names), 3))
+    return 0.005 * d / np.linalg.norm(d, axis=1)[:, None]
+
+
+def write_c3d(path: Path, names: tuple[str, ...], points: Array, rate: float = RATE) -> Path:
+    """By ezc3d; points (N, K, 3) m, written in mm."""
+    file = ezc3d.c3d()
+    file["parameters"]["POINT"]["UNITS"]["value"] = ["mm"]
+    file["parameters"]["POINT"]["RATE"]["value"] = [rate]
+    file["parameters"]["POINT"]["LABELS"]["value"] = list(names)
+    data = np.ones((4, len(names), len(points)))
+    data[:3] = 1e3 * points.transpose(2, 1, 0)
+    file["data"]["points"] = data
+    file.write(str(path))
+    return path

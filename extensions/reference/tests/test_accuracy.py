@@ -16,8 +16,7 @@ from extensions.reference.angles import angles_of
 from extensions.reference.importing import ImportOptions, import_reference
 from extensions.reference.pairs import Pairs, anonymized, read_pairs
 from extensions.reference.tests.conftest import Wearer
-from extensions.reference.tests.laboratory import Laboratory
-from extensions.reference.tests.test_import import write_c3d
+from extensions.reference.tests.laboratory import Laboratory, write_c3d
 from tracker.base.errors import FileError
 from tracker.cli import main
 from tracker.hand.names import FINGERS

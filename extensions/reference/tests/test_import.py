@@ -11,51 +11,16 @@ import numpy as np
 import pytest
 
 from extensions.reference.importing import ImportOptions, import_reference
+from extensions.reference.registration import register, register_offsets
 from extensions.reference.session import read_imported
 from extensions.reference.tests.conftest import START, Wearer
-from extensions.reference.tests.laboratory import FAULTY, RATE, Laboratory
+from extensions.reference.tests.laboratory import FAULTY, RATE, Laboratory, markers, write_c3d
 from extensions.reference.timing import by_pulse
 from tracker.base.errors import FileError
 from tracker.cli import main
 from tracker.geometry import so3
-from tracker.messages import Array, Event
+from tracker.messages import Event
 from tracker.session.reader import SessionReader
-
-
-def markers(wearer: Wearer) -> Array:
-    """Offsets of 5 mm in random directions."""
-    d = np.random.default_rng(3).normal(size=(len(wearer.info.keypoint_names), 3))
-    return 0.005 * d / np.linalg.norm(d, axis=1)[:, None]
-
-
-def write_c3d(path: Path, names: tuple[str, ...], points: Array, rate: float = RATE) -> Path:
-    """By ezc3d; points (N, K, 3) m, written in mm."""
-    file = ezc3d.c3d()
-    file["parameters"]["POINT"]["UNITS"]["value"] = ["mm"]
-    file["parameters"]["POINT"]["RATE"]["value"] = [rate]
-    file["parameters"]["POINT"]["LABELS"]["value"] = list(names)
-    data = np.ones((4, len(names), len(points)))
-    data[:3] = 1e3 * points.transpose(2, 1, 0)
-    file["data"]["points"] = data
-    file.write(str(path))
-    return path
-
-
-@pytest.fixture(scope="module")
-def imported(tracked: Path, faulty: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """By the command, with ``report.json`` next to it."""
-    out = tmp_path_factory.mktemp("imported") / "out.mcap"
-    words = ["-o", str(out), "--json", str(out.with_name("report.json"))]
-    assert main(["import-reference", str(faulty), str(tracked), *words]) == 0
-    return out
-
-
-@pytest.fixture(scope="module")
-def faulty(wearer: Wearer, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    lab = replace(FAULTY, markers=markers(wearer))
-    _, x_L = lab.record(wearer, 59.0)
-    path = tmp_path_factory.mktemp("lab") / "faulty.c3d"
-    return write_c3d(path, wearer.info.keypoint_names, x_L)
 
 
 def test_known_faults_are_recovered(wearer: Wearer, imported: Path) -> None:
@@ -228,3 +193,30 @@ def test_pulses_of_a_session_and_of_a_c3d_file(wearer: Wearer, tmp_path: Path) -
     about = import_reference(path, session, tmp_path / "out.mcap", options)
     assert about.timing.parts == 4 and about.timing.offset == pytest.approx(0.4, abs=1 / 1200)
     assert about.rigid.residual < 0.0025
+
+
+def test_a_keypoint_that_is_only_inferred_has_an_offset_too(wearer: Wearer, tmp_path: Path) -> None:
+    """Offsets of 5 mm; the median of 2000 values with 1 mm of noise has 0.03 mm."""
+    session = wearer.session(tmp_path / "s.mcap", 0.001, duration=20.0, inferred=("ring_tip",))
+    lab = replace(FAULTY, markers=markers(wearer))
+    path = write_c3d(tmp_path / "l.c3d", wearer.info.keypoint_names, lab.record(wearer, 19.0)[1])
+    about = import_reference(path, session, tmp_path / "out.mcap")
+    found, k = about.with_offsets, about.keypoints.index("ring_tip")
+    assert np.abs(found.offsets - markers(wearer)).max() < 5e-4
+    assert (
+        np.isnan(found.offset_sd[k]).all() and np.isfinite(np.delete(found.offset_sd, k, 0)).all()
+    )
+
+
+def test_an_offset_that_is_a_translation_stays_one() -> None:
+    """A hand that moves without turning; all markers 60 mm above their keypoints."""
+    rng = np.random.default_rng(7)
+    path = np.cumsum(rng.normal(0, 0.002, (600, 1, 3)), axis=0)
+    x_G = path + rng.normal(0, 0.04, (1, 8, 3)) + rng.normal(0, 0.001, (600, 8, 3))
+    x_L = x_G + [0.0, 0.0, 0.06] + rng.normal(0, 0.0005, x_G.shape)
+    R_GB = np.broadcast_to(np.eye(3), (600, 8, 3, 3))
+    rigid = register(x_L, x_G, "x.c3d")
+    found = register_offsets(x_L, x_G, R_GB, rigid)
+    assert found.p_GL == pytest.approx([0, 0, -0.06], abs=1e-3)
+    assert np.abs(found.offsets).max() < 1e-3
+    assert found.offset_sd.min() > 0.002  # a translation of all: the prior's 15 mm / √8

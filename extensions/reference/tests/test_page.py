@@ -13,8 +13,7 @@ import pytest
 from extensions.reference.formats.read import read_reference
 from extensions.reference.mapping import read_mapping
 from extensions.reference.tests.conftest import Wearer
-from extensions.reference.tests.laboratory import FAULTY, RATE
-from extensions.reference.tests.test_import import write_c3d
+from extensions.reference.tests.laboratory import FAULTY, RATE, write_c3d
 from tracker.cli import main
 
 PAGE = Path(__file__).parents[1] / "docs" / "reference.md"
