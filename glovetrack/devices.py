@@ -93,13 +93,13 @@ def simulated_devices(seed: int, fps: float, hands: str, camera: bool) -> Device
     """A simulated wearer's gloves and camera. Raises DeviceError where they do not start."""
     from tracker.offline.simulate import GLOVES
     from tracker.simulation.camera_device import NoSimulatedCamera, SimulatedCamera
-    from tracker.simulation.demo import DemoSpec, WornTexts
+    from tracker.simulation.demo import DemoSpec, HandTexts
     from tracker.simulation.glove_process import GloveProcess
 
     sides = [side for side in ("right", "left") if hands in (side, "both")]
     if not sides:
         raise ConfigError(f"Hands can be right, left or both, not {hands!r}.")
-    texts = {side: WornTexts(*library.texts(GLOVES[side])) for side in sides}
+    texts = {side: HandTexts(*library.texts(GLOVES[side])) for side in sides}
     main, *others = texts.values()
     spec = DemoSpec(*main, seed, DURATION, fps, others=tuple(others))
     images = SimulatedCamera(spec) if camera else NoSimulatedCamera()

@@ -14,7 +14,7 @@ import pytest
 
 from tracker.base.files import whole_file
 from tracker.base.shared_memory import forget_name, new_memory
-from tracker.kernels import kept
+from tracker.kernels import cache
 from tracker.simulation.rig_device import ImagePipe
 
 pytestmark = pytest.mark.skipif(
@@ -104,20 +104,20 @@ def test_the_pipe_of_a_simulated_camera_is_private(shared: Path) -> None:
 def test_compiled_kernels_of_another_user_are_not_loaded(
     shared: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    here, cache = shared / "here", shared / "cache"
-    for folder in (here, cache, cache / kept._key("table")):
+    here, root = shared / "here", shared / "cache"
+    for folder in (here, root, root / cache._key("table")):
         folder.mkdir(mode=0o700)
-    monkeypatch.setattr(kept, "HERE", here)
-    monkeypatch.setenv(kept.FOLDER, str(cache))
-    name = kept._file("_compiled")
-    stored = cache / kept._key("table") / name
+    monkeypatch.setattr(cache, "HERE", here)
+    monkeypatch.setenv(cache.FOLDER, str(root))
+    name = cache._file("_compiled")
+    stored = root / cache._key("table") / name
     stored.write_bytes(b"code")
     stored.chmod(0o644)
-    assert kept.fetch("table", "_compiled") and (here / name).read_bytes() == b"code"
+    assert cache.fetch("table", "_compiled") and (here / name).read_bytes() == b"code"
     (here / name).unlink()
-    changed = {"file": stored, "entry": stored.parent, "cache": cache}[place]
+    changed = {"file": stored, "entry": stored.parent, "cache": root}[place]
     shutil.chown(changed, NOBODY, NOBODY)
-    assert not kept.fetch("table", "_compiled") and not (here / name).exists()
+    assert not cache.fetch("table", "_compiled") and not (here / name).exists()
     shutil.chown(changed, 0, 0)
     changed.chmod(0o777)
-    assert not kept.fetch("table", "_compiled") and not (here / name).exists()
+    assert not cache.fetch("table", "_compiled") and not (here / name).exists()

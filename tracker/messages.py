@@ -54,7 +54,7 @@ class Search(IntEnum):
 
     NEAR = 0  # only where it is expected
     AGAIN = 1  # anywhere, bent as it is by its IMUs
-    ANEW = 2  # as if nothing were known of it, where that is needed
+    FULL = 2  # as if nothing were known of it, where that is needed
 
 
 class _Frozen:
@@ -224,7 +224,7 @@ class BlobFrame(_Frozen):
     rejected_right: RejectedBlobs | None = None
     index: int = -1
     unhidden: Array | None = None
-    search: Search = Search.ANEW
+    search: Search = Search.FULL
     motion: CameraMotion | None = None
 
 

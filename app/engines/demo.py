@@ -29,12 +29,12 @@ from tracker.live.runner import LiveTracker
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.recording.process import RecorderProcesses
-from tracker.simulation.asked import AHEAD, MOVE, Asked
 from tracker.simulation.camera_device import DemoCamera
-from tracker.simulation.demo import DemoSpec, ask, asked_for, build_scene, hands_of
+from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of, requests_to
 from tracker.simulation.gestures import gesture_angles
 from tracker.simulation.glove_process import GloveProcess
 from tracker.simulation.guided import HeldHand, HoldParams
+from tracker.simulation.posture_requests import AHEAD, MOVE, PostureRequest
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.shows import shown_application
 from tracker.simulation.smooth import rng_for
@@ -119,7 +119,7 @@ def _setup_with(
         recorders.close()
 
     def record(path: Path, about: SessionInfo) -> Recorder:
-        companion = WithTruth(spec, t_0, asked_for(first))
+        companion = WithTruth(spec, t_0, requests_to(first))
         return recorders.record(path, about, companion=companion)
 
     make_recorder = recorder_maker(tracker, info, record)
@@ -268,14 +268,14 @@ class GuidedWearer:
     def _ask_gesture(self, gesture: str) -> None:
         angles = self._gesture(gesture) if gesture else ()
         turning = TURNING if gesture == "turn" else 0.0
-        self._send(Asked(self._clock() + AHEAD, angles, turning), gesture)
+        self._send(PostureRequest(self._clock() + AHEAD, angles, turning), gesture)
 
     def _ask(self, pose: str) -> None:
         then = self._clock() + AHEAD + MOVE
         angles = tuple(self._held.angles(pose, then).tolist()) if pose else ()
-        self._send(Asked(self._clock() + AHEAD, angles), pose)
+        self._send(PostureRequest(self._clock() + AHEAD, angles), pose)
 
-    def _send(self, asked: Asked, pose: str) -> None:
+    def _send(self, asked: PostureRequest, pose: str) -> None:
         ask(self._simulation, asked)
         self._glove_process.ask(asked)
         self._camera.ask(asked, pose)

@@ -63,12 +63,12 @@ class DemoChoice:
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     """Returns the specification of the simulated wearers and the camera."""
-    from tracker.simulation.demo import TABLE, DemoSpec, WornTexts  # deferred: the simulator
+    from tracker.simulation.demo import TABLE, DemoSpec, HandTexts  # deferred: the simulator
 
     choice = choice or DemoChoice()
     sides = ("right", "left") if choice.hands == "both" else (choice.hands,)
     texts = [
-        WornTexts(library.text("hands", hand), library.text("gloves", glove))
+        HandTexts(library.text("hands", hand), library.text("gloves", glove))
         for hand, glove in (FILES[side] for side in sides)
     ]
     desk = choice.has_desk(os.cpu_count() or 1)

@@ -40,9 +40,9 @@ class GuidedCommands(QObject):
             )
         )
 
-    def take_back(self, before: WearerNow) -> bool:
+    def restore_snapshot(self, before: WearerNow) -> bool:
         """Restore the calibration from ``before``."""
         known = before.remembered
         return self._host.command(
-            lambda engine: learning_part(engine).wearer.take_back(known), self._side
+            lambda engine: learning_part(engine).wearer.restore_snapshot(known), self._side
         )

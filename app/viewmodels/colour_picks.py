@@ -15,7 +15,7 @@ from app.viewmodels.names import spoken
 from app.words import tr
 from tracker.calibration.colours_fit import fit_samples
 from tracker.calibration.colours_image import PICKED_PX
-from tracker.calibration.colours_sample import calmed, core_pixels
+from tracker.calibration.colours_sample import core_pixels, denoised
 from tracker.glove import library
 from tracker.messages import Array
 from tracker.vision.colours import ColourProfile, HueRange, parse_profile
@@ -42,7 +42,7 @@ def has_hue(hsv: Array) -> bool:
 
 def range_at(image: Image, u: float, v: float, name: str) -> HueRange:
     """The range of the cloth at a pixel of a BGR image (h, w, 3), as a fit would set it."""
-    pixels = core_pixels(calmed(image), np.array([u, v]), PICKED_PX)
+    pixels = core_pixels(denoised(image), np.array([u, v]), PICKED_PX)
     return fit_samples(name, cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV)[0])
 
 

@@ -29,7 +29,7 @@ from tracker.base.errors import ConfigError
 from tracker.base.files import write_with_folder
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.calibration.colours_image import Pick, learn_picked
-from tracker.calibration.colours_learn import taught
+from tracker.calibration.colours_learn import with_colour
 from tracker.messages import Blobs
 from tracker.vision.colours import (
     ColourProfile,
@@ -169,7 +169,7 @@ class ColourTuning:
                 range_at(image, at_u, at_v, name) if setting else add_pixel(self.hue_range, pixel)
             )
             row, picks[name] = self.hue, Pick(image, np.array([at_u, at_v]), name)
-        learned = taught(self.profile, pixel_bgr(image, at_u, at_v), row)
+        learned = with_colour(self.profile, pixel_bgr(image, at_u, at_v), row)
         words = missing_picks(self.profile.hue_names, picks) if row >= 0 else ""
         self._change(Tuned(with_range(learned, changed), words, picks))
         return True

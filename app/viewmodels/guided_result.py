@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.words import local, mark, tr
-from tracker.fusion.chain.known import Remembered
+from tracker.fusion.chain.known import WearerSnapshot
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS
 from tracker.messages import Array, Calibration
@@ -40,7 +40,7 @@ class WearerNow(NamedTuple):
     abduction: Array
     ends: Mapping[str, Array]
     calibration: Calibration
-    remembered: Remembered
+    remembered: WearerSnapshot
     frozen: bool = False
     learning: bool = False
 

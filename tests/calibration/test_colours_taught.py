@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tracker.calibration.colours_learn import taught
+from tracker.calibration.colours_learn import with_colour
 from tracker.glove import library
 from tracker.vision.colours import (
     LEARNED_CELLS,
@@ -33,10 +33,10 @@ def test_a_picked_colour_is_found_though_it_was_learned_as_the_rooms_and_can_be_
     learned = ColourProfile("x", FACTORY.hues, learned=room)
     assert found(FACTORY) == ["blue"]
     assert found(learned) == []
-    picked = taught(learned, BLUE, learned.hue_names.index("blue"))
+    picked = with_colour(learned, BLUE, learned.hue_names.index("blue"))
     assert found(picked) == ["blue"]
-    assert found(taught(picked, BLUE, -1)) == []
+    assert found(with_colour(picked, BLUE, -1)) == []
 
 
 def test_colours_without_anything_learned_stay_as_they_are() -> None:
-    assert taught(FACTORY, BLUE, 0) is FACTORY
+    assert with_colour(FACTORY, BLUE, 0) is FACTORY

@@ -13,7 +13,7 @@ from tracker.calibration.wiggle import WiggleTest, imu_motion, moving, wiggle_st
 from tracker.geometry import so3
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.motion import Motion
-from tracker.simulation.wiggles import PlayAlong, Wiggle, wiggling_wearer
+from tracker.simulation.wiggles import InstructedWearer, Wiggle, wiggling_wearer
 
 DEGREE = np.pi / 180
 SECONDS = 4.0
@@ -194,7 +194,7 @@ def test_an_accelerometer_that_is_off_is_told(hand, glove):
 
 
 def test_the_wearer_who_plays_along_does_what_is_asked(hand, glove):
-    wearer = PlayAlong(hand, glove)
+    wearer = InstructedWearer(hand, glove)
     stream = wearer.samples()
     first = [next(stream) for _ in range(200)]
     wearer.part = "middle"

@@ -17,14 +17,14 @@ from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking
 from tracker.session.engine_state import pack, unpack
-from tracker.simulation.two_hands import Dressed, Meeting, SidedMessage, TwoHandsSimulation
+from tracker.simulation.two_hands import GlovedHand, Meeting, SidedMessage, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s, from which on the wearers' sizes are known somewhat
 
 
 def simulated(seed: int, duration: float, fps: float = 30.0) -> TwoHandsSimulation:
-    dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
+    dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}
     return TwoHandsSimulation(dressed, seed, duration, fps)
 
 

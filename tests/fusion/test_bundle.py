@@ -51,8 +51,8 @@ def work_of(engine: ChainEngine) -> BundleWork:
     return engine.get_state().tracker.wearer.work
 
 
-def kept(engine: ChainEngine) -> list[Keyframe]:
-    return work_of(engine).keyframes.kept
+def stored(engine: ChainEngine) -> list[Keyframe]:
+    return work_of(engine).keyframes.stored
 
 
 def state_of(engine: ChainEngine) -> ChainState:
@@ -68,7 +68,7 @@ def marker_error(state: ChainState, wearer: Wearer) -> float:
 def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simulation) -> None:
     """Poses eliminated one by one, against all unknowns in one dense system."""
     lay, params = engine.layout, ChainParams(bundle=replace(EARLY, sweeps=1, least_keyframes=3))
-    frames, state = kept(engine)[:3], state_of(engine)
+    frames, state = stored(engine)[:3], state_of(engine)
     work = BundleWork(next_at=0.0, pause=1.0, keyframes=Keyframes(list(frames)))
     bundle = Bundle(lay, sim.rig, params)
     found = None
@@ -98,7 +98,7 @@ def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simul
 
 def test_markers_are_placed_better_than_by_the_filter(engine: ChainEngine, sim: Simulation) -> None:
     state = state_of(engine)
-    work = BundleWork(next_at=0.0, pause=1.0, keyframes=Keyframes(kept(engine)))
+    work = BundleWork(next_at=0.0, pause=1.0, keyframes=Keyframes(stored(engine)))
     bundle = Bundle(engine.layout, sim.rig, ChainParams(bundle=EARLY))
     found = None
     while found is None:
@@ -127,18 +127,18 @@ def test_postures_grow_more_different(engine: ChainEngine) -> None:
     """At the limit a newcomer never makes the two most alike more alike."""
     params, store = replace(EARLY, keyframes=5, apart=0.05), Keyframes()
     closest = 0.0
-    for frame in kept(engine):
+    for frame in stored(engine):
         store.offer(frame, params)
-        assert len(store.kept) <= 5
-        if len(store.kept) == 5:
+        assert len(store.stored) <= 5
+        if len(store.stored) == 5:
             apart = [
                 np.linalg.norm(a.relative - b.relative)
-                for i, a in enumerate(store.kept)
-                for b in store.kept[:i]
+                for i, a in enumerate(store.stored)
+                for b in store.stored[:i]
             ]
             assert min(apart) >= closest - 1e-12
             closest = min(apart)
-    assert len(store.kept) == 5
+    assert len(store.stored) == 5
 
 
 def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> None:
@@ -158,11 +158,11 @@ def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> N
 
 def test_postures_of_something_else_teach_nothing(engine: ChainEngine, sim: Simulation) -> None:
     """Blobs of other images under each posture: the solution is thrown away, and they with it."""
-    frames = kept(engine)
+    frames = stored(engine)
     mixed = [replace(a, uv=b.uv) for a, b in zip(frames, frames[1:] + frames[:1], strict=True)]
     state, work = state_of(engine), BundleWork(0.0, 0.0, 1.0, Keyframes(mixed))
     bundle = Bundle(engine.layout, sim.rig, ChainParams(bundle=EARLY))
     found = [bundle.step(work, state) for _ in range(1 + EARLY.sweeps * len(mixed))]
     assert found == [None] * len(found)
     assert work.calibration is None
-    assert work.keyframes.kept == []
+    assert work.keyframes.stored == []

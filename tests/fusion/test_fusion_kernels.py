@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.distal import OFFSET, DistalSegments, Synergies
-from tracker.fusion.chain.driven_ends import ONE_WAY, EndsSureness
+from tracker.fusion.chain.driven_ends import ONE_WAY, EndDeviations
 from tracker.fusion.chain.kinematics import jacobians
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PixelNoise, SynergyParams
@@ -183,7 +183,7 @@ def test_sd_of_the_ends_is_the_trace(hand: HandModel, glove: GloveModel) -> None
     that guided poses are learned with, what is not known of the bend counting `ONE_WAY` times."""
     layout, rng = ChainLayout(hand, glove), np.random.default_rng(12)
     distal = DistalSegments(layout, SynergyParams())
-    state, sure = initial_state(layout), EndsSureness(layout, distal)
+    state, sure = initial_state(layout), EndDeviations(layout, distal)
     state.R_GB = rotate_all(state.R_GB, rng.normal(0, 0.3, (len(layout.active), 3)))
     root, root_own = rng.normal(size=state.P.shape), rng.normal(size=2 * (3 * len(distal.digits),))
     state.P, prior = root @ root.T, distal.prior()

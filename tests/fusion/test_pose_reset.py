@@ -25,8 +25,8 @@ from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
-from tracker.simulation.asked import Asked, AskedMotion
 from tracker.simulation.guided import HeldHand, HoldParams
+from tracker.simulation.posture_requests import PostureRequest, RequestedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.smooth import rng_for
@@ -39,11 +39,11 @@ RATE = np.deg2rad(4.0)  # rad/s of the drift
 
 def held_flat(hand: HandModel, glove: GloveModel, seed: int) -> Simulation:
     """A wearer who moves freely, holds the hand flat around `RESET`, and moves on."""
-    motion = AskedMotion(RandomPostures(hand, seed, duration=23.0), seed)
+    motion = RequestedMotion(RandomPostures(hand, seed, duration=23.0), seed)
     sim = Simulation(hand, glove, motion, seed)
     held = HeldHand(sim.wearer, HoldParams(), rng_for(3, "flat"))
-    motion.ask(Asked(HELD, tuple(held.angles("flat", HELD).tolist())))
-    motion.ask(Asked(RESET + 1.0))
+    motion.ask(PostureRequest(HELD, tuple(held.angles("flat", HELD).tolist())))
+    motion.ask(PostureRequest(RESET + 1.0))
     return sim
 
 

@@ -10,7 +10,7 @@ import pytest
 from tracker.engine.pipeline import Pipeline
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
-from tracker.fusion.chain.calibration.size import as_unsure, size_sd
+from tracker.fusion.chain.calibration.size import size_sd, with_min_size_sd
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
@@ -55,12 +55,12 @@ def test_what_is_added_is_common_to_all_sizes(hand: HandModel, glove: GloveModel
     layout = ChainLayout(hand, glove)
     ruler = measured_profile(layout, 0.19)
     assert size_sd(ruler, layout) == pytest.approx(0.002 / 0.19, rel=0.02)
-    unsure = as_unsure(ruler, layout, STRANGER)
+    unsure = with_min_size_sd(ruler, layout, STRANGER)
     assert size_sd(unsure, layout) == pytest.approx(STRANGER, rel=1e-9)
     added = unsure.P - ruler.P
     assert np.linalg.matrix_rank(added, tol=1e-9) == 1
     assert np.linalg.eigvalsh(added).min() > -1e-12
-    assert as_unsure(unsure, layout, KNOWN) is unsure  # never made surer
+    assert with_min_size_sd(unsure, layout, KNOWN) is unsure  # never made surer
 
 
 def test_a_strangers_profile_of_one_camera_is_a_strangers_later(hand, glove, tmp_path) -> None:

@@ -142,14 +142,14 @@ def test_what_was_seen_fades(layout: ChainLayout, rig: StereoRig, flat: ChainSta
     """Where a tip is seen no more, its joint follows the one before it again after a while."""
     worn, nothing = Worn(layout, rig), BlobFrame(0.0, 0.0, (), Blobs.empty(), Blobs.empty())
     worn.look(flat, seen(worn, rig, flat, 0, BENT, 0.0))
-    bend, P = worn.tips.kept.bend.copy(), worn.tips.kept.P.copy()
+    bend, P = worn.tips.saved.bend.copy(), worn.tips.saved.P.copy()
     flat.t = APART / 2
     worn.look(flat, nothing)
-    assert np.array_equal(worn.tips.kept.bend, bend)  # too soon to look again
+    assert np.array_equal(worn.tips.saved.bend, bend)  # too soon to look again
     flat.t = LASTS
     worn.look(flat, nothing)
-    assert np.allclose(worn.tips.kept.bend, np.exp(-1.0) * bend)
-    assert worn.tips.kept.P[0, 0, 0] > P[0, 0, 0]
+    assert np.allclose(worn.tips.saved.bend, np.exp(-1.0) * bend)
+    assert worn.tips.saved.P[0, 0, 0] > P[0, 0, 0]
 
 
 def test_images_without_cloth_change_nothing(

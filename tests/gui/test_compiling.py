@@ -12,8 +12,8 @@ from tracker.kernels import parts, tools
 
 def words(*lines: str, status: int = 0) -> list[str]:
     """A process that says these lines, as the compiler would."""
-    said = "; ".join(f"print({line!r}, flush=True)" for line in lines)
-    return [sys.executable, "-c", f"{said}; raise SystemExit({status})"]
+    progress_line = "; ".join(f"print({line!r}, flush=True)" for line in lines)
+    return [sys.executable, "-c", f"{progress_line}; raise SystemExit({status})"]
 
 
 @pytest.fixture
@@ -24,7 +24,9 @@ def window(qtbot):
 
 
 def test_one_sees_how_many_parts_are_compiled(window):
-    lines = [tools.said(part, i + 1, 12) for i, part in enumerate(["vision", "hand", "fusion"])]
+    lines = [
+        tools.progress_line(part, i + 1, 12) for i, part in enumerate(["vision", "hand", "fusion"])
+    ]
     assert window.run(words("Compiling", *lines))
     assert (window.bar.value(), window.bar.maximum()) == (3, 12)
     assert not window.isVisible()

@@ -256,7 +256,7 @@ def teach(engine: ChainEngine, degrees: float, sure: float = 0.5) -> None:
     value, P = own.value.copy(), own.P.copy()
     value[digit, 1] += np.deg2rad(degrees)
     P[3 * digit : 3 * digit + 3] *= sure**2  # it stands apart from the others
-    guided.kept.synergies = dataclasses.replace(own, value=value, P=P)
+    guided.saved.synergies = dataclasses.replace(own, value=value, P=P)
 
 
 def finished(guided, clock, engine, qtbot) -> None:

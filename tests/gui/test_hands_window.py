@@ -25,7 +25,7 @@ from tracker.session.motion import read_take
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
-from tracker.simulation.wiggles import PlayAlong
+from tracker.simulation.wiggles import InstructedWearer
 
 BOUND = {
     11: BoundGlove("right", "vist-small", "reference-right"),
@@ -139,7 +139,7 @@ def gloves():
     for number, known_as in BOUND.items():
         hand, glove = library.load(known_as.glove, known_as.hand)
         made[number] = SimulatedGlove(
-            PlayAlong(hand, glove).samples(),
+            InstructedWearer(hand, glove).samples(),
             len(glove.imus),
             time.monotonic(),
             GloveDeviceParams(glove_id=number),

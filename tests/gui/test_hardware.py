@@ -24,7 +24,7 @@ from tracker.calibration.stereo.files import save_calibration
 from tracker.messages import Event, Tracking, Validity
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
-from tracker.simulation.wiggles import PlayAlong
+from tracker.simulation.wiggles import InstructedWearer
 
 IMAGES = 2
 SECONDS, FPS = 8.0, 10.0  # of the film: what has ended is not found
@@ -35,7 +35,7 @@ def device():
     """A worn glove on a pseudo-terminal."""
     hand, glove, _ = models()
     glove_device = SimulatedGlove(
-        PlayAlong(hand, glove).samples(),
+        InstructedWearer(hand, glove).samples(),
         len(glove.imus),
         time.monotonic(),
         GloveDeviceParams(firmware=(0, 9, 0)),

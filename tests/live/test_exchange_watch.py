@@ -12,14 +12,14 @@ from tracker.engine.side_watch import ExchangeWatch
 from tracker.glove import library
 from tracker.hand.names import SIDES
 from tracker.messages import BlobFrame, ImuSample
-from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 
 
 @pytest.mark.parametrize("exchanged", [True, False])
 def test_exchanged_gloves_are_said_once(exchanged: bool) -> None:
-    dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
+    dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}
     sim = TwoHandsSimulation(dressed, 1, 4.5, 15.0)
     make = {side: partial(Pipeline, *dressed[side], sim.rig) for side in SIDES}
     hands, reported = Hands(make), []

@@ -19,7 +19,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.base.records import RECORDS
-from tracker.engine.hands import TwoHandsKept
+from tracker.engine.hands import TwoHandsSavedState
 from tracker.engine.pipeline import Pipeline
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.engine import ChainEngine
@@ -50,7 +50,7 @@ SAMPLES: dict[str, Callable[[Settings], Settings]] = {
 }
 
 
-NOT_OF_A_PIPELINE = (TwoHandsKept,)
+NOT_OF_A_PIPELINE = (TwoHandsSavedState,)
 """Records that are written beside those of pipelines; loading them makes them known."""
 
 

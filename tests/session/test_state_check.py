@@ -12,20 +12,20 @@ from tests.notices import raises
 from tests.session.engine_state_samples import simulation, small_glove, tracked, untouched
 from tracker.base.errors import FileError
 from tracker.base.records import RECORDS, Record
-from tracker.engine.pipeline import PipelineKept
-from tracker.fusion.chain.tip_bends import TipBendsKept
+from tracker.engine.pipeline import PipelineSavedState
+from tracker.fusion.chain.tip_bends import TipBendsSavedState
 from tracker.messages import Blobs
 from tracker.session.engine_state import pack, unpack
 from tracker.session.state_check import mismatch, require_match
 
 
 @pytest.fixture
-def fresh() -> PipelineKept:
+def fresh() -> PipelineSavedState:
     return untouched(simulation(), "chain").get_state()
 
 
 @pytest.fixture
-def state() -> PipelineKept:
+def state() -> PipelineSavedState:
     return tracked(simulation(), "chain")[0].get_state()
 
 
@@ -47,9 +47,11 @@ def test_every_array_of_a_record_has_a_declared_shape() -> None:
         assert arrays == known.shapes.keys(), f"shapes of the record {known.name!r}"
 
 
-def test_what_is_empty_at_rest_may_have_grown(state: PipelineKept, fresh: PipelineKept) -> None:
+def test_what_is_empty_at_rest_may_have_grown(
+    state: PipelineSavedState, fresh: PipelineSavedState
+) -> None:
     """Ends of fingers that were seen once: the first recording that was refused."""
-    bends = TipBendsKept(np.zeros((5, 2)), np.zeros(5), np.zeros((5, 2, 2)), 1.0)
+    bends = TipBendsSavedState(np.zeros((5, 2)), np.zeros(5), np.zeros((5, 2, 2)), 1.0)
     state.engine.tracker.tips = bends
     assert mismatch(state, fresh) is None
     bends.drive = np.zeros(4)
@@ -57,7 +59,7 @@ def test_what_is_empty_at_rest_may_have_grown(state: PipelineKept, fresh: Pipeli
 
 
 def test_parts_in_lists_and_those_not_there_at_rest_are_checked(
-    state: PipelineKept, fresh: PipelineKept
+    state: PipelineSavedState, fresh: PipelineSavedState
 ) -> None:
     assert fresh.engine.timeline.waiting == [] and len(state.engine.timeline.waiting) == 1
     frame = state.engine.timeline.waiting[0]
@@ -66,27 +68,27 @@ def test_parts_in_lists_and_those_not_there_at_rest_are_checked(
     state.engine.timeline.waiting[0] = dataclasses.replace(frame, left=short)
     assert "timeline.waiting[0].left.hue" in str(mismatch(state, fresh))
     state.engine.timeline.waiting.clear()
-    kept = state.engine.tracker.wearer.work.keyframes.kept
-    kept[0] = dataclasses.replace(kept[0], uv=kept[0].uv[:, :-1])  # a marker fewer
+    stored = state.engine.tracker.wearer.work.keyframes.stored
+    stored[0] = dataclasses.replace(stored[0], uv=stored[0].uv[:, :-1])  # a marker fewer
     assert "keyframes.kept[0].uv" in str(mismatch(state, fresh))
 
 
 @pytest.mark.parametrize(
     ("part", "value", "why"),
     [
-        ("timing", None, "not a FrameTimingKept"),
-        ("timing", np.zeros(3), "not a FrameTimingKept"),
-        ("pair", [], "not a PairOffsetKept"),
+        ("timing", None, "not a FrameTimingSavedState"),
+        ("timing", np.zeros(3), "not a FrameTimingSavedState"),
+        ("pair", [], "not a PairOffsetSavedState"),
     ],
 )
 def test_a_part_of_another_kind_is_refused(
-    state: PipelineKept, fresh: PipelineKept, part: str, value: object, why: str
+    state: PipelineSavedState, fresh: PipelineSavedState, part: str, value: object, why: str
 ) -> None:
     changed = dataclasses.replace(state, **{part: value})
     assert why in str(mismatch(changed, fresh))
 
 
-def test_the_message_names_the_engine(state: PipelineKept, fresh: PipelineKept) -> None:
+def test_the_message_names_the_engine(state: PipelineSavedState, fresh: PipelineSavedState) -> None:
     _, again = unpack(pack("chain", state))
     require_match(again, fresh, "chain")
     again.engine.tracker.filter.state.bg = np.zeros((9, 3))

@@ -6,7 +6,14 @@ import pytest
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Event
-from tracker.simulation.asked import MOVE, SWAY_DEG, Asked, AskedMotion, asked_event, asked_in
+from tracker.simulation.posture_requests import (
+    MOVE,
+    SWAY_DEG,
+    PostureRequest,
+    RequestedMotion,
+    request_event,
+    request_in,
+)
 from tracker.simulation.postures import posture
 from tracker.simulation.random_postures import RandomPostures
 
@@ -14,12 +21,12 @@ FIST = {f"{f}_{j}_flexion": 80.0 for f in ("index", "middle", "ring", "little") 
 SEEDS = (1, 2, 3)
 
 
-def motion(hand: HandModel, seed: int) -> AskedMotion:
-    return AskedMotion(RandomPostures(hand, seed, duration=20.0), seed)
+def motion(hand: HandModel, seed: int) -> RequestedMotion:
+    return RequestedMotion(RandomPostures(hand, seed, duration=20.0), seed)
 
 
-def asked(hand: HandModel, t: float) -> Asked:
-    return Asked(t, tuple(posture(hand, FIST).tolist()))
+def asked(hand: HandModel, t: float) -> PostureRequest:
+    return PostureRequest(t, tuple(posture(hand, FIST).tolist()))
 
 
 def test_until_something_is_asked_it_is_the_wearers_own_motion_to_the_bit(hand):
@@ -33,7 +40,7 @@ def test_until_something_is_asked_it_is_the_wearers_own_motion_to_the_bit(hand):
 def test_the_posture_is_reached_and_left_again(hand):
     led = motion(hand, 2)
     led.ask(asked(hand, 5.0))
-    led.ask(Asked(9.0))
+    led.ask(PostureRequest(9.0))
     held = led.poses(np.linspace(5.0 + MOVE, 9.0, 50)).angles
     off = np.rad2deg(held - posture(hand, FIST))
     assert np.abs(off).max() < 5 * SWAY_DEG
@@ -49,7 +56,7 @@ def test_it_goes_there_and_back_without_a_jump(hand, seed):
     led = motion(hand, seed)
     for k in range(5):
         led.ask(asked(hand, 2.0 + 3.0 * k))
-        led.ask(Asked(3.3 + 3.0 * k))
+        led.ask(PostureRequest(3.3 + 3.0 * k))
     step = 0.002
     t = np.arange(1.0, 17.0, step)
     poses = led.poses(t)
@@ -64,7 +71,7 @@ def test_the_same_instants_give_the_same_hand_however_they_are_asked_for(hand):
     """Packets are made a second at a time, images one by one."""
     led = motion(hand, 3)
     led.ask(asked(hand, 4.0))
-    led.ask(Asked(6.0))
+    led.ask(PostureRequest(6.0))
     t = np.linspace(3.9, 7.0, 40)
     together = led.poses(t)
     for k in range(len(t)):
@@ -74,5 +81,5 @@ def test_the_same_instants_give_the_same_hand_however_they_are_asked_for(hand):
 
 def test_a_recording_knows_by_an_event_what_was_asked_for(hand, glove: GloveModel):
     there = asked(hand, 4.25)
-    assert asked_in(asked_event(there, "fist", 3.0)) == there
-    assert asked_in(Event(3.0, "device", "The camera is there.")) is None
+    assert request_in(request_event(there, "fist", 3.0)) == there
+    assert request_in(Event(3.0, "device", "The camera is there.")) is None

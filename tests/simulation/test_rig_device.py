@@ -19,7 +19,7 @@ from tracker.sensors.discovery import find_gloves
 from tracker.sensors.image_input import CaptureFormat, Image, StreamInput, TwoCameraInput
 from tracker.simulation import rig_device
 from tracker.simulation.camera_device import NoSimulatedCamera
-from tracker.simulation.demo import DemoSpec, WornTexts
+from tracker.simulation.demo import DemoSpec, HandTexts
 from tracker.simulation.glove_process import GLOVE_IDS
 from tracker.simulation.rig_device import (
     HeldBoard,
@@ -79,7 +79,7 @@ def test_a_pipe_that_cannot_be_made_is_said(tmp_path: Path) -> None:
 def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SimulatedRig]:
     """Two gloves; what the camera draws is tested elsewhere."""
     monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
-    worn = (WornTexts(*library.texts(GLOVES[side])) for side in ("right", "left"))
+    worn = (HandTexts(*library.texts(GLOVES[side])) for side in ("right", "left"))
     main, *others = worn
     devices = SimulatedRig(DemoSpec(*main, duration=5.0, others=tuple(others)), tmp_path)
     yield devices

@@ -98,5 +98,5 @@ def test_a_detector_adds_the_cloth_that_its_colours_know() -> None:
     image = np.full((SIZE[0] * TILE, SIZE[1] * TILE, 3), BRIGHT, np.uint8)
     knows, other = Detector(worn()), Detector(ColourProfile("p", worn().hues))
     assert knows.detect(image)[0].cloth is None
-    assert knows.detect_worn(image)[0].cloth is not None
-    assert other.detect_worn(image)[0].cloth is None
+    assert knows.detect_with_cloth(image)[0].cloth is not None
+    assert other.detect_with_cloth(image)[0].cloth is None

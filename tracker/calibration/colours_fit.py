@@ -109,17 +109,17 @@ def _cuts(hue: HueRange, h: int, s: int, v: int) -> list[tuple[float, HueRange]]
     if above > 0:
         cut = replace(hue, hue=(hue.hue[0], (h - 1) % HUES))
         out.append(((width - above + 1) / (width + 1), cut))
-    for share, kept in _level_cuts(hue.saturation, s):
-        out.append((share, replace(hue, saturation=kept)))
-    for share, kept in _level_cuts(hue.value, v):
-        out.append((share, replace(hue, value=kept)))
+    for share, rest in _level_cuts(hue.saturation, s):
+        out.append((share, replace(hue, saturation=rest)))
+    for share, rest in _level_cuts(hue.value, v):
+        out.append((share, replace(hue, value=rest)))
     return out
 
 
 def _level_cuts(interval: tuple[int, int], x: int) -> list[tuple[float, tuple[int, int]]]:
     low, high = interval
     cuts = [((x - low + 1), (x + 1, high)), ((high - x + 1), (low, x - 1))]
-    return [(lost / (high - low + 1), kept) for lost, kept in cuts if kept[0] <= kept[1]]
+    return [(lost / (high - low + 1), cut) for lost, cut in cuts if cut[0] <= cut[1]]
 
 
 @dataclass(frozen=True)

@@ -27,7 +27,7 @@ FOLLOWED = notice("colours.followed")
 """Reports each new profile: the light has changed, or the initial colours were of another room."""
 
 APART = 0.2  # s between two evaluated images
-KEPT, LEAST = 6, 3  # stored images: over a second, shade averages out
+STORED, LEAST = 6, 3  # stored images: over a second, shade averages out
 LEAST_MARKERS = 6  # matched, for an image to be used
 TINT = 0.09  # ln of a channel relative to green: another light, beyond the effect of shade
 BRIGHT = 0.35  # ln of all channels and hues together
@@ -62,7 +62,7 @@ class ColourFollower:
     ) -> None:
         self.profile = profile
         self._glove, self._camera = glove, (marker_size, fx)
-        self._looks: deque[Look] = deque(maxlen=KEPT)
+        self._looks: deque[Look] = deque(maxlen=STORED)
         self._reference: dict[str, Array] = {}
         self._due = -np.inf
 
@@ -118,7 +118,7 @@ class ColourFollower:
 
     def _learned(self, now: dict[str, Array]) -> ColourProfile | None:
         """A new profile, if it is as good as the old one for the newest image."""
-        if len(self._looks) < KEPT:
+        if len(self._looks) < STORED:
             return None
         samples, names = ColourSamples.of(self.profile.hue_names), self.profile.hue_names
         for look in self._looks:

@@ -17,7 +17,7 @@ from tracker.base.errors import GlovetrackError
 from tracker.base.notices import notice
 from tracker.calibration.colours_fit import FoundHue, Image, fit_samples, parted
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
-from tracker.calibration.colours_sample import KnownMarkers, calmed, core_pixels, samples_of
+from tracker.calibration.colours_sample import KnownMarkers, core_pixels, denoised, samples_of
 from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
@@ -41,7 +41,7 @@ def learn_image(
     Raises GlovetrackError unless a glove is clearly visible.
     """
     best, crowd = Blobs.empty(), np.zeros(0, np.int64)
-    calm = calmed(image)
+    calm = denoised(image)
     for wide in wide_profiles(profile):
         blobs, _ = Detector(wide, marker_size, fx).detect(calm)
         rows = glove_of(blobs)
@@ -90,7 +90,7 @@ def learn_picked(
     detector, samples = Detector(start, marker_size, fx), ColourSamples.of(profile.hue_names)
     most = 0
     for image in _distinct(picks):
-        blobs, _ = detector.detect(calmed(image))
+        blobs, _ = detector.detect(denoised(image))
         rows = glove_of(blobs)
         most = max(most, len(rows))
         hue = tuple(profile.hue_names[k] for k in blobs.hue[rows])
@@ -109,7 +109,7 @@ def learn_picked(
 
 def _around(pick: Pick) -> HueRange:
     """The range of the selected cloth."""
-    pixels = core_pixels(calmed(pick.image), pick.uv, PICKED_PX)
+    pixels = core_pixels(denoised(pick.image), pick.uv, PICKED_PX)
     hsv = np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0]
     return fit_samples(pick.hue, hsv)
 

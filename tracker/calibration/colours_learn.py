@@ -169,7 +169,7 @@ def _hsv(pixels: Image) -> Image:
     return np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0]
 
 
-def taught(profile: ColourProfile, bgr: Image, hue: int) -> ColourProfile:
+def with_colour(profile: ColourProfile, bgr: Image, hue: int) -> ColourProfile:
     """``profile`` in which colours next to a BGR pixel (3,) belong to the hue in this row, or to
     the background where it is -1: the eyedropper overrides learned classes."""
     if profile.learned is None:

@@ -46,7 +46,7 @@ class KnownMarkers:
 def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
     """BGR pixels of an image by class; a noisy image is smoothed first."""
     out = ColourSamples.of(names)
-    calm = calmed(image)
+    calm = denoised(image)
     out.noisy.append(calm is not image)
     image = calm
     shape = image.shape[:2]
@@ -70,7 +70,7 @@ def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> Col
     return out
 
 
-def calmed(image: Image) -> Image:
+def denoised(image: Image) -> Image:
     """The image, smoothed if it is noisy."""
     return smoothed(image, SMOOTHING_PX) if noise_of(image) > NOISY else image
 

@@ -16,7 +16,7 @@ import numpy as np
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.records import record
-from tracker.engine.pipeline import Pipeline, PipelineKept
+from tracker.engine.pipeline import Pipeline, PipelineSavedState
 from tracker.hand.names import SIDES
 from tracker.messages import (
     BlobFrame,
@@ -51,14 +51,14 @@ class Sided(NamedTuple):
 
 @record("two_hands", last_near="last_again", last_full="last_anew")
 @dataclass(eq=False)
-class TwoHandsKept:
+class TwoHandsSavedState:
     """The state of two hands. ``left`` and ``right`` are their pipelines', ``last`` is the result
     of the newest image for each of them, the left one first. Then the instants (s) of the last
     images in which a hand could be searched for, in its last posture and without prior
     knowledge."""
 
-    left: PipelineKept
-    right: PipelineKept
+    left: PipelineSavedState
+    right: PipelineSavedState
     last: list[FrameResult | None]
     last_near: float = -np.inf
     last_full: float = -np.inf
@@ -130,7 +130,7 @@ class Hands:
         near, full = t - self._last_near >= NEAR_INTERVAL, t - self._last_full >= FULL_INTERVAL
         if full:
             self._last_near = self._last_full = t
-            return Search.ANEW
+            return Search.FULL
         if near:
             self._last_near = t
         return Search.AGAIN if near else Search.NEAR
@@ -188,13 +188,13 @@ class Hands:
         self.pipelines[weaker].set_state(self._fresh[weaker])
         self._last[weaker] = None
 
-    def get_state(self) -> PipelineKept | TwoHandsKept:
+    def get_state(self) -> PipelineSavedState | TwoHandsSavedState:
         """Returns the state that estimates depend on; that of the pipeline if there is one hand."""
         if self.alone:
             return self._main.get_state()
         left, right = (self.pipelines[side].get_state() for side in SIDES)
         last = [self._last[side] for side in SIDES]
-        return TwoHandsKept(left, right, last, self._last_near, self._last_full)
+        return TwoHandsSavedState(left, right, last, self._last_near, self._last_full)
 
     def set_state(self, state: Any) -> None:
         """Restores a state that `get_state` returned."""

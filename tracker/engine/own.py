@@ -47,21 +47,21 @@ def _inertial(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Sett
 
 
 def _chain_state() -> type:
-    from tracker.fusion.chain.engine import ChainKept
+    from tracker.fusion.chain.engine import ChainSavedState
 
-    return ChainKept
+    return ChainSavedState
 
 
 def _vist_state() -> type:
-    from tracker.fusion.vist.engine import VistKept
+    from tracker.fusion.vist.engine import VistSavedState
 
-    return VistKept
+    return VistSavedState
 
 
 def _hybrid_state() -> type:
-    from tracker.fusion.hybrid import HybridKept
+    from tracker.fusion.hybrid import HybridSavedState
 
-    return HybridKept
+    return HybridSavedState
 
 
 CHAIN = EngineKind(

@@ -32,9 +32,9 @@ from tracker.messages import (
     WristPose,
 )
 from tracker.online.camera_motion import CameraMotionEstimate, TimedPose
-from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
-from tracker.online.frame_timing import FrameTiming, FrameTimingKept
-from tracker.online.pair_offset import PairOffset, PairOffsetKept
+from tracker.online.camera_tilt import CameraTilt, CameraTiltSavedState
+from tracker.online.frame_timing import FrameTiming, FrameTimingSavedState
+from tracker.online.pair_offset import PairOffset, PairOffsetSavedState
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.vision.crowding import MOST_BLOBS, BlobLimit
@@ -49,14 +49,14 @@ ABANDONED = warning("tracking.abandoned")
 
 @record("pipeline")
 @dataclass(eq=False)
-class PipelineKept:
+class PipelineSavedState:
     """All of a pipeline that changes; ``engine`` is what its engine keeps, ``packet`` when (s) the
     last packet arrived, ``by_images`` whether the hand follows the images alone."""
 
     engine: Any
-    timing: FrameTimingKept
-    camera: CameraTiltKept
-    pair: PairOffsetKept = field(default_factory=PairOffsetKept)
+    timing: FrameTimingSavedState
+    camera: CameraTiltSavedState
+    pair: PairOffsetSavedState = field(default_factory=PairOffsetSavedState)
     packet: float = -np.inf
     by_images: bool = False
     camera_motion: TimedPose | None = None
@@ -234,16 +234,16 @@ class Pipeline:
         """Returns the estimated parameters with their uncertainty."""
         return self.engine.calibration()
 
-    def get_state(self) -> PipelineKept:
+    def get_state(self) -> PipelineSavedState:
         """Returns the state that estimates depend on; after `set_state` they are identical."""
         timing, camera = self.timing.get_state(), self._camera.get_state()
         pair = self.pair_offset.get_state()
         engine = self.engine.get_state()
-        return PipelineKept(
+        return PipelineSavedState(
             engine, timing, camera, pair, self._packet, self._by_images, self._camera_motion.last
         )
 
-    def set_state(self, state: PipelineKept) -> None:
+    def set_state(self, state: PipelineSavedState) -> None:
         """Restores a state that `get_state` returned."""
         self.engine.set_state(state.engine)
         self.timing.set_state(state.timing)

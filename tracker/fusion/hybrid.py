@@ -16,7 +16,7 @@ import numpy as np
 from tracker.base.errors import ConfigError
 from tracker.base.notices import notice
 from tracker.base.records import record
-from tracker.fusion.chain.engine import ChainEngine, ChainKept
+from tracker.fusion.chain.engine import ChainEngine, ChainSavedState
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.engine import Engine, ExpectedHand
@@ -28,7 +28,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.inertial.finger3d import (
     FingerEstimator3D,
-    FingerKept,
+    FingerSavedState,
     ImuPair,
     finger_geometry,
     finger_pairs,
@@ -45,7 +45,7 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.online.imu_health import ImuHealth, ImuHealthKept
+from tracker.online.imu_health import ImuHealth, ImuHealthSavedState
 from tracker.vision.rig import StereoRig
 
 GYRO_SD = 0.15  # rad/s per axis of a finger's rate: bias and mounting are not estimated
@@ -56,7 +56,7 @@ MAX_REPEAT = 20  # lost packets bridged by repeating the last readings
 
 @record("hybrid.fingers", shapes={"joints": "3 3", "felt": "I"})
 @dataclass(eq=False)
-class FingersKept:
+class FingersSavedState:
     """The state besides that of the estimators: joint rotations of each finger, and when (s) each
     IMU was last valid."""
 
@@ -67,13 +67,13 @@ class FingersKept:
 
 @record("hybrid", sized=True)
 @dataclass(eq=False)
-class HybridKept:
+class HybridSavedState:
     """The complete state of a hybrid engine."""
 
-    dorsum: ChainKept
-    estimators: list[FingerKept]
-    fingers: FingersKept
-    health: ImuHealthKept
+    dorsum: ChainSavedState
+    estimators: list[FingerSavedState]
+    fingers: FingersSavedState
+    health: ImuHealthSavedState
 
 
 class HybridEngine(Engine):
@@ -109,7 +109,7 @@ class HybridEngine(Engine):
         self._estimators = [
             FingerEstimator3D(finger_geometry(hand, glove, *p), dt, variant) for p in self._pairs
         ]
-        self._fingers = FingersKept(
+        self._fingers = FingersSavedState(
             [self._straight(pair) for pair in self._pairs],
             np.full(len(names), -np.inf),
         )
@@ -264,19 +264,19 @@ class HybridEngine(Engine):
     def calibration(self) -> Calibration:
         return self._dorsum.calibration()
 
-    def get_state(self) -> HybridKept:
+    def get_state(self) -> HybridSavedState:
         """A copy of the complete state."""
-        estimators = [e.kept for e in self._estimators]
-        ours = copy.deepcopy((estimators, self._fingers, self._health.kept))
-        return HybridKept(self._dorsum.get_state(), *ours)
+        estimators = [e.saved for e in self._estimators]
+        ours = copy.deepcopy((estimators, self._fingers, self._health.saved))
+        return HybridSavedState(self._dorsum.get_state(), *ours)
 
-    def set_state(self, state: HybridKept) -> None:
+    def set_state(self, state: HybridSavedState) -> None:
         """Continue from a `get_state`."""
         self._dorsum.set_state(state.dorsum)
         ours = copy.deepcopy((state.estimators, state.fingers, state.health))
         estimators, self._fingers, health = ours
-        for estimator, kept in zip(self._estimators, estimators, strict=True):
-            estimator.kept = kept
+        for estimator, saved in zip(self._estimators, estimators, strict=True):
+            estimator.saved = saved
         self._health.restore(health)
 
 

@@ -18,9 +18,9 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.inertial.finger3d_estimators import (
     PlaneFinger,
-    PlaneKept,
+    PlaneSavedState,
     QuaternionFinger,
-    QuaternionKept,
+    QuaternionSavedState,
 )
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry
 from tracker.inertial.madgwick import ADAPTIVE, MadgwickParams
@@ -50,15 +50,15 @@ class ImuPair:
 
 @record("finger")
 @dataclass(eq=False)
-class FingerKept:
+class FingerSavedState:
     """All of a finger's estimator that changes: the last sample, and what its variant keeps."""
 
     last: ImuPair | None
-    inner: PlaneKept | QuaternionKept
+    inner: PlaneSavedState | QuaternionSavedState
 
 
 class _Inner(Protocol):
-    kept: Any
+    saved: Any
 
     def update(self, dorsum: DorsumMotion, gyro: Array, accel: Array) -> tuple[Array, Array]: ...
 
@@ -94,13 +94,13 @@ class FingerEstimator3D:
         return JointRotations(*self._inner.update(dorsum, held.gyro, held.accel))
 
     @property
-    def kept(self) -> FingerKept:
+    def saved(self) -> FingerSavedState:
         """All that changes, as it is: for a copy."""
-        return FingerKept(self._last, self._inner.kept)
+        return FingerSavedState(self._last, self._inner.saved)
 
-    @kept.setter
-    def kept(self, value: FingerKept) -> None:
-        self._last, self._inner.kept = value.last, value.inner
+    @saved.setter
+    def saved(self, value: FingerSavedState) -> None:
+        self._last, self._inner.saved = value.last, value.inner
 
 
 def _hold(imus: ImuPair, last: ImuPair | None) -> ImuPair:

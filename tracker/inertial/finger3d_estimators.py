@@ -34,7 +34,7 @@ OFFSET = 60e-3 * GRAVITY  # m/s², zero-g tolerance of an MPU-9250
 
 @record("finger.plane", shapes={"w": "3"})
 @dataclass(eq=False)
-class PlaneKept:
+class PlaneSavedState:
     """All of a planar finger that changes: its estimator's state, and the dorsum's last two rates
     (3,) rad/s, newest last."""
 
@@ -83,12 +83,12 @@ class PlaneFinger:
         return g.R_rest_0 @ so3.ry(theta[0]), g.R_rest_1 @ so3.ry(flexion_1)
 
     @property
-    def kept(self) -> PlaneKept:
+    def saved(self) -> PlaneSavedState:
         """All that changes, as it is: for a copy."""
-        return PlaneKept(self._planar.state, self._w)
+        return PlaneSavedState(self._planar.state, self._w)
 
-    @kept.setter
-    def kept(self, value: PlaneKept) -> None:
+    @saved.setter
+    def saved(self, value: PlaneSavedState) -> None:
         self._planar.state, self._w = value.planar, value.w
 
     def _turned(self, w_B: Array) -> float:
@@ -135,7 +135,7 @@ class _Moment(NamedTuple):
 
 @record("finger.quaternion", shapes={"q_GB": "2 4"})
 @dataclass(eq=False)
-class QuaternionKept:
+class QuaternionSavedState:
     """All of it that changes: q_GB (2, 4) xyzw, None before the first sample, and the last two
     samples, newest last."""
 
@@ -176,12 +176,12 @@ class QuaternionFinger:
         return dorsum.R_GB.T @ R_G0, R_G0.T @ R_G1
 
     @property
-    def kept(self) -> QuaternionKept:
+    def saved(self) -> QuaternionSavedState:
         """All that changes, as it is: for a copy."""
-        return QuaternionKept(self._q_GB, self._past)
+        return QuaternionSavedState(self._q_GB, self._past)
 
-    @kept.setter
-    def kept(self, value: QuaternionKept) -> None:
+    @saved.setter
+    def saved(self, value: QuaternionSavedState) -> None:
         self._q_GB, self._past = value.q_GB, value.past
 
     def _start_orientations(self, R_GB: Array) -> Array:

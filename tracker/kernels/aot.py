@@ -105,13 +105,13 @@ def _unpickled_once() -> Iterator[None]:
         if not isinstance(pickled, ir.GlobalVariable):
             return unpickle(api, pickled)
         name = f"{pickled.name}.kept"
-        kept = api.module.globals.get(name)
-        if kept is None:
-            kept = cgutils.add_global_variable(api.module, api.pyobj, name)
-            kept.linkage, kept.initializer = "internal", ir.Constant(api.pyobj, None)
-        with api.builder.if_then(cgutils.is_null(api.builder, api.builder.load(kept))):
-            api.builder.store(unpickle(api, pickled), kept)
-        made = api.builder.load(kept)
+        stored = api.module.globals.get(name)
+        if stored is None:
+            stored = cgutils.add_global_variable(api.module, api.pyobj, name)
+            stored.linkage, stored.initializer = "internal", ir.Constant(api.pyobj, None)
+        with api.builder.if_then(cgutils.is_null(api.builder, api.builder.load(stored))):
+            api.builder.store(unpickle(api, pickled), stored)
+        made = api.builder.load(stored)
         api.incref(made)
         return made
 

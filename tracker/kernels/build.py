@@ -6,7 +6,7 @@
 
 Requires a C++ compiler and a few minutes, compiles two parts at a time on two cores, and writes the
 library to this folder (`tracker.kernels.parts`). Parts compiled earlier, in any checkout, are
-copied from `tracker.kernels.kept`.
+copied from `tracker.kernels.cache`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ import numba
 import numpy as np
 from setuptools import Distribution, Extension
 
-from tracker.kernels import aot, exported, kept, numba_types, parts, tools
+from tracker.kernels import aot, cache, exported, numba_types, parts, tools
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.parts import HERE
 from tracker.kernels.signature import SignatureError, check_result, signature
@@ -73,7 +73,7 @@ def main(wanted: list[str]) -> None:
 
 def _fetch_part(part: str, table: str) -> bool:
     """Whether the part was compiled earlier from the same source, and is now in this folder."""
-    if not kept.fetch(table, parts.module_of(part)):
+    if not cache.fetch(table, parts.module_of(part)):
         return False
     parts.table_of(part).write_text(table, "utf-8")
     return True
@@ -141,7 +141,7 @@ def _build_side_by_side(entries: dict[str, list[Entry]]) -> None:
             error = future.exception()
             if error is not None:
                 failed.append(f"{waiting[future]} ({error})")
-            print(tools.said(waiting[future], done, len(waiting)), flush=True)
+            print(tools.progress_line(waiting[future], done, len(waiting)), flush=True)
     if failed:
         raise SystemExit(f"Not compiled: {', '.join(failed)}")
 
@@ -157,13 +157,13 @@ def _build_part(part: str) -> None:
     module.compile()
     table = _table(part, entries)
     parts.table_of(part).write_text(table, "utf-8")
-    kept.keep(table, parts.module_of(part))
+    cache.store(table, parts.module_of(part))
 
 
 def _get_dispatch() -> None:
     """Compile the dispatch module, unless that was done before."""
     made_of = f"{_compiled_by()}\n{(HERE / 'dispatch.c').read_text('utf-8')}"
-    if kept.fetch(made_of, DISPATCH):
+    if cache.fetch(made_of, DISPATCH):
         return
     with tempfile.TemporaryDirectory() as work:
         source = os.path.relpath(HERE / "dispatch.c")
@@ -172,7 +172,7 @@ def _get_dispatch() -> None:
         command.build_lib, command.build_temp = str(HERE), work
         command.ensure_finalized()
         command.run()
-    kept.keep(made_of, DISPATCH)
+    cache.store(made_of, DISPATCH)
 
 
 if __name__ == "__main__":

@@ -35,7 +35,7 @@ def command(*words: str) -> list[str]:
     return [sys.executable, "-m", f"{__package__}.build", *words]
 
 
-def said(part: str, number: int, count: int) -> str:
+def progress_line(part: str, number: int, count: int) -> str:
     """The line that the compiler prints after each part."""
     return f"compiled {number} of {count}: {part}"
 

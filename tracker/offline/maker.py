@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from tracker.base.errors import ConfigError
 from tracker.engine.hands import Hands, Sided, is_for
-from tracker.engine.pipeline import Pipeline, PipelineKept
+from tracker.engine.pipeline import Pipeline, PipelineSavedState
 from tracker.engine.settings import Settings
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import measure, put_on
@@ -46,7 +46,7 @@ class GivingPipeline(Pipeline):
         self._smoother.feed(frame)
         super().feed_frame(frame)
 
-    def set_state(self, state: PipelineKept) -> None:
+    def set_state(self, state: PipelineSavedState) -> None:
         """Restarts the smoother too: its hand was also found where the other hand is."""
         self._smoother.restart()
         super().set_state(state)

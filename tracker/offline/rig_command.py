@@ -96,10 +96,10 @@ def _rig(args: argparse.Namespace) -> int:
 def _spec(args: argparse.Namespace) -> DemoSpec:
     from tracker.glove import library
     from tracker.offline.simulate import GLOVES
-    from tracker.simulation.demo import DemoSpec, WornTexts
+    from tracker.simulation.demo import DemoSpec, HandTexts
 
     sides = ("right", "left") if args.hands == "both" else (args.hands,)
-    main, *others = (WornTexts(*library.texts(GLOVES[side])) for side in sides)
+    main, *others = (HandTexts(*library.texts(GLOVES[side])) for side in sides)
     return DemoSpec(
         *main,
         args.seed,

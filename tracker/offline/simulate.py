@@ -26,7 +26,7 @@ from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
 from tracker.simulation.scripted import show
 from tracker.simulation.shows import WORD
-from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import LONGEST_READOUT, StereoRig, ideal_rig, with_readout
@@ -168,7 +168,7 @@ def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInf
         )
     _check_numbers(options)
     infos = {side: _info(options, library.texts(glove)) for side, glove in GLOVES.items()}
-    dressed = {side: Dressed(info.hand, info.glove) for side, info in infos.items()}
+    dressed = {side: GlovedHand(info.hand, info.glove) for side, info in infos.items()}
     room = room_of(options.scene, options.light, options.photo, options.seed)
     params = SimulationParams(render=room.render)
     seed, rig = options.seed, _rig(options)

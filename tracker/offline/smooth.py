@@ -26,7 +26,7 @@ from tracker.engine.kinds import capabilities_of
 from tracker.engine.settings import Settings
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.engine import ChainEngine
-from tracker.fusion.chain.guided.events import GuidedSaid, guided_of
+from tracker.fusion.chain.guided.events import GuidedPoseEvent, guided_of
 from tracker.fusion.chain.layout import ChainLayout, P, V
 from tracker.fusion.chain.params import ChainParams, NoiseParams, SynergyParams
 from tracker.fusion.chain.pose_reset import is_reset
@@ -293,7 +293,7 @@ def _run(engine: ChainEngine, message: Message) -> Estimate | None:
         guided = guided_of(message)
         if is_reset(message):
             engine.reset_pose()
-        elif isinstance(guided, GuidedSaid):
+        elif isinstance(guided, GuidedPoseEvent):
             engine.wearer.hear(guided, message.t)
         return None
     if isinstance(message, BlobFrame):

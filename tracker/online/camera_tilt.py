@@ -46,7 +46,7 @@ class _CameraRotation:
 
 @record("camera_tilt", shapes={"bias": "3"})
 @dataclass(eq=False)
-class CameraTiltKept:
+class CameraTiltSavedState:
     """All of it that changes: the gyroscope's bias (3,) rad/s, the last sample, rotations."""
 
     bias: Array
@@ -110,11 +110,11 @@ class CameraTilt:
             return frame
         return replace(frame, pose=self.pose(frame.t))
 
-    def get_state(self) -> CameraTiltKept:
+    def get_state(self) -> CameraTiltSavedState:
         """All that changes."""
-        return CameraTiltKept(self._bias, self._last, list(self._rotations))
+        return CameraTiltSavedState(self._bias, self._last, list(self._rotations))
 
-    def set_state(self, state: CameraTiltKept) -> None:
+    def set_state(self, state: CameraTiltSavedState) -> None:
         """Go on from `get_state`."""
         self._bias, self._last = state.bias, state.last
         self._rotations = deque(state.rotations)

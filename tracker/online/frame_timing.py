@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from tracker.base.records import record
 from tracker.messages import BlobFrame, FrameResult, ImuSample
-from tracker.online.time_offset import Offset, TimeOffset, TimeOffsetKept
+from tracker.online.time_offset import Offset, TimeOffset, TimeOffsetSavedState
 
 WAITING = 64  # images that may be under way
 
@@ -29,11 +29,11 @@ class TimingParams:
 
 @record("frame_timing")
 @dataclass(eq=False)
-class FrameTimingKept:
+class FrameTimingSavedState:
     """All of it that changes: what was measured, images under way with the instants (s) that the
     engine received, and the offset (s) aimed at and taken off."""
 
-    offset: TimeOffsetKept
+    offset: TimeOffsetSavedState
     under_way: list[tuple[float, BlobFrame]]
     target: float
     applied: float
@@ -85,12 +85,12 @@ class FrameTiming:
         if self._target != 0.0 or abs(measured.value) > max(p.worth, p.clear * measured.sd):
             self._target = measured.value
 
-    def get_state(self) -> FrameTimingKept:
+    def get_state(self) -> FrameTimingSavedState:
         """Everything that changes."""
         offset, under_way = self._offset.get_state(), list(self._under_way)
-        return FrameTimingKept(offset, under_way, self._target, self.applied)
+        return FrameTimingSavedState(offset, under_way, self._target, self.applied)
 
-    def set_state(self, state: FrameTimingKept) -> None:
+    def set_state(self, state: FrameTimingSavedState) -> None:
         """Go on from `get_state`."""
         self._offset.set_state(state.offset)
         self._under_way = deque(state.under_way, maxlen=WAITING)

@@ -16,7 +16,7 @@ STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by se
 
 @record("imu_health", shapes={"last": "n 6", "same": "int n"})
 @dataclass(eq=False)
-class ImuHealthKept:
+class ImuHealthSavedState:
     """last (n, 6): accel and gyro of the packet before; same (n,): how often they came again."""
 
     last: Array
@@ -48,13 +48,13 @@ class ImuHealth:
         )
 
     @property
-    def kept(self) -> ImuHealthKept:
+    def saved(self) -> ImuHealthSavedState:
         """All that changes, as it is: for a copy."""
-        return ImuHealthKept(self._last, self._same)
+        return ImuHealthSavedState(self._last, self._same)
 
-    def restore(self, kept: ImuHealthKept) -> None:
-        """Go on from what was `kept`, which is taken over."""
-        self._last, self._same = kept.last, kept.same
+    def restore(self, saved: ImuHealthSavedState) -> None:
+        """Go on from what was `saved`, which is taken over."""
+        self._last, self._same = saved.last, saved.same
 
 
 @kernel(nogil=False)

@@ -59,7 +59,7 @@ class _Rows(NamedTuple):
 
 @record("pair_offset.line")
 @dataclass(eq=False)
-class LineKept:
+class LineSavedState:
     """Weighted sums over images: of 1, the speed w, the row difference e, w w, w e, the squared
     residual, and the number of images; and when (s) the last came."""
 
@@ -108,12 +108,12 @@ class LineKept:
 
 @record("pair_offset")
 @dataclass(eq=False)
-class PairOffsetKept:
+class PairOffsetSavedState:
     """All of it that changes."""
 
     seen: list[_Rows] = field(default_factory=list)
-    all: LineKept = field(default_factory=LineKept)
-    block: LineKept = field(default_factory=LineKept)
+    all: LineSavedState = field(default_factory=LineSavedState)
+    block: LineSavedState = field(default_factory=LineSavedState)
     since: float = np.inf  # s when the block began
     under_way: list[BlobFrame] = field(default_factory=list)
 
@@ -124,7 +124,7 @@ class PairOffset:
     def __init__(self, rig: StereoRig, params: PairOffsetParams | None = None) -> None:
         self._rig, self._params = rig, params or PairOffsetParams()
         self._seen: deque[_Rows] = deque(maxlen=3)
-        self._all, self._block, self._since = LineKept(), LineKept(), np.inf
+        self._all, self._block, self._since = LineSavedState(), LineSavedState(), np.inf
         self._under_way: deque[BlobFrame] = deque(maxlen=WAITING)
 
     @property
@@ -211,7 +211,7 @@ class PairOffset:
         self._since = min(self._since, now.t)
         if now.t - self._since >= p.block:
             self._notice_jump()
-            self._block, self._since = LineKept(), np.inf
+            self._block, self._since = LineSavedState(), np.inf
 
     def _notice_jump(self) -> None:
         """A camera that skipped an image is late by another time from then on: after a block in
@@ -223,9 +223,9 @@ class PairOffset:
 
     # ---- saving
 
-    def get_state(self) -> PairOffsetKept:
+    def get_state(self) -> PairOffsetSavedState:
         """Everything that changes."""
-        return PairOffsetKept(
+        return PairOffsetSavedState(
             list(self._seen),
             replace(self._all),
             replace(self._block),
@@ -233,7 +233,7 @@ class PairOffset:
             list(self._under_way),
         )
 
-    def set_state(self, state: PairOffsetKept) -> None:
+    def set_state(self, state: PairOffsetSavedState) -> None:
         """Go on from `get_state`."""
         self._seen = deque(state.seen, maxlen=3)
         self._all, self._block = replace(state.all), replace(state.block)

@@ -85,7 +85,7 @@ class _RootView(NamedTuple):
 
 @record("time_offset")
 @dataclass(eq=False)
-class TimeOffsetKept:
+class TimeOffsetSavedState:
     """All of it that changes: what is remembered of gyroscope and images, sums over pairs of
     images, and when (s) an image was used and seen last."""
 
@@ -166,9 +166,9 @@ class TimeOffset:
             self._late.append(view)
             self._process()
 
-    def get_state(self) -> TimeOffsetKept:
+    def get_state(self) -> TimeOffsetSavedState:
         """Everything that changes."""
-        return TimeOffsetKept(
+        return TimeOffsetSavedState(
             gyro=list(self._gyro),
             seen=list(self._seen),
             late=list(self._late),
@@ -181,7 +181,7 @@ class TimeOffset:
             of_one=self._of_one,
         )
 
-    def set_state(self, state: TimeOffsetKept) -> None:
+    def set_state(self, state: TimeOffsetSavedState) -> None:
         """Go on from `get_state`."""
         self._gyro, self._seen, self._late = deque(state.gyro), deque(state.seen), deque(state.late)
         self._ata, self._atb, self._rss = state.ata, state.atb, state.rss

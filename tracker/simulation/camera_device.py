@@ -24,8 +24,8 @@ from tracker.base.notices import warning
 from tracker.base.shared_memory import attached, forget_name, new_memory
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import NoCamera
-from tracker.simulation.asked import Asked, asked_event
 from tracker.simulation.demo import DemoSpec, ask, build_scene
+from tracker.simulation.posture_requests import PostureRequest, request_event
 
 SLOTS = 6
 READY = "ready"
@@ -57,7 +57,9 @@ class SimulatedCamera:
         self._t_0, self._shape = 0.0, (drawn or SLOTS, cameras, height, width, 3)
         self._memory = new_memory(int(np.prod(self._shape)))
         self._events: list[Event] = []
-        self._asked: deque[Asked] = deque()  # from other threads, sent by the reading thread
+        self._asked: deque[PostureRequest] = (
+            deque()
+        )  # from other threads, sent by the reading thread
         self._closed = False
         self._pipe, self._process = start_child(
             "glovetrack-camera", _draw_for_ever, spec, self._memory.name, self._shape, drawn
@@ -76,11 +78,11 @@ class SimulatedCamera:
         with contextlib.suppress(OSError):
             self._pipe.send(t_0)
 
-    def ask(self, asked: Asked, pose: str) -> None:
+    def ask(self, asked: PostureRequest, pose: str) -> None:
         """Make the wearer assume a posture, that of ``pose`` or (empty) their own; an event is
         recorded as part of the ground truth."""
         self._asked.append(asked)
-        self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
+        self._events.append(request_event(asked, pose, seconds(time.monotonic_ns())))
 
     def read(self, timeout: float) -> StereoFrame | None:
         """The next image pair at its time of arrival; None if none arrives within ``timeout``."""
@@ -155,9 +157,9 @@ class NoSimulatedCamera(NoCamera):
     def begin(self, t_0: float) -> None:
         """Does nothing."""
 
-    def ask(self, asked: Asked, pose: str) -> None:
+    def ask(self, asked: PostureRequest, pose: str) -> None:
         """As `SimulatedCamera.ask`, for the recording only."""
-        self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
+        self._events.append(request_event(asked, pose, seconds(time.monotonic_ns())))
 
     def drain_events(self) -> Sequence[Event]:
         out, self._events = self._events, []
@@ -193,7 +195,7 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
             continue
         while not free or pipe.poll():
             item = pipe.recv()
-            if isinstance(item, Asked):
+            if isinstance(item, PostureRequest):
                 ask(sim, item)
             else:
                 free.append(item)

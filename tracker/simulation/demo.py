@@ -13,20 +13,20 @@ from tracker.glove.model import GloveModel
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
 from tracker.messages import CameraPose
-from tracker.simulation.asked import Asked, AskedMotion
 from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.motion import Motion
+from tracker.simulation.posture_requests import PostureRequest, RequestedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.shows import WORD
-from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
 from tracker.vision.rig import StereoRig, default_pose, ideal_rig
 
 
-class WornTexts(NamedTuple):
+class HandTexts(NamedTuple):
     """The texts of the hand file and the glove file."""
 
     hand: str
@@ -54,15 +54,15 @@ class DemoSpec:
     motion: str = ""
     exposures: int = 1  # per image: no motion blur, half the drawing time
     light: str = ""  # of a desk with objects; a plain wall if empty
-    others: tuple[WornTexts, ...] = ()
+    others: tuple[HandTexts, ...] = ()
     one_camera: bool = False  # only the left of two
     right_late: float = 0.0  # s by which the right camera exposes after the left one
     table: float = 0.0  # m from the origin to the top of the table with the camera
 
     @property
-    def worn(self) -> tuple[WornTexts, ...]:
+    def worn(self) -> tuple[HandTexts, ...]:
         """The texts of all hands, the main one's first."""
-        return WornTexts(self.hand_text, self.glove_text), *self.others
+        return HandTexts(self.hand_text, self.glove_text), *self.others
 
     @property
     def rig(self) -> StereoRig:
@@ -81,7 +81,7 @@ def build(spec: DemoSpec) -> Simulation:
         motion: Motion = _motion_of(spec, hand, glove)
     else:
         own = RandomPostures(hand, spec.seed, duration=spec.duration, camera=spec.rig.pose)
-        motion = AskedMotion(own, spec.seed)
+        motion = RequestedMotion(own, spec.seed)
     room = room_of("desk" if spec.light else "plain", spec.light, seed=spec.seed)
     render = replace(room.render, exposures=spec.exposures)
     if isinstance(render, DeskParams):
@@ -99,7 +99,7 @@ def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
     dressed = {}
     for texts in spec.worn:
         hand = parse_hand(texts.hand)
-        dressed[hand.side] = Dressed(hand, parse_glove(texts.glove, hand))
+        dressed[hand.side] = GlovedHand(hand, parse_glove(texts.glove, hand))
     room = room_of("plain", "", seed=spec.seed)
     render = replace(room.render, exposures=spec.exposures)
     params = SimulationParams(render=render, right_late=spec.right_late)
@@ -111,15 +111,15 @@ def hands_of(scene: Simulation | TwoHandsSimulation) -> dict[str, Simulation]:
     return scene.hands if isinstance(scene, TwoHandsSimulation) else {scene.hand.side: scene}
 
 
-def ask(simulation: Simulation | TwoHandsSimulation, asked: Asked) -> None:
+def ask(simulation: Simulation | TwoHandsSimulation, asked: PostureRequest) -> None:
     """Request a posture; ignored by a wearer who plays a recording or meets another."""
-    if isinstance(simulation, Simulation) and isinstance(simulation.motion, AskedMotion):
+    if isinstance(simulation, Simulation) and isinstance(simulation.motion, RequestedMotion):
         simulation.motion.ask(asked)
 
 
-def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
+def requests_to(simulation: Simulation) -> tuple[PostureRequest, ...]:
     """All postures requested so far."""
-    return simulation.motion.asked if isinstance(simulation.motion, AskedMotion) else ()
+    return simulation.motion.asked if isinstance(simulation.motion, RequestedMotion) else ()
 
 
 def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
@@ -130,5 +130,5 @@ def _motion_of(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
 
     if spec.motion.startswith(WORD):
         wearer = Wearer.random(hand, glove, spec.seed)
-        return AskedMotion(show(spec.motion, hand, wearer, spec.duration), spec.seed)
+        return RequestedMotion(show(spec.motion, hand, wearer, spec.duration), spec.seed)
     return load_motion(Path(spec.motion), hand, spec.rig.pose)

@@ -40,7 +40,7 @@ GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two polls of the line, and of the clock while nothing is due
 MPU_9250 = 0x71
 WARM_UP_CC, WARM_UP_S = 600.0, 300.0
-SYSTEM_KEEPS = 65536  # bytes that the system buffers without a reader, as on Linux
+SYSTEM_BUFFER = 65536  # bytes that the system buffers without a reader, as on Linux
 
 
 @dataclass
@@ -237,8 +237,8 @@ class SimulatedGlove:
                     continue
 
     def _write(self, data: bytes = b"") -> None:
-        """Bytes are buffered for a host that does not read, up to `SYSTEM_KEEPS`; more are lost."""
-        if len(self._unsent) + len(data) <= SYSTEM_KEEPS:
+        """Bytes are buffered for a host that does not read, at most `SYSTEM_BUFFER`."""
+        if len(self._unsent) + len(data) <= SYSTEM_BUFFER:
             self._unsent += data
         if self._master < 0 or not self._unsent:
             return

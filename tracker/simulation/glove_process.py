@@ -15,10 +15,10 @@ from typing import NamedTuple
 from tracker.base.child import start_child
 from tracker.base.errors import DeviceError, GlovetrackError
 from tracker.glove.model import GloveModel
-from tracker.simulation.asked import Asked
 from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
+from tracker.simulation.posture_requests import PostureRequest
 
 GLOVE_IDS = {"right": 1, "left": 2}
 END_WAIT = 5.0  # s
@@ -53,19 +53,19 @@ class GloveProcess:
         Raises DeviceError if they do not exist within ``timeout`` s, or cannot be created.
         """
         try:
-            said = self._pipe.recv() if self._pipe.poll(timeout) else _Failed("")
+            reply = self._pipe.recv() if self._pipe.poll(timeout) else _Failed("")
         except (EOFError, OSError):
-            said = _Failed("")
-        if isinstance(said, _Failed):
-            raise DeviceError(said.text or "The simulated glove did not start.")
-        paths: dict[str, str] = said.paths
+            reply = _Failed("")
+        if isinstance(reply, _Failed):
+            raise DeviceError(reply.text or "The simulated glove did not start.")
+        paths: dict[str, str] = reply.paths
         return paths
 
     def begin(self, t_0: float) -> None:
         """Set simulated time 0 to the host's ``t_0`` (s)."""
         self._send(_Begin(t_0))
 
-    def ask(self, asked: Asked) -> None:
+    def ask(self, asked: PostureRequest) -> None:
         """Make the wearer assume a posture."""
         self._send(asked)
 
@@ -77,7 +77,7 @@ class GloveProcess:
             self._process.kill()
             self._process.join()
 
-    def _send(self, what: _Begin | Asked) -> None:
+    def _send(self, what: _Begin | PostureRequest) -> None:
         with contextlib.suppress(OSError):  # it has ended: the serial link reports that
             self._pipe.send(what)
 
@@ -97,8 +97,8 @@ def _serve(pipe: Connection, spec: DemoSpec) -> None:
             return
         pipe.send(_There({side: device.path for side, device in devices.items()}))
         while True:
-            item: _Begin | Asked = pipe.recv()
-            if isinstance(item, Asked):
+            item: _Begin | PostureRequest = pipe.recv()
+            if isinstance(item, PostureRequest):
                 ask(scene, item)
                 continue
             for device in devices.values():

@@ -10,8 +10,8 @@ import numpy as np
 from tracker.geometry import so3
 from tracker.messages import Estimate, Event, Message, Validity
 from tracker.session.writer import SessionRecorder
-from tracker.simulation.asked import Asked, asked_in
 from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of
+from tracker.simulation.posture_requests import PostureRequest, request_in
 from tracker.simulation.scenario import Simulation, Truth
 from tracker.simulation.two_hands import TwoHandsSimulation
 
@@ -31,7 +31,7 @@ class WithTruth:
 
     spec: DemoSpec
     t_0: float
-    asked: tuple[Asked, ...] = ()
+    asked: tuple[PostureRequest, ...] = ()
 
     def __call__(self, recorder: SessionRecorder) -> TruthfulRecorder:
         scene = built(self.spec)
@@ -67,7 +67,7 @@ class TruthfulRecorder:
 
     def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
         taken = self._inner.write(message, overloaded, side)
-        if isinstance(message, Event) and (asked := asked_in(message)) is not None:
+        if isinstance(message, Event) and (asked := request_in(message)) is not None:
             ask(self._scene, asked)
         if isinstance(message, Estimate):
             for truth in self._truths[side or self._main].beside(message):

@@ -105,7 +105,7 @@ class OneOfTwo:
         return poses._replace(p_GB=poses.p_GB + shift)
 
 
-class Dressed(NamedTuple):
+class GlovedHand(NamedTuple):
     """A hand and its glove."""
 
     hand: HandModel
@@ -119,7 +119,7 @@ class SidedMessage(NamedTuple):
     message: ImuSample | BlobFrame | StereoFrame
 
 
-class HidingHand:
+class OccludingHand:
     """The other hand as an object in the scene: it occludes, and adds no blobs of its own."""
 
     def __init__(self, wearer: Wearer, motion: Motion) -> None:
@@ -168,7 +168,7 @@ class TwoHandsSimulation:
 
     def __init__(
         self,
-        dressed: Mapping[str, Dressed],
+        dressed: Mapping[str, GlovedHand],
         seed: int,
         duration: float,
         fps: float = 60.0,
@@ -192,7 +192,7 @@ class TwoHandsSimulation:
         others = {}
         for side, other in zip(SIDES, reversed(SIDES), strict=True):
             wearer = Wearer.random(*dressed[other], seeds[other], params.wearer)
-            others[side] = HidingHand(wearer, motions[other])
+            others[side] = OccludingHand(wearer, motions[other])
         self.hands = {
             side: Simulation(
                 *dressed[side], motions[side], seeds[side], params, fps, self.rig, [others[side]]

@@ -66,7 +66,7 @@ def wiggling_wearer(hand: HandModel, glove: GloveModel, part: str, seed: int) ->
     return Wearer.random(hand, glove, seed, WearerParams(wobble_deg=0.0) if part == REST else None)
 
 
-class PlayAlong:
+class InstructedWearer:
     """Packets of a wearer who performs ``part``, which may be changed at any time."""
 
     def __init__(self, hand: HandModel, glove: GloveModel, seed: int = 1) -> None:

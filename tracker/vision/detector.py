@@ -111,19 +111,19 @@ class Detector:
 
         With ``hints`` only the regions around them are searched.
         """
-        return self._find(self._calmed(image), hints)
+        return self._find(self._denoised(image), hints)
 
-    def detect_worn(
+    def detect_with_cloth(
         self, image: Image, hints: DetectionHints | None = None
     ) -> tuple[Blobs, RejectedBlobs]:
         """As `detect`, with the glove's cloth around the blobs if the profile includes it."""
-        pixels = self._calmed(image)
+        pixels = self._denoised(image)
         blobs, rejected = self._find(pixels, hints)
         if self.profile.learned is not None:
             blobs = replace(blobs, cloth=cloth_around(pixels, self._table, blobs))
         return blobs, rejected
 
-    def _calmed(self, image: Image) -> Image:
+    def _denoised(self, image: Image) -> Image:
         """The image, smoothed as for the learning of its colours."""
         pixels, learned = _checked(image), self.profile.learned
         if learned is not None and learned.smoothing_px:
@@ -185,7 +185,11 @@ def detect_frame(
     sides: list[Blobs | None] = []
     rejected: list[RejectedBlobs | None] = []
     for k, image in enumerate((frame.left, frame.right)):
-        found = None if image is None else detector.detect_worn(image, hints[k] if hints else None)
+        found = (
+            None
+            if image is None
+            else detector.detect_with_cloth(image, hints[k] if hints else None)
+        )
         sides.append(found[0] if found else None)
         rejected.append(found[1] if found else None)
     return BlobFrame(

@@ -23,7 +23,7 @@ from tracker.vision.cpd import HuedPixels
 from tracker.vision.rig import StereoIntrinsics, StereoRig, projected
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, seen_from, visibility_at
 
-EVERYONE = -1
+UNASSIGNED = -1
 """Owner of a blob near no hand: every hand may use it."""
 OTHERS = -1
 """Hue of a blob that belongs to another hand: no glove has it."""
@@ -136,7 +136,7 @@ def _unhidden(hand: HandInView, prior: Array, alone: Array) -> Array:
 def _own(blobs: Blobs | None, owner: IntArray, hand: int) -> Blobs | None:
     if blobs is None:
         return None
-    mine = (owner == hand) | (owner == EVERYONE)
+    mine = (owner == hand) | (owner == UNASSIGNED)
     return blobs if mine.all() else replace(blobs, hue=np.where(mine, blobs.hue, OTHERS))
 
 
@@ -148,8 +148,8 @@ def _owners(
     pose: CameraPose,
     params: SharingParams,
 ) -> list[IntArray]:
-    """(n,) of the left and of the right image the hand of each blob, `EVERYONE` where none is near;
-    ``priors`` (2, m) of each hand's markers."""
+    """(n,) for the left and the right image the hand of each blob, `UNASSIGNED` where none is
+    near; ``priors`` (2, m) of each hand's markers."""
     hands = [hand for _, hand in known]
     p_G, sd = np.concatenate([h.markers.p_G for h in hands]), np.concatenate([h.sd for h in hands])
     markers = _Markers(
@@ -178,9 +178,9 @@ def owners_in(
     rig: StereoIntrinsics,
     limits: _Limits,
 ) -> IntVector:
-    """(n,) the hand of each blob of the left (0) or the right ``camera``, `EVERYONE` where none is
-    near; prior (m,) that it sees each marker."""
-    owner = np.full(len(seen.uv), EVERYONE)
+    """(n,) the hand of each blob of the left (0) or the right ``camera``, `UNASSIGNED` where none
+    is near; prior (m,) that it sees each marker."""
+    owner = np.full(len(seen.uv), UNASSIGNED)
     shift = rig.baseline if camera else 0.0
     uv = projected(markers.p_C, shift, rig.fx, rig.fy, rig.cx, rig.cy)
     rows = np.flatnonzero(np.isfinite(uv[:, 0]))
@@ -199,9 +199,9 @@ def owners_in(
             owner[found[k]] = markers.hand[rows[k]]
     # 2. Unmatched blobs are assigned to the hand most likely to have a marker there.
     for i in range(len(owner)):
-        if owner[i] == EVERYONE:
+        if owner[i] == UNASSIGNED:
             k = _likeliest(seen.uv[i], seen.hue[i], there, limits.near)
-            owner[i] = markers.hand[rows[k]] if k >= 0 else EVERYONE
+            owner[i] = markers.hand[rows[k]] if k >= 0 else UNASSIGNED
     return owner
 
 

@@ -18,7 +18,7 @@ from tracker.sensors.glove_link import GloveLink, LinkParams
 from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.protocol import BAUD
 from tracker.simulation.glove_device import SimulatedGlove
-from tracker.simulation.wiggles import PlayAlong
+from tracker.simulation.wiggles import InstructedWearer
 
 _log = logging.getLogger(__name__)
 
@@ -132,7 +132,7 @@ class PortFeed:
 
 def simulated_feed(hand: HandModel, glove: GloveModel) -> PortFeed:
     """A simulated glove on a pseudo-terminal, whose wearer follows the instructions."""
-    wearer = PlayAlong(hand, glove)
+    wearer = InstructedWearer(hand, glove)
     device = SimulatedGlove(wearer.samples(), len(glove.imus), t_0=time.monotonic())
 
     def ask(part: str) -> None:

@@ -237,7 +237,7 @@ class GuidedDialog(LeadingDialog):
 
     def _undo(self) -> None:
         if self._before is not None:
-            self._commands.take_back(self._before)
+            self._commands.restore_snapshot(self._before)
         self.close()
 
     # --- the window

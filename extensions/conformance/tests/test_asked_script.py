@@ -22,9 +22,9 @@ from tracker.offline.simulate import SimulateOptions, build
 from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, new_session
-from tracker.simulation.asked import AHEAD, Asked, AskedMotion
 from tracker.simulation.demo import TABLE
 from tracker.simulation.gestures import gesture_angles
+from tracker.simulation.posture_requests import AHEAD, PostureRequest, RequestedMotion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import default_pose, ideal_rig
@@ -41,7 +41,7 @@ def test_a_wearer_who_is_asked_for_each_gesture_keeps_every_rule(tmp_path: Path)
     begun: list[tuple[str, float]] = []
     run = ScriptRun("right", lambda label, t: begun.append((label, t)))
     own = RandomPostures(info.hand, 1, duration=BEGIN + run.duration + 1.0, camera=camera)
-    motion = AskedMotion(own, 1)
+    motion = RequestedMotion(own, 1)
     rig = ideal_rig(pose=camera)
     sim = Simulation(info.hand, info.glove, motion, 1, fps=FPS, rig=rig)
     # As the dialog leads the wearer: at the tick at which the gesture is another one.
@@ -52,7 +52,7 @@ def test_a_wearer_who_is_asked_for_each_gesture_keeps_every_rule(tmp_path: Path)
             shown = run.gesture()
             angles = gesture_angles(info.hand, shown, sim.wearer)
             turning = 6.0 if shown == "turn" else 0.0
-            motion.ask(Asked(t + AHEAD, tuple(angles.tolist()), turning))
+            motion.ask(PostureRequest(t + AHEAD, tuple(angles.tolist()), turning))
         t += 0.05
         run.tick(t)
     raw, tracked = tmp_path / "raw.mcap", tmp_path / "tracked.mcap"

@@ -16,7 +16,7 @@ from tracker.glove import library
 from tracker.hand.names import MARKED_KEYPOINTS, SIDES
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
 from tracker.simulation.scenario import Simulation
-from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
+from tracker.simulation.two_hands import GlovedHand, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s until which a wearer's hand is learned first
@@ -67,7 +67,7 @@ def run_trial(
     progress: Callable[[float], None] = lambda share: None,
 ) -> list[HandFigures]:
     """Run both hands of one seed; a task of `tracker.base.workers`."""
-    dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
+    dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}
     sim = TwoHandsSimulation(dressed, seed, seconds, fps)
     together = _together(sim, engine)
     return [

@@ -79,7 +79,7 @@ def test_pose_jacobian_of_the_papers_filter(hand, glove):
 def test_markers_where_they_are_expected_correct_nothing(hand, glove):
     layout = VistLayout(hand, glove)
     state = random_state(layout, 5)
-    markers = np.arange(len(layout.kept))
+    markers = np.arange(len(layout.used_markers))
     p_G = positions(state, layout.chain.marker_segment, layout.marker_lever)
     matched = Matched(markers, markers, markers, p_G, np.tile(NOISE, (len(markers), 1, 1)))
     H, r, R = loose_rows(state, layout, matched, huber=3.0)

@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 from tracker.base.records import record
 from tracker.fusion.chain.distal import DistalSegments
-from tracker.fusion.chain.driven_ends import EndsSureness
+from tracker.fusion.chain.driven_ends import EndDeviations
 from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.start.mono_start import (
     KNOWN_SIZE_SD,
     MonoParams,
+    assumed_size_sd,
+    fix_size,
     measured_sd,
-    size_taken_for_granted,
-    size_unsure_by,
-    with_unsure_distance,
+    with_distance_uncertainty,
 )
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
@@ -44,7 +44,7 @@ RETURN_AFTER = 0.15  # s of lost packets after which a segment's orientation is 
     },
 )
 @dataclass(eq=False)
-class ShownKept:
+class ConfidenceSavedState:
     """The part of a `HandConfidence` that changes."""
 
     seen: Array  # (M,) s when each marker was last seen
@@ -67,27 +67,27 @@ class HandConfidence:
 
     def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:
         self._layout = layout
-        self.ends = EndsSureness(layout, distal)
+        self.ends = EndDeviations(layout, distal)
         self._rows = len(layout.active) + len(self.ends.driven)
         self._digit = digit_of(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
-        self.kept = ShownKept(
+        self.saved = ConfidenceSavedState(
             seen=np.full(markers, -np.inf),
             felt=np.full(imus, -np.inf),
             tip_sd=np.zeros(0),
         )
 
-    def restore(self, kept: ShownKept, state: ChainState) -> None:
+    def restore(self, saved: ConfidenceSavedState, state: ChainState) -> None:
         """Restores the saved part, which is not copied; older versions saved less."""
-        self.kept = kept
-        if 0 < len(kept.tip_sd) < self._rows:
-            self.kept.tip_sd = self.ends(state)
+        self.saved = saved
+        if 0 < len(saved.tip_sd) < self._rows:
+            self.saved.tip_sd = self.ends(state)
 
     # ---- what was sensed
 
     def returned(self, sample: ImuSample) -> IntArray:
         """(k,) IMUs that are valid in ``sample`` after a long interruption."""
-        felt = self.kept.felt
+        felt = self.saved.felt
         if sample.t - felt.min(initial=np.inf) <= RETURN_AFTER:
             return np.zeros(0, np.int64)
         away = np.asarray(sample.valid) & (sample.t - felt > RETURN_AFTER)
@@ -95,30 +95,30 @@ class HandConfidence:
 
     def packet(self, sample: ImuSample) -> None:
         """Records which IMUs are valid."""
-        self.kept.felt[sample.valid] = sample.t
+        self.saved.felt[sample.valid] = sample.t
 
     def image(self, t: float, match: IntArray) -> None:
         """Records which markers an image showed; match (2, M), -1 for none."""
-        self.kept.seen[match.max(axis=0) >= 0] = t
+        self.saved.seen[match.max(axis=0) >= 0] = t
 
     # ---- what is believed
 
     def started(self) -> None:
         """After a start: only the search supports the pose."""
-        self.kept.doubted = np.ones(len(self._layout.active), bool)
-        self.kept.poor_since = np.full(int(self._digit.max(initial=-1)) + 1, -np.inf)
+        self.saved.doubted = np.ones(len(self._layout.active), bool)
+        self.saved.poor_since = np.full(int(self._digit.max(initial=-1)) + 1, -np.inf)
 
     def moved_unsensed(self, t: float) -> None:
         """The root's IMU is valid again at ``t``: the rotation meanwhile is unknown, and a tilt
         error is mistaken for acceleration until a later image supports the pose."""
-        if not len(self.kept.doubted):
+        if not len(self.saved.doubted):
             self.started()
-        self.kept.doubted = np.ones(len(self._layout.active), bool)
-        self.kept.unsensed_until = t
+        self.saved.doubted = np.ones(len(self._layout.active), bool)
+        self.saved.unsensed_until = t
 
     def supported(self, t: float, seen: Evidence, sure: bool) -> None:
         """Updates the support of the digits by ``seen``; ``sure``: the whole hand is supported."""
-        now = self.kept
+        now = self.saved
         if not len(now.doubted):
             self.started()
         now.poor_since[seen.supported] = np.inf
@@ -134,7 +134,7 @@ class HandConfidence:
 
     def sensed(self, t: float, tracking: Tracking) -> Sensed:
         """What was sensed recently, as of ``t``."""
-        lay, now = self._layout, self.kept
+        lay, now = self._layout, self.saved
         segments = sensed_lately(
             now.felt, lay.imu_segment, now.seen, lay.marker_segment, len(lay.active), t, SEEN_LATELY
         )
@@ -149,37 +149,37 @@ class HandConfidence:
     @property
     def tip_sd(self) -> Array:
         """(A + d,) m, zeros before the first image."""
-        return self.kept.tip_sd if len(self.kept.tip_sd) else np.zeros(self._rows)
+        return self.saved.tip_sd if len(self.saved.tip_sd) else np.zeros(self._rows)
 
     def unsure(self, state: ChainState, pose: CameraPose, known_size_sd: float) -> None:
         """Updates the standard deviations of the segments' ends; one camera measures the distance
         only through the hand's size, which is uncertain by the share ``known_size_sd``."""
-        self.kept.tip_sd, self.kept.most_sd = self.ends(state), MEASURED_SD
-        if self.kept.one_camera:
-            self.kept.p_GC = pose.p_GC
+        self.saved.tip_sd, self.saved.most_sd = self.ends(state), MEASURED_SD
+        if self.saved.one_camera:
+            self.saved.p_GC = pose.p_GC
             size_sd = self.size_sd(known_size_sd)
             if size_sd > KNOWN_SIZE_SD:
-                self.kept.most_sd = min(measured_sd(state.p, pose, size_sd), MEASURED_SD)
-            self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
+                self.saved.most_sd = min(measured_sd(state.p, pose, size_sd), MEASURED_SD)
+            self.saved.tip_sd = with_distance_uncertainty(self.saved.tip_sd, state.p, pose, size_sd)
 
     def worn(self, state: ChainState) -> None:
         """The hand size has changed: with one camera, the distance changes with it."""
-        if self.kept.one_camera and len(self.kept.p_GC):
-            size_taken_for_granted(state, self._layout, self.kept.p_GC, MonoParams().distance_sd)
+        if self.saved.one_camera and len(self.saved.p_GC):
+            fix_size(state, self._layout, self.saved.p_GC, MonoParams().distance_sd)
 
     def size_sd(self, known_size_sd: float) -> float:
         """Relative uncertainty of the size not in the state's covariance; 0 once both cameras saw
         it."""
-        return size_unsure_by(known_size_sd) if self.kept.one_camera else 0.0
+        return assumed_size_sd(known_size_sd) if self.saved.one_camera else 0.0
 
     def held(self, t: float) -> None:
         """An image has corrected the heading."""
-        self.kept.heading_drift, self.kept.heading_at = 0.0, t
+        self.saved.heading_drift, self.saved.heading_at = 0.0, t
 
     def drifted(self, state: ChainState) -> None:
         """Without heading measurements up to the state's time: integrates the uncertainty of the
         root gyro's bias about the vertical (docs/chain.md, eq. 58)."""
-        now, j = self.kept, int(self._layout.imu_of[0])
+        now, j = self.saved, int(self._layout.imu_of[0])
         dt, now.heading_at = max(state.t - now.heading_at, 0.0), state.t
         if j < 0:
             return
@@ -191,23 +191,23 @@ class HandConfidence:
     def heading_sd(self, state: ChainState) -> float:
         """rad, of the rotation about the vertical."""
         up, rows = state.R_GB[0][2], slice(6, 9)  # eq. 3: the error is in the segment's own axes
-        return float(np.sqrt(up @ state.P[rows, rows] @ up + self.kept.heading_drift**2))
+        return float(np.sqrt(up @ state.P[rows, rows] @ up + self.saved.heading_drift**2))
 
     def aged(self, state: ChainState) -> None:
         """The filter has moved on without an image: update the standard deviations."""
-        if not self.kept.one_camera:
-            self.kept.tip_sd = self.ends(state)
+        if not self.saved.one_camera:
+            self.saved.tip_sd = self.ends(state)
 
     def doubt_variance(self, t: float) -> float:
         """m² per axis to add to the covariance while the whole hand is doubted: the covariance is
         valid only if the matches are correct (docs/chain.md, eq. 63)."""
         if not self.is_doubted:
             return 0.0
-        since = t - self.kept.seen.max(initial=-np.inf)
+        since = t - self.saved.seen.max(initial=-np.inf)
         moved = HAND_SPEED * max(since, 0.0) if np.isfinite(since) else 0.0
         return MEASURED_SD**2 + float(moved) ** 2
 
     @property
     def is_doubted(self) -> bool:
         """Whether the markers support none of the segments."""
-        return bool(len(self.kept.doubted) and self.kept.doubted.all())
+        return bool(len(self.saved.doubted) and self.saved.doubted.all())

@@ -73,7 +73,7 @@ def driven_ends(layout: ChainLayout, distal: DistalSegments, own: Synergies) -> 
     )
 
 
-class EndsSureness:
+class EndDeviations:
     """Standard deviations of the ends of all estimated segments and of the segments they drive."""
 
     def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:

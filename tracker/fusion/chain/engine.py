@@ -15,19 +15,19 @@ import numpy as np
 from tracker.base.notices import Notice, notice, warning
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
-from tracker.fusion.chain.calibration.size import as_unsure
+from tracker.fusion.chain.calibration.size import with_min_size_sd
 from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pose_reset import bends, is_flat
 from tracker.fusion.chain.profile import WearerProfile
-from tracker.fusion.chain.reports import with_unsure_size
+from tracker.fusion.chain.reports import with_size_uncertainty
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
-from tracker.fusion.chain.tracker import ChainTracker, TrackerKept
+from tracker.fusion.chain.tracker import ChainTracker, TrackerSavedState
 from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.time.imu_buffer import ImuBuffer
-from tracker.fusion.time.timeline import Timeline, TimelineKept
+from tracker.fusion.time.timeline import Timeline, TimelineSavedState
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -45,11 +45,11 @@ from tracker.vision.rig import StereoRig
 
 @record("chain", sized=True)
 @dataclass(eq=False)
-class ChainKept:
+class ChainSavedState:
     """The complete state of a chain engine."""
 
-    timeline: TimelineKept[ChainState]
-    tracker: TrackerKept
+    timeline: TimelineSavedState[ChainState]
+    tracker: TrackerSavedState
     holds: list[Hold] = field(default_factory=list)
 
 
@@ -201,11 +201,11 @@ class ChainEngine(Engine):
         """Estimated parameters with their uncertainty. With one camera, the size and its
         uncertainty are those assumed at the start: later images do not measure it."""
         found, size_sd = self.wearer.shown(), self._tracker.size_sd
-        return found if size_sd == 0.0 else with_unsure_size(found, size_sd)
+        return found if size_sd == 0.0 else with_size_uncertainty(found, size_sd)
 
     def profile(self) -> WearerProfile:
         """The learned wearer profile; with one camera, the size is the one assumed at the start."""
-        return as_unsure(self.wearer.profile(), self.layout, self._tracker.size_sd)
+        return with_min_size_sd(self.wearer.profile(), self.layout, self._tracker.size_sd)
 
     def put_on(self, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
@@ -213,13 +213,15 @@ class ChainEngine(Engine):
 
     # ---- saving
 
-    def get_state(self) -> ChainKept:
+    def get_state(self) -> ChainSavedState:
         """A copy of the complete state."""
-        return copy.deepcopy(ChainKept(self._timeline.kept, self._tracker.kept, self.wearer.holds))
+        return copy.deepcopy(
+            ChainSavedState(self._timeline.saved, self._tracker.saved, self.wearer.holds)
+        )
 
-    def set_state(self, state: ChainKept) -> None:
+    def set_state(self, state: ChainSavedState) -> None:
         """Continue from a `get_state`."""
-        kept = copy.deepcopy(state)
-        self._tracker.restore(kept.tracker)
-        self.wearer.holds[:] = kept.holds
-        self._timeline.restore(kept.timeline)
+        saved = copy.deepcopy(state)
+        self._tracker.restore(saved.tracker)
+        self.wearer.holds[:] = saved.holds
+        self._timeline.restore(saved.timeline)

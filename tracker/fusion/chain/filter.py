@@ -35,7 +35,7 @@ may stay away for a second, in which thirty uses are not thirty independent meas
 
 @record("chain.filter")
 @dataclass(eq=False)
-class FilterKept:
+class FilterSavedState:
     """The complete state of the filter, and the times (s) when tilt and anatomy were last used."""
 
     state: ChainState
@@ -57,12 +57,12 @@ class ChainFilter:
         self._constraints_seen = Constraints(layout, with_image)
         state = initial_state(layout)
         state.P = initial_covariance(layout, params.prior)
-        self.kept = FilterKept(state)
+        self.saved = FilterSavedState(state)
 
     @property
     def state(self) -> ChainState:
         """The present state with its covariance."""
-        return self.kept.state
+        return self.saved.state
 
     # ---- propagation
 
@@ -89,7 +89,7 @@ class ChainFilter:
         while (
             self._tape is None
             and end < len(way.stop)
-            and not _is_due(self.kept, self._params, float(way.stop[end - 1]))
+            and not _is_due(self.saved, self._params, float(way.stop[end - 1]))
         ):
             end += 1
         return end
@@ -104,7 +104,7 @@ class ChainFilter:
         """Replace the state by an unrelated one."""
         if self._tape is not None:
             self._tape.forgotten(self._layout.blocks.size)
-        self.kept.state = state
+        self.saved.state = state
 
     def moved_to(self, pose: Pose) -> ChainState:
         """A copy of the state with the hand at another pose, at rest, with the initial
@@ -131,7 +131,7 @@ class ChainFilter:
         """Continue from a result of `moved_to` or `shifted_by`."""
         if self._tape is not None:
             self._tape.forgotten(self._layout.n_dynamic)
-        self.kept.state = moved
+        self.saved.state = moved
 
     def doubt(self, imus: IntArray) -> None:
         """Inflates the orientation covariance of segments whose IMUs (k,) were not valid for a
@@ -145,20 +145,20 @@ class ChainFilter:
     def _tilt(self) -> None:
         """Relative tilt from the accelerometers, at most once per ``period``."""
         t = self.state.t
-        around = self._buffer.around(t) if _is_due(self.kept, self._params, t) else None
+        around = self._buffer.around(t) if _is_due(self.saved, self._params, t) else None
         if around is None:
             return
         rows = tilt_rows(self.state, self._layout, self._params.constraint, around)
         if rows is not None:
-            self.kept.last_tilt = t
+            self.saved.last_tilt = t
             self.use(*rows)
 
     def constrain(self, t: float) -> bool:
         """Applies anatomy alone while no image arrives, at most once per ``period``; returns
         whether it did."""
-        if t - self.kept.last_constraint < self._params.constraint.period:
+        if t - self.saved.last_constraint < self._params.constraint.period:
             return False
-        self.kept.last_constraint = t
+        self.saved.last_constraint = t
         self.use(*self._constraints.rows(self.state))
         return True
 
@@ -180,11 +180,11 @@ class ChainFilter:
     def correct(self, seen: Rows) -> None:
         """One stacked update: matches and anatomy, linearised at the same state."""
         H, r, variance = self._constraints_seen.rows(self.state)
-        since = max(self.state.t - self.kept.last_constraint, 1e-3)
+        since = max(self.state.t - self.saved.last_constraint, 1e-3)
         # at twice the usual rate each use carries half the information
         variance = variance * max(1.0, self._params.constraint.period / since)  # eq. 37
         self._update(*joined(*seen, H, r, variance, self.state.P))
-        self.kept.last_constraint = self.state.t
+        self.saved.last_constraint = self.state.t
 
     def corrected(self, seen: Rows, state: ChainState | None = None) -> ChainState:
         """Returns ``state`` (default: its own) corrected as by `correct` without anatomy; changes
@@ -215,6 +215,6 @@ class ChainFilter:
         inject(self.state, self._layout, dx)
 
 
-def _is_due(kept: FilterKept, params: ChainParams, t: float) -> bool:
+def _is_due(saved: FilterSavedState, params: ChainParams, t: float) -> bool:
     """Whether relative tilt is due."""
-    return t - kept.last_tilt >= params.constraint.period
+    return t - saved.last_tilt >= params.constraint.period

@@ -53,7 +53,7 @@ class InertialTracker(ChainTracker):
     def begin(self) -> bool:
         """Starts from the last packets, with the known wearer profile; False where they are not
         sufficient."""
-        started = self._starter.by_gravity(self._buffer, self.wearer.calibration.kept.known)
+        started = self._starter.by_gravity(self._buffer, self.wearer.calibration.saved.known)
         if started is None:
             return False
         self.filter.adopt(started)
@@ -78,7 +78,7 @@ class InertialTracker(ChainTracker):
         self._judge.judge(self.state.t, enough=False)
         if was_placed and self.tracking == Tracking.LOST:
             unplace(self.state, self._params.prior)
-            self.confidence.kept.tip_sd = np.zeros(0)
+            self.confidence.saved.tip_sd = np.zeros(0)
         if self.filter.constrain(self.state.t) and self.tracking == Tracking.LOST:
             self.filter.stay()
         self.wearer.learn()
@@ -94,7 +94,7 @@ class InertialTracker(ChainTracker):
     def image(self, frame: Any) -> FrameResult | None:
         """Process the pose of a tracker of the state's own time."""
         pose: WristPose = frame
-        since = pose.t - self._judge.kept.last_good
+        since = pose.t - self._judge.saved.last_good
         if since < SHORTEST:
             return None
         if self.tracking == Tracking.LOST:

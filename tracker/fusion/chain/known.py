@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
+from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerSavedState
 from tracker.fusion.chain.distal import OWN, DistalSegments
 from tracker.fusion.chain.filter import ChainFilter
-from tracker.fusion.chain.guided.events import GuidedSaid
+from tracker.fusion.chain.guided.events import GuidedPoseEvent
 from tracker.fusion.chain.guided.holds import Hold
-from tracker.fusion.chain.guided.learning import GuidedKept, GuidedLearning
+from tracker.fusion.chain.guided.learning import GuidedLearning, GuidedSavedState
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile, wear
@@ -26,12 +26,12 @@ from tracker.vision.rig import StereoRig
 
 
 @dataclass(frozen=True, eq=False)
-class Remembered:
+class WearerSnapshot:
     """The knowledge of the wearer at one time, which can be restored."""
 
     profile: WearerProfile
-    wearer: WearerKept
-    guided: GuidedKept
+    wearer: WearerSavedState
+    guided: GuidedSavedState
 
 
 class Shows(NamedTuple):
@@ -67,14 +67,14 @@ class KnownWearer:
 
     # ---- guided poses
 
-    def hear(self, said: GuidedSaid, t: float) -> None:
+    def hear(self, event: GuidedPoseEvent, t: float) -> None:
         """A guided pose begins or ends at ``t`` (s)."""
         holds = self.holds
         if holds and not np.isfinite(holds[-1].end):
             holds[-1].end = t
-            holds[-1].held = said.held and not said.begins and said.pose == holds[-1].pose
-        if said.begins:
-            holds.append(Hold(said.pose, t))
+            holds[-1].held = event.held and not event.begins and event.pose == holds[-1].pose
+        if event.begins:
+            holds.append(Hold(event.pose, t))
 
     def learn(self) -> bool:
         """Learns from guided poses; returns whether something was learned in this call."""
@@ -88,7 +88,7 @@ class KnownWearer:
     def begun(self, known: WearerProfile | None) -> None:
         """The filter was initialized, with ``known`` as its only knowledge of the wearer."""
         self.calibration.begin(self._filter.state)
-        if not self.calibration.is_frozen and known is self.calibration.kept.known:
+        if not self.calibration.is_frozen and known is self.calibration.saved.known:
             self.guided.again(self._filter)
 
     # ---- knowledge
@@ -112,7 +112,7 @@ class KnownWearer:
     @property
     def is_learning(self) -> bool:
         """Whether a held pose is still being evaluated."""
-        return self._listens and self.guided.kept.over < len(self.holds)
+        return self._listens and self.guided.saved.over < len(self.holds)
 
     def show(self) -> None:
         """Update the output with the wearer's own synergies, end joints as measured in images."""
@@ -129,7 +129,7 @@ class KnownWearer:
     def profile(self) -> WearerProfile:
         """The learned profile, including synergies."""
         known = self.calibration.profile(self._filter.state)
-        return replace(known, synergies=self.guided.kept.synergies)
+        return replace(known, synergies=self.guided.saved.synergies)
 
     # ---- a user's commands
 
@@ -156,19 +156,19 @@ class KnownWearer:
         self.calibration.freeze(self._filter.state, on)
         self.changed()
 
-    def remembered(self) -> Remembered:
-        """A copy of the present knowledge, for `take_back`."""
+    def remembered(self) -> WearerSnapshot:
+        """A copy of the present knowledge, for `restore_snapshot`."""
         calibration = self.calibration
         profile = calibration.profile(self._filter.state)
-        return copy.deepcopy(Remembered(profile, calibration.kept, self.guided.kept))
+        return copy.deepcopy(WearerSnapshot(profile, calibration.saved, self.guided.saved))
 
-    def take_back(self, before: Remembered) -> None:
+    def restore_snapshot(self, before: WearerSnapshot) -> None:
         """Restores the knowledge ``before``; the pose is unchanged. Poses held since, including one
         in progress, are ignored."""
         before = copy.deepcopy(before)
-        self.calibration.kept = before.wearer
+        self.calibration.saved = before.wearer
         wear(self._filter.state, self._layout, before.profile)
         self.calibration.begin(self._filter.state)
-        self.guided.kept = replace(before.guided, over=len(self.holds), samples=[])
+        self.guided.saved = replace(before.guided, over=len(self.holds), samples=[])
         self.show()
         self.changed()

@@ -103,7 +103,7 @@ FOLLOWED_PX = 4.0  # median residual of one camera's blobs
 EXPLAINED_SHARE = 0.4  # of one camera's blobs matched, for a measured hand
 STRANGE_PX = 5.0  # the same for the blobs of two cameras
 STRANGE_SHARE = 0.2  # ratio of unmatched blobs on a hand to matched ones
-NOBODY = -2  # owner of a blob without a marker
+UNMATCHED = -2  # owner of a blob without a marker
 
 
 class SeenImage(NamedTuple):
@@ -150,7 +150,7 @@ class Recognised(NamedTuple):
 
 @record("chain.recognition")
 @dataclass(eq=False)
-class RecognitionKept:
+class RecognitionSavedState:
     """The part of the recognition that changes."""
 
     previous: PreviousPrediction | None = None  # only where correspondence is based on it
@@ -172,7 +172,7 @@ class Recognition:
         self._pixels = PixelModel(layout, rig, params.noise)
         self._loose = LooseRows(layout, rig, params.noise)
         self.digit = digit_of(layout)
-        self.kept = RecognitionKept()
+        self.saved = RecognitionSavedState()
 
     def wear(self, gains: Array, lateral: Array) -> None:
         """Sets a wearer's own synergies, as `Completion.wear`."""
@@ -198,7 +198,7 @@ class Recognition:
         """Matches blobs near the markers predicted by ``state``, or near those of the previous
         image."""
         prediction = self._predict(state, image)
-        compared, previous = prediction, self.kept.previous
+        compared, previous = prediction, self.saved.previous
         if previous is not None:
             compared = previous.at(image.frame.t, self._params.prior.velocity)
         return Recognised(prediction, self._pixels.match(compared, image.blobs))
@@ -240,8 +240,8 @@ class Recognition:
         ends = left[pairs.left_index], right[pairs.right_index]
         free = np.ones(len(pairs), bool)
         for owner in ends:
-            free &= (owner == digit) | (owner == NOBODY)
-        fresh = ((ends[0] == NOBODY) | (ends[1] == NOBODY))[free]
+            free &= (owner == digit) | (owner == UNMATCHED)
+        fresh = ((ends[0] == UNMATCHED) | (ends[1] == UNMATCHED))[free]
         p_G = pairs.p_C[free] @ image.pose.R_GC.T + image.pose.p_GC
         hue = image.blobs[0].hue[pairs.left_index[free]]
         return SeenPoints(p_G, hue, fresh, image.pose.p_GC)
@@ -250,14 +250,14 @@ class Recognition:
         """For each side's blobs, the digit of the matched marker, -1 for the root's."""
         digit, out = self.digit[self._layout.marker_segment], []
         for seen, match in zip(image.blobs, found.match, strict=True):
-            owner = np.full(len(seen.uv), NOBODY)
+            owner = np.full(len(seen.uv), UNMATCHED)
             owner[match[match >= 0]] = digit[match >= 0]
             out.append(owner)
         return out
 
     def is_all_known(self, image: SeenImage, found: Recognised) -> bool:
         """Whether every blob is matched."""
-        return not any(np.any(owner == NOBODY) for owner in self._owners(image, found))
+        return not any(np.any(owner == UNMATCHED) for owner in self._owners(image, found))
 
     def misfit_px(self, image: SeenImage, found: Recognised) -> float:
         """Median distance of the matched blobs from their predictions."""
@@ -321,7 +321,7 @@ class Recognition:
         """After the image has corrected ``state``: store it if required, and report it."""
         frame = image.frame
         if self._params.guide == "previous":
-            self.kept.previous = PreviousPrediction(
+            self.saved.previous = PreviousPrediction(
                 frame.t, self._pixels.predict(state, image.pose, exposure=image.exposure)
             )
         result = frame_result(

@@ -48,7 +48,7 @@ def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
     )
 
 
-def with_unsure_size(found: Calibration, size_sd: float) -> Calibration:
+def with_size_uncertainty(found: Calibration, size_sd: float) -> Calibration:
     """With the uncertainty of sizes at least that of the common size, a share; girths too."""
     return replace(
         found,

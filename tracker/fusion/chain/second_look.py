@@ -60,7 +60,7 @@ class SecondLook:
                 best, most = state, seen.matched
         return best
 
-    def through_the_crowd(self, image: SeenImage, found: Recognised) -> tuple[Recognised, Evidence]:
+    def match_in_crowd(self, image: SeenImage, found: Recognised) -> tuple[Recognised, Evidence]:
         """The matched blobs, and how credible they are.
 
         Where chance matches fill the gates as well as the hand would, all markers together vote for
@@ -96,7 +96,7 @@ class SecondLook:
         there, fitted = self._fitted(image, self._filter.state)
         return Recognised(found.prediction, there.match), fitted
 
-    def after_a_while(self, image: SeenImage, found: Recognised) -> bool:
+    def fits_after_gap(self, image: SeenImage, found: Recognised) -> bool:
         """Whether a hand corrected by the blobs fits them: after some time out of view gates are
         wide, and a few blobs within them may be anything."""
         trial = self._filter.corrected(self._recognition.rows(self._filter.state, image, found))

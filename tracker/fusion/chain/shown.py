@@ -61,7 +61,7 @@ class ShownHand:
         sure = self.confidence
         variance = sure.tip_sd**2 + ahead + behind_variance(state.t, t) + sure.doubt_variance(t)
         estimate = self.estimate_of(state, t, sure.sensed(t, tracking), np.sqrt(variance))
-        estimate = called_measured(estimate, sure.kept.most_sd)
+        estimate = mark_inferred(estimate, sure.saved.most_sd)
         return estimate if packet is None else self._moving(estimate, state, past, packet)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
@@ -131,7 +131,7 @@ def _mean_variance(P: Array, first: int) -> float:
     return float(P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
 
 
-def called_measured(estimate: Estimate, most_sd: float = MEASURED_SD) -> Estimate:
+def mark_inferred(estimate: Estimate, most_sd: float = MEASURED_SD) -> Estimate:
     """Marks points with an sd above ``most_sd`` (m) as inferred, even if sensed recently."""
     state = estimate.keypoint_state
     unsure = (estimate.keypoint_sd > most_sd) & (state == MEASURED)

@@ -41,7 +41,7 @@ BEND, SIDE = 0, 1
 
 @record("chain.tip_bends", shapes={"bend": "d 2", "drive": "d", "P": "d 2 2"})
 @dataclass(eq=False)
-class TipBendsKept:
+class TipBendsSavedState:
     """The part that changes: for d digits, flexion and lateral (d, 2) rad in addition to the
     prediction from the joints before, at their flexions drive (d,) rad; the covariance P (d, 2, 2)
     rad²; and the time, s. Empty before the first measurement."""
@@ -63,21 +63,21 @@ class TipBends:
         segments = [layout.hand.segments[d.segment] for d in distal.digits]
         self._radius = np.array([s.radius + CLOTH for s in segments])
         self._reach = np.array([s.length for s in segments]) - self._radius
-        self.kept = TipBendsKept()
+        self.saved = TipBendsSavedState()
 
     def forget(self) -> None:
         """Reset, because the hand was found again."""
-        self.kept = TipBendsKept()
+        self.saved = TipBendsSavedState()
 
     # ---- estimates
 
     def worn(self, gains: Array, lateral: Array) -> tuple[Array, Array]:
         """gains (k, 2) and lateral (S,) of `Completion.wear`, corrected by the measured end
         joints."""
-        if not len(self.kept.bend):
+        if not len(self.saved.bend):
             return gains, lateral
         gains, lateral = gains.copy(), lateral.copy()
-        for digit, bend in zip(self._distal.digits, self.kept.bend, strict=True):
+        for digit, bend in zip(self._distal.digits, self.saved.bend, strict=True):
             gains[digit.link, 1] += bend[BEND]
             lateral[digit.segment] += bend[SIDE]
         return gains, lateral
@@ -86,12 +86,12 @@ class TipBends:
         """The wearer's synergies corrected by the measured end joints, and (d,) rad of remaining
         sd."""
         posture = self._distal.posture_sd
-        if not len(self.kept.bend):
+        if not len(self.saved.bend):
             return own, posture
         value, P, posture = own.value.copy(), own.P.copy(), posture.copy()
-        value[:, [OFFSET, ASIDE]] += self.kept.bend
-        before = self._prior(own, self.kept.drive)
-        for k, now in enumerate(self.kept.P):
+        value[:, [OFFSET, ASIDE]] += self.saved.bend
+        before = self._prior(own, self.saved.drive)
+        for k, now in enumerate(self.saved.P):
             factor = np.ones(OWN)
             factor[[RATIO, OFFSET]] = np.sqrt(now[BEND, BEND] / before[k, BEND, BEND])
             factor[ASIDE] = np.sqrt(now[SIDE, SIDE] / before[k, SIDE, SIDE])
@@ -124,19 +124,19 @@ class TipBends:
         """Locates the tips of a hand that was just corrected; returns whether the result of `worn`
         may have changed. ``own`` are the wearer's synergies without tip measurements, ``exposure``
         is that of a rolling shutter."""
-        if 0.0 <= state.t - self.kept.t < APART:
+        if 0.0 <= state.t - self.saved.t < APART:
             return False
         sides = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
-        if not len(self._reach) or (sides == [None, None] and not len(self.kept.bend)):
+        if not len(self._reach) or (sides == [None, None] and not len(self.saved.bend)):
             return False
         lay, ends = self._layout, self._shown.confidence.ends
         driven = ends.driven_ends._replace(length=self._reach)
         points, J, C, drive = driven_points(
             lay.skeleton, lay.R_rest, lay.blocks, state.body, driven, ends.own, state.p, state.P
         )
-        worn = self.kept.bend
+        worn = self.saved.bend
         self._age(state.t, own, drive[:, 0])
-        shift = np.zeros_like(J[..., 0, :]) if not len(worn) else worn - self.kept.bend
+        shift = np.zeros_like(J[..., 0, :]) if not len(worn) else worn - self.saved.bend
         maps = [None if c is None else cloth_map(c) for c in sides]
         view, there = PosedRig.of(self._rig, pose), self.in_sight(state, points[:, 1], pose)
         if exposure is not None:
@@ -189,17 +189,17 @@ class TipBends:
     def _age(self, t: float, own: Synergies, drive: Array) -> None:
         """Ageing: a measured end joint remains valid for a while, then its driving joint determines
         it again (eq. 61)."""
-        kept, prior = self.kept, self._prior(own, drive)
-        if not len(kept.bend):
-            self.kept = TipBendsKept(np.zeros((len(drive), 2)), drive, prior, t)
+        saved, prior = self.saved, self._prior(own, drive)
+        if not len(saved.bend):
+            self.saved = TipBendsSavedState(np.zeros((len(drive), 2)), drive, prior, t)
             return
-        left = float(np.exp(-max(t - kept.t, 0.0) / LASTS))
-        P = left**2 * kept.P + (1.0 - left**2) * prior
-        self.kept = TipBendsKept(left * kept.bend, drive, P, t)
+        left = float(np.exp(-max(t - saved.t, 0.0) / LASTS))
+        P = left**2 * saved.P + (1.0 - left**2) * prior
+        self.saved = TipBendsSavedState(left * saved.bend, drive, P, t)
 
     def _correct(self, k: int, tip: _Tip, maps: list[ClothMap | None]) -> None:
         """Corrects the digit ``k`` by its tip in the images (eq. 60)."""
-        x, P = self.kept.bend, self.kept.P
+        x, P = self.saved.bend, self.saved.P
         r, R, A = [], [], []
         for c, (camera, cloth) in enumerate(
             zip((self._rig.left, self._rig.right), maps, strict=True)

@@ -5,24 +5,29 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from tracker.base.records import record
-from tracker.fusion.chain.calibration.wearer import WearerKept
-from tracker.fusion.chain.confidence import ShownKept
+from tracker.fusion.chain.calibration.wearer import WearerSavedState
+from tracker.fusion.chain.confidence import ConfidenceSavedState
 from tracker.fusion.chain.distal import DistalSegments
-from tracker.fusion.chain.filter import ChainFilter, FilterKept
-from tracker.fusion.chain.guided.learning import GuidedKept
+from tracker.fusion.chain.filter import ChainFilter, FilterSavedState
+from tracker.fusion.chain.guided.learning import GuidedSavedState
 from tracker.fusion.chain.known import KnownWearer, Shows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
-from tracker.fusion.chain.recognition import Recognised, Recognition, RecognitionKept, SeenImage
+from tracker.fusion.chain.recognition import (
+    Recognised,
+    Recognition,
+    RecognitionSavedState,
+    SeenImage,
+)
 from tracker.fusion.chain.second_look import SecondLook
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.start.mono_start import release_size
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
-from tracker.fusion.chain.tip_bends import TipBends, TipBendsKept
-from tracker.fusion.chain.tracking import MANY_MARKERS, TrackingJudge, TrackingKept
+from tracker.fusion.chain.tip_bends import TipBends, TipBendsSavedState
+from tracker.fusion.chain.tracking import MANY_MARKERS, TrackingJudge, TrackingSavedState
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
 from tracker.vision.rig import StereoRig
@@ -30,16 +35,16 @@ from tracker.vision.rig import StereoRig
 
 @record("chain.tracker")
 @dataclass(eq=False)
-class TrackerKept:
+class TrackerSavedState:
     """The complete state of a tracker, by part."""
 
-    filter: FilterKept
-    tracking: TrackingKept
-    recognition: RecognitionKept
-    wearer: WearerKept
-    shown: ShownKept
-    guided: GuidedKept = field(default_factory=GuidedKept)
-    tips: TipBendsKept = field(default_factory=TipBendsKept)
+    filter: FilterSavedState
+    tracking: TrackingSavedState
+    recognition: RecognitionSavedState
+    wearer: WearerSavedState
+    shown: ConfidenceSavedState
+    guided: GuidedSavedState = field(default_factory=GuidedSavedState)
+    tips: TipBendsSavedState = field(default_factory=TipBendsSavedState)
 
 
 class ChainTracker:
@@ -86,7 +91,7 @@ class ChainTracker:
         self.confidence.packet(sample)
 
     def step(self, way: Intervals, first: int) -> int:
-        last_good = self._judge.kept.last_good
+        last_good = self._judge.saved.last_good
         end = self.filter.step(way, first, last_good, held=self.wearer.calibration.is_frozen)
         if self._tape is not None and self._buffer.is_packet(self.state.t):
             sensed = self.confidence.sensed(self.state.t, self.tracking)
@@ -115,7 +120,7 @@ class ChainTracker:
         # 2. Match blobs and markers: near the prediction, else anywhere.
         image = self._recognition.image(frame)
         found = self._recognition.follow(self.state, image)
-        found, seen = self._second.through_the_crowd(image, found)
+        found, seen = self._second.match_in_crowd(image, found)
         if self._judge.should_search(frame.t, found.tally) and frame.search >= Search.AGAIN:
             found = self._search_again(image, found)
             seen = self._recognition.evidence(image, found)
@@ -151,7 +156,7 @@ class ChainTracker:
         if not self._judge.is_coasting(image.frame.t):
             return True
         there = self._judge.is_believable(found.tally)
-        return there and self._second.after_a_while(image, found)
+        return there and self._second.fits_after_gap(image, found)
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:
         self.filter.correct(self._recognition.rows(self.state, image, found))
@@ -192,11 +197,11 @@ class ChainTracker:
         return self._start(frame, self.wearer.calibration.start_with(self.state, lately))
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
-        return self._start(frame, self.wearer.calibration.kept.known)
+        return self._start(frame, self.wearer.calibration.saved.known)
 
     def _start(self, frame: BlobFrame, known: WearerProfile | None) -> FrameResult | None:
         # 1. Postures that agree with gravity, voted for in the image.
-        if frame.search < Search.ANEW or not self._judge.should_start(frame.t):
+        if frame.search < Search.FULL or not self._judge.should_start(frame.t):
             return None
         image = self._recognition.image(frame)
         if image.most_blobs < MANY_MARKERS:
@@ -214,7 +219,7 @@ class ChainTracker:
         self._judge.started(frame.t)
         self._judge.found(frame.t, started.p)
         self.confidence.started()
-        self.confidence.kept.one_camera = image.is_mono
+        self.confidence.saved.one_camera = image.is_mono
         self.confidence.held(frame.t)
         # 3. Correct it twice: the second pass matches and linearises at a better state.
         for _ in range(2):
@@ -232,9 +237,9 @@ class ChainTracker:
     def _finish(self, image: SeenImage, found: Recognised) -> FrameResult:
         """Update the output with the corrected state."""
         self.confidence.image(image.frame.t, found.match)
-        second_camera = self.confidence.kept.one_camera and found.in_both
+        second_camera = self.confidence.saved.one_camera and found.in_both
         if second_camera:
-            self.confidence.kept.one_camera = False
+            self.confidence.saved.one_camera = False
         self.confidence.unsure(self.state, image.pose, self.wearer.calibration.known_size_sd)
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
@@ -248,23 +253,23 @@ class ChainTracker:
     # ---- saving
 
     @property
-    def kept(self) -> TrackerKept:
+    def saved(self) -> TrackerSavedState:
         """The complete state, not copied."""
-        return TrackerKept(
-            self.filter.kept,
-            self._judge.kept,
-            self._recognition.kept,
-            self.wearer.calibration.kept,
-            self.confidence.kept,
-            self.wearer.guided.kept,
-            self._tips.kept,
+        return TrackerSavedState(
+            self.filter.saved,
+            self._judge.saved,
+            self._recognition.saved,
+            self.wearer.calibration.saved,
+            self.confidence.saved,
+            self.wearer.guided.saved,
+            self._tips.saved,
         )
 
-    def restore(self, kept: TrackerKept) -> None:
-        """Restore a `kept` state, which is not copied."""
-        self.filter.kept, self._judge.kept = kept.filter, kept.tracking
-        self._recognition.kept = kept.recognition
-        self.wearer.calibration.kept, self.wearer.guided.kept = kept.wearer, kept.guided
-        self._tips.kept = kept.tips
+    def restore(self, saved: TrackerSavedState) -> None:
+        """Restore a `saved` state, which is not copied."""
+        self.filter.saved, self._judge.saved = saved.filter, saved.tracking
+        self._recognition.saved = saved.recognition
+        self.wearer.calibration.saved, self.wearer.guided.saved = saved.wearer, saved.guided
+        self._tips.saved = saved.tips
         self.wearer.show()
-        self.confidence.restore(kept.shown, self.state)
+        self.confidence.restore(saved.shown, self.state)

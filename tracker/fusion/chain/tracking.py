@@ -28,7 +28,7 @@ BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of vi
 
 @record("chain.tracking", shapes={"last_place": "3"})
 @dataclass(eq=False)
-class TrackingKept:
+class TrackingSavedState:
     """The part that changes. Times in s."""
 
     tracking: Tracking = Tracking.SEARCHING
@@ -51,16 +51,16 @@ class TrackingJudge:
 
     def __init__(self, params: MatchParams) -> None:
         self._params = params
-        self.kept = TrackingKept()
+        self.saved = TrackingSavedState()
 
     @property
     def tracking(self) -> Tracking:
         """The tracking state."""
-        return self.kept.tracking
+        return self.saved.tracking
 
     def is_coasting(self, t: float) -> bool:
         """Whether no recent image had enough markers."""
-        return t - self.kept.last_good > self._params.lost_after
+        return t - self.saved.last_good > self._params.lost_after
 
     def is_enough(self, tally: Tally) -> bool:
         """Whether enough markers match: some, or most of the few visible on a hand edge-on."""
@@ -74,7 +74,7 @@ class TrackingJudge:
 
     def judge(self, t: float, enough: bool) -> None:
         """After an image with ``enough`` markers, or without."""
-        now, gap = self.kept, t - self.kept.last_good
+        now, gap = self.saved, t - self.saved.last_good
         if enough:
             now.last_good, now.tracking = t, Tracking.TRACKING
         elif gap > self._params.coast_limit:
@@ -85,7 +85,7 @@ class TrackingJudge:
     def measured(self, t: float, credible: bool) -> float:
         """After a pose that another system measured, which agrees with the state or not: since when
         (s) poses have been disagreeing without a break; infinite where this one agrees."""
-        now = self.kept
+        now = self.saved
         now.strange_since = np.inf if credible else min(now.strange_since, t)
         if credible:
             self.judge(t, enough=True)
@@ -98,7 +98,7 @@ class TrackingJudge:
         A pose just found or doubted becomes certain only after a period of support, not merely of
         time.
         """
-        now = self.kept
+        now = self.saved
         if there:
             now.last_supported = t
             now.supported_since = min(now.supported_since, t)
@@ -109,23 +109,23 @@ class TrackingJudge:
     @property
     def is_sure(self) -> bool:
         """Whether images have supported the pose for long enough, and recently."""
-        return self.kept.last_supported - self.kept.supported_since >= SURE_AFTER
+        return self.saved.last_supported - self.saved.supported_since >= SURE_AFTER
 
     def is_another(self, t: float, followed: bool) -> bool:
         """Call after an image in which the hand was ``followed`` or not: whether the tracked hand
         differs from the one in the images; it is then discarded."""
-        now = self.kept
+        now = self.saved
         now.strange_since = np.inf if followed else min(now.strange_since, t)
         another = t - now.strange_since >= STRANGE_FOR
         if another:
             self.forget()
-            self.kept.last_start = t
+            self.saved.last_start = t
         return another
 
     def found(self, t: float, p: Array) -> Array | None:
         """A search has found the hand at p (3,) m: its velocity (3,) m/s, if another search
         succeeded shortly before."""
-        now = self.kept
+        now = self.saved
         since, way = t - now.last_found, p - now.last_place
         now.last_found, now.last_place = t, p.copy()
         return way / since if 0.0 < since <= PLACES_APART else None
@@ -134,15 +134,15 @@ class TrackingJudge:
 
     def should_search_digits(self, t: float) -> bool:
         """Whether a search for digits is due; if so, its time is recorded."""
-        if t - self.kept.last_digits < DIGIT_PERIOD:
+        if t - self.saved.last_digits < DIGIT_PERIOD:
             return False
-        self.kept.last_digits = t
+        self.saved.last_digits = t
         return True
 
     def should_search(self, t: float, tally: Tally) -> bool:
         """Whether lost, or with too few of the expected markers for too long; if so, the time is
         recorded."""
-        p, now = self._params, self.kept
+        p, now = self._params, self.saved
         doubtful = tally.matched < max(p.min_markers, DOUBTFUL_SHARE * tally.expected)
         now.doubtful_since = min(now.doubtful_since, t) if doubtful else np.inf
         long = t - now.doubtful_since >= p.lost_after or self.is_coasting(t)
@@ -157,7 +157,7 @@ class TrackingJudge:
         It takes as long as several images, and a glove with the files of the other hand is searched
         for continuously.
         """
-        now = self.kept
+        now = self.saved
         eager = not t - now.starting_since > EAGER
         period = self._params.search_period if eager else max(self._params.search_period, SPARING)
         if t - now.last_start < period:
@@ -168,33 +168,33 @@ class TrackingJudge:
     def saw_nothing(self) -> None:
         """The image to be searched shows no hand: this took no time, and the next image with one is
         searched at once."""
-        self.kept.starting_since = np.inf
+        self.saved.starting_since = np.inf
 
     def started(self, t: float) -> None:
         """The hand was found without a prior."""
-        self.kept.tracking, self.kept.last_good = Tracking.TRACKING, t
-        self.kept.supported_since = self.kept.in_vain_since = np.inf
-        self.kept.starting_since = np.inf
+        self.saved.tracking, self.saved.last_good = Tracking.TRACKING, t
+        self.saved.supported_since = self.saved.in_vain_since = np.inf
+        self.saved.starting_since = np.inf
 
     def started_anywhere(self) -> None:
         """The posture of the hand is known from its IMUs, its position is not."""
-        self.kept.tracking = Tracking.LOST
+        self.saved.tracking = Tracking.LOST
 
     def forget(self) -> None:
         """The hand is unknown again."""
-        self.kept = TrackingKept()
+        self.saved = TrackingSavedState()
 
     # ---- a lost hand
 
     def looked(self, t: float, most_blobs: int) -> None:
         """An image with ``most_blobs`` in one of its sides was processed."""
         in_vain = self.tracking == Tracking.LOST and most_blobs >= MANY_MARKERS
-        self.kept.in_vain_since = min(self.kept.in_vain_since, t) if in_vain else np.inf
+        self.saved.in_vain_since = min(self.saved.in_vain_since, t) if in_vain else np.inf
 
     def is_in_vain(self, t: float) -> bool:
         """Whether a lost hand is in the images, in another articulation than its last one."""
-        return t - self.kept.in_vain_since > IN_VAIN
+        return t - self.saved.in_vain_since > IN_VAIN
 
     def was_lately(self, t: float) -> bool:
         """Whether the last good image is so recent that the calibration is not the cause."""
-        return t - self.kept.last_good < KEEP_CALIBRATION
+        return t - self.saved.last_good < KEEP_CALIBRATION

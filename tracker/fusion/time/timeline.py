@@ -22,7 +22,7 @@ import numpy as np
 from tracker.base.records import record
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking, WristPose
-from tracker.online.imu_health import ImuHealth, ImuHealthKept
+from tracker.online.imu_health import ImuHealth, ImuHealthSavedState
 
 LATE_MARGIN = 0.03  # s in addition to the largest image delay so far
 LONGEST_LAG = 0.5  # s
@@ -86,11 +86,11 @@ class Filter(Protocol[S]):
         updated."""
 
     @property
-    def kept(self) -> Any:
+    def saved(self) -> Any:
         """The complete state, not copied."""
 
-    def restore(self, kept: Any) -> None:
-        """Restore a `kept` state, which is not copied."""
+    def restore(self, saved: Any) -> None:
+        """Restore a `saved` state, which is not copied."""
 
 
 @record("timeline.ahead")
@@ -98,14 +98,14 @@ class Filter(Protocol[S]):
 class ImagesWithoutPackets:
     """The filter's state before it used images without packets, and these images."""
 
-    filter: Any  # its `Filter.kept`
+    filter: Any  # its `Filter.saved`
     last_frame: float
     frames: list[Observation] = field(default_factory=list)
 
 
 @record("timeline")
 @dataclass(eq=False)
-class TimelineKept(Generic[S]):
+class TimelineSavedState(Generic[S]):
     """The complete state of a timeline: images that wait, results of others, packets."""
 
     head: S
@@ -114,7 +114,7 @@ class TimelineKept(Generic[S]):
     waiting: list[Observation]
     results: list[FrameResult]
     packets: list[ImuSample]
-    health: ImuHealthKept
+    health: ImuHealthSavedState
     ahead: ImagesWithoutPackets | None = None
     reported: float = -np.inf  # s of the newest image with a result
 
@@ -225,7 +225,7 @@ class Timeline(Generic[S]):
         if self._buffer.covers(frame.t) or self._searching:
             return
         if self._ahead is None:
-            self._ahead = ImagesWithoutPackets(copy.deepcopy(self._filter.kept), self._last_frame)
+            self._ahead = ImagesWithoutPackets(copy.deepcopy(self._filter.saved), self._last_frame)
         self._ahead.frames.append(frame)
         if frame.t - self._ahead.frames[0].t > LONGEST_AHEAD:
             self._ahead = None
@@ -273,24 +273,24 @@ class Timeline(Generic[S]):
     # ---- saving
 
     @property
-    def kept(self) -> TimelineKept[S]:
+    def saved(self) -> TimelineSavedState[S]:
         """The complete state, not copied."""
-        return TimelineKept(
+        return TimelineSavedState(
             self._head,
             self._lag,
             self._last_frame,
             self._waiting,
             self._results,
             list(self._buffer),
-            self._health.kept,
+            self._health.saved,
             self._ahead,
             self._reported,
         )
 
-    def restore(self, kept: TimelineKept[S]) -> None:
-        """Restore a `kept` state, which is not copied."""
-        self._head, self._lag, self._last_frame = kept.head, kept.lag, kept.last_frame
-        self._waiting, self._results = kept.waiting, kept.results
-        self._buffer.restore(kept.packets)
-        self._health.restore(kept.health)
-        self._ahead, self._reported = kept.ahead, kept.reported
+    def restore(self, saved: TimelineSavedState[S]) -> None:
+        """Restore a `saved` state, which is not copied."""
+        self._head, self._lag, self._last_frame = saved.head, saved.lag, saved.last_frame
+        self._waiting, self._results = saved.waiting, saved.results
+        self._buffer.restore(saved.packets)
+        self._health.restore(saved.health)
+        self._ahead, self._reported = saved.ahead, saved.reported

@@ -10,19 +10,19 @@ from dataclasses import dataclass
 
 from tracker.base.records import record
 from tracker.fusion.ablations.variants import check_variant
-from tracker.fusion.chain.shown import called_measured
+from tracker.fusion.chain.shown import mark_inferred
 from tracker.fusion.engine import Engine, ExpectedHand
 from tracker.fusion.output.completion import ActiveSegments
 from tracker.fusion.output.motion import moving
 from tracker.fusion.output.output import HandOutput
 from tracker.fusion.time.imu_buffer import ImuBuffer
-from tracker.fusion.time.timeline import Timeline, TimelineKept
+from tracker.fusion.time.timeline import Timeline, TimelineSavedState
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import positions
 from tracker.fusion.vist.reports import calibration_of, rates_of
 from tracker.fusion.vist.state import VistState
-from tracker.fusion.vist.tracker import VistTracker, VistTrackerKept
+from tracker.fusion.vist.tracker import VistTracker, VistTrackerSavedState
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -40,11 +40,11 @@ from tracker.vision.rig import StereoRig
 
 @record("vist", sized=True)
 @dataclass(eq=False)
-class VistKept:
+class VistSavedState:
     """The complete state of a vist engine."""
 
-    timeline: TimelineKept[VistState]
-    tracker: VistTrackerKept
+    timeline: TimelineSavedState[VistState]
+    tracker: VistTrackerSavedState
 
 
 class VistEngine(Engine):
@@ -102,7 +102,7 @@ class VistEngine(Engine):
     def _markers(self, state: VistState) -> tuple[Array, Array, IntArray]:
         segment = self._layout.chain.marker_segment
         p_G = positions(state, segment, self._layout.marker_lever)
-        return p_G, self._tracker.kept.track.tip_sd[segment], self._layout.kept.copy()
+        return p_G, self._tracker.saved.track.tip_sd[segment], self._layout.used_markers.copy()
 
     def expected(self, t: float) -> ExpectedHand | None:
         """The predicted hand in an image of ``t`` not processed yet; None while its position is
@@ -115,7 +115,7 @@ class VistEngine(Engine):
     def _estimate(self, state: VistState, t: float) -> Estimate:
         p_GB, sensed = state.p_GB(self._layout), self._tracker.sensed(t)
         sd = self._tracker.sd_at(t, state)
-        return called_measured(self._output.estimate(t, state.R_GB, p_GB, state.scale, sensed, sd))
+        return mark_inferred(self._output.estimate(t, state.R_GB, p_GB, state.scale, sensed, sd))
 
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty."""
@@ -123,12 +123,12 @@ class VistEngine(Engine):
 
     # ---- saving
 
-    def get_state(self) -> VistKept:
+    def get_state(self) -> VistSavedState:
         """A copy of the complete state."""
-        return copy.deepcopy(VistKept(self._timeline.kept, self._tracker.kept))
+        return copy.deepcopy(VistSavedState(self._timeline.saved, self._tracker.saved))
 
-    def set_state(self, state: VistKept) -> None:
+    def set_state(self, state: VistSavedState) -> None:
         """Continue from a `get_state`."""
-        kept = copy.deepcopy(state)
-        self._tracker.kept = kept.tracker
-        self._timeline.restore(kept.timeline)
+        saved = copy.deepcopy(state)
+        self._tracker.saved = saved.tracker
+        self._timeline.restore(saved.timeline)

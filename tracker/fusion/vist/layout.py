@@ -26,9 +26,9 @@ class VistLayout:
     """Arrays of one hand with one glove. Rows are segments with an IMU, parents first. The states
     of each are those of eqs. 7 and 8 of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
 
-    Markers of segments without an IMU have no state to correct and are omitted: ``kept`` (m,) are
-    the rows of the others in the glove. ``chain`` is the layout of the reduced glove, which the
-    shared stages (search, output) use.
+    Markers of segments without an IMU have no state to correct and are omitted:
+    ``used_markers`` (m,) are the rows of the others in the glove. ``chain`` is the layout of the
+    reduced glove, which the shared stages (search, output) use.
 
     Raises ConfigError for a segment without IMU within a finger.
     """
@@ -36,10 +36,10 @@ class VistLayout:
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
         sensed = [imu.segment for imu in glove.imus]
         self.hand, self.glove = hand, glove
-        self.kept: IntArray = np.array(
+        self.used_markers: IntArray = np.array(
             [k for k, m in enumerate(glove.markers) if m.segment in sensed], np.int64
         )
-        reduced = replace(glove, markers=tuple(glove.markers[k] for k in self.kept))
+        reduced = replace(glove, markers=tuple(glove.markers[k] for k in self.used_markers))
         self.chain = ChainLayout(hand, reduced)
         gaps = [name for name in self.chain.names if name not in sensed]
         if gaps:

@@ -118,7 +118,9 @@ class MarkerModel:
         p_G = positions(state, lay.chain.marker_segment, lay.marker_lever)
         moved, _ = self._when_exposed(state, p_G, pose, rows)
         out = np.full((2, len(lay.glove.markers), 2), np.nan)
-        out[:, lay.kept] = seen_from(moved, self._rig, pose) - seen_from(p_G, self._rig, pose)
+        out[:, lay.used_markers] = seen_from(moved, self._rig, pose) - seen_from(
+            p_G, self._rig, pose
+        )
         return out
 
     def _when_exposed(

@@ -115,23 +115,25 @@ def frame_result(
     seen: tuple[SeenBlobs, ...],
 ) -> FrameResult:
     """The result of an image, in raw pixels; one row per marker of the whole glove."""
-    m, kept = len(layout.glove.markers), layout.kept
+    m, used_markers = len(layout.glove.markers), layout.used_markers
     p_C = (expected.p_G - pose.p_GC) @ pose.R_GC
     uv = [rig.project(p_C), rig.project(p_C, right=True)]
     source = np.full((2, m), -1, np.int64)
     residual = np.full((m, 4), np.nan)
     for c, rows in enumerate((matched.left, matched.right)):
-        source[c, kept[matched.marker]] = seen[c].source[rows]
-        residual[kept[matched.marker], 2 * c : 2 * c + 2] = seen[c].uv[rows] - uv[c][matched.marker]
+        source[c, used_markers[matched.marker]] = seen[c].source[rows]
+        residual[used_markers[matched.marker], 2 * c : 2 * c + 2] = (
+            seen[c].uv[rows] - uv[c][matched.marker]
+        )
     visible = np.zeros(m)
-    visible[kept] = both_cameras(expected.prior)
+    visible[used_markers] = both_cameras(expected.prior)
     cov = np.full((m, 2, 2), np.nan)
-    cov[kept] = _pixel_covariance(rig, pose, p_C, expected.cov)
+    cov[used_markers] = _pixel_covariance(rig, pose, p_C, expected.cov)
     return FrameResult(
         t=frame.t,
         tracking=tracking,
-        predicted_left=_raw(rig.left, uv[0], kept, m),
-        predicted_right=_raw(rig.right, uv[1], kept, m),
+        predicted_left=_raw(rig.left, uv[0], used_markers, m),
+        predicted_right=_raw(rig.right, uv[1], used_markers, m),
         predicted_cov=cov,
         visible=visible,
         match_left=source[0],
@@ -151,9 +153,9 @@ def _pixel_covariance(rig: StereoRig, pose: CameraPose, p_C: Array, cov_G: Array
     return A @ cov_G @ A.swapaxes(1, 2)
 
 
-def _raw(camera: Camera, uv: Array, kept: IntArray, m: int) -> Array:
+def _raw(camera: Camera, uv: Array, used_markers: IntArray, m: int) -> Array:
     """(m, 2) raw pixels; NaN where a point is not in front of the camera or has no state."""
     out = np.full((m, 2), np.nan)
     ok = np.isfinite(uv[:, 0])
-    out[kept[ok]] = camera.unrectify(uv[ok])
+    out[used_markers[ok]] = camera.unrectify(uv[ok])
     return out

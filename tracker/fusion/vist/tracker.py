@@ -112,7 +112,7 @@ class SeenFrame(NamedTuple):
 
 @record("vist.tracker")
 @dataclass(eq=False)
-class VistTrackerKept:
+class VistTrackerSavedState:
     """The complete state of a tracker."""
 
     state: VistState
@@ -133,19 +133,19 @@ class VistTracker:
         self._markers = MarkerModel(layout, rig, params.noise, params.match)
         self._starter = Starter(layout.chain, rig, ChainParams())
         track = Track(
-            seen=np.full(len(layout.kept), -np.inf),
+            seen=np.full(len(layout.used_markers), -np.inf),
             felt=np.full(len(layout.glove.imus), -np.inf),
             tip_sd=np.zeros(layout.n),
         )
-        self.kept = VistTrackerKept(blank_state(layout), track)
+        self.saved = VistTrackerSavedState(blank_state(layout), track)
 
     @property
     def state(self) -> VistState:
-        return self.kept.state
+        return self.saved.state
 
-    def restore(self, kept: VistTrackerKept) -> None:
-        """Restore a `kept` state, which is not copied."""
-        self.kept = kept
+    def restore(self, saved: VistTrackerSavedState) -> None:
+        """Restore a `saved` state, which is not copied."""
+        self.saved = saved
 
     @property
     def tracking(self) -> Tracking:
@@ -153,7 +153,7 @@ class VistTracker:
 
     @property
     def _track(self) -> Track:
-        return self.kept.track
+        return self.saved.track
 
     # ---- packets
 
@@ -233,13 +233,13 @@ class VistTracker:
 
     def _previous(self, t: float) -> Expected | None:
         """The reference for correspondence where the IMUs' prediction must not be used."""
-        previous = self.kept.previous
+        previous = self.saved.previous
         return previous.at(t, self._params.prior.velocity) if previous is not None else None
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
         """Search for the hand without a prior, at most once per ``search_period``."""
         since = frame.t - self._track.last_search
-        if frame.search < Search.ANEW or since < self._params.tracking.search_period:
+        if frame.search < Search.FULL or since < self._params.tracking.search_period:
             return None
         self._track.last_search = frame.t
         seen = self._seen(frame)
@@ -250,7 +250,7 @@ class VistTracker:
         # the search takes gyro biases from a hand at rest, but tremor rotates a finger at 0.1
         # rad/s: over so short a time the mean is not a bias
         found.bg[:] = 0.0
-        self.kept.state = from_chain(self._layout, found)
+        self.saved.state = from_chain(self._layout, found)
         self.state.P = initial_covariance(self._layout, self._params.prior)
         self._track.tracking, self._track.last_good = Tracking.TRACKING, frame.t
         for _ in range(2):  # the second pass matches and linearises at a better state
@@ -276,7 +276,7 @@ class VistTracker:
         likely = float(both_cameras(there.prior).sum())
         if not is_better(len(recognised), len(matched), likely):
             return expected, matched
-        self.kept.state = trial
+        self.saved.state = trial
         return there, recognised
 
     def _finish(
@@ -287,7 +287,7 @@ class VistTracker:
         self._track.tip_sd = self._filter.tip_sd(self.state)
         if self._params.match.guide == "previous":
             there = self._markers.expect(self.state, seen.pose, seen.rows)
-            self.kept.previous = PreviousMarkers(frame.t, there)
+            self.saved.previous = PreviousMarkers(frame.t, there)
         tracking, pose = self._track.tracking, seen.pose
         result = frame_result(
             frame, self._layout, self._rig, pose, tracking, expected, matched, seen.blobs

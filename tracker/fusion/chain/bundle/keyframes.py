@@ -30,12 +30,12 @@ class Keyframe:
     relative: Array  # (A - 1, 3) rotation vectors relative to the parents
 
 
-@record("chain.keyframes")
+@record("chain.keyframes", stored="kept")
 @dataclass(eq=False)
 class Keyframes:
     """At most ``BundleParams.keyframes`` keyframes; a new one replaces the most redundant one."""
 
-    kept: list[Keyframe] = field(default_factory=list)
+    stored: list[Keyframe] = field(default_factory=list)
 
     def lacks(self, relative: Array, params: BundleParams) -> bool:
         """Whether a posture, as `Keyframe.relative`, differs from all stored ones."""
@@ -46,19 +46,21 @@ class Keyframes:
         """Store ``frame`` if its posture is new."""
         if not self.lacks(frame.relative, params):
             return
-        if len(self.kept) < params.keyframes:
-            self.kept.append(frame)
+        if len(self.stored) < params.keyframes:
+            self.stored.append(frame)
             return
         apart = self._distances(frame.relative)
-        between = np.array([self._distances(k.relative) for k in self.kept])
+        between = np.array([self._distances(k.relative) for k in self.stored])
         np.fill_diagonal(between, np.inf)
         least = int(between.min(axis=1).argmin())
         if np.delete(apart, least).min() > between[least].min():
-            self.kept[least] = frame
+            self.stored[least] = frame
 
     def _distances(self, relative: Array) -> Array:
         """(k,) rad: root of the summed squares over all joints."""
-        others = np.array([k.relative for k in self.kept]).reshape(len(self.kept), *relative.shape)
+        others = np.array([k.relative for k in self.stored]).reshape(
+            len(self.stored), *relative.shape
+        )
         return np.sqrt(np.sum((others - relative) ** 2, axis=(1, 2)))
 
 

@@ -103,7 +103,7 @@ class BundleWork:
     rows: int = 0
 
 
-class Beside(NamedTuple):
+class SideInformation(NamedTuple):
     """Information besides the keyframes: from guided poses and (None: population prior) the
     wearer."""
 
@@ -141,51 +141,53 @@ class Bundle:
             work.keyframes.offer(frame, self._params)
 
     def step(
-        self, work: BundleWork, state: ChainState, beside: Beside | None = None
+        self, work: BundleWork, state: ChainState, extra: SideInformation | None = None
     ) -> WearerProfile | None:
         """Processes one keyframe; returns the wearer profile once a solution is complete.
 
-        The information in ``beside`` is included.
+        The information in ``extra`` is included.
         """
         if work.calibration is None:
-            self._begin_when_due(work, state, beside)
+            self._begin_when_due(work, state, extra)
             return None
         k = len(work.back)
         self._linearise(work, k)
         if len(work.back) < len(work.frames):
             return None
-        return self._move_on(work, beside)
+        return self._move_on(work, extra)
 
     # ---- one solution
 
-    def _begin_when_due(self, work: BundleWork, state: ChainState, beside: Beside | None) -> None:
+    def _begin_when_due(
+        self, work: BundleWork, state: ChainState, extra: SideInformation | None
+    ) -> None:
         p = self._params
         if np.isnan(work.next_at):
             work.pause = p.first_after
             work.next_at = state.t + p.first_after
-        if state.t < work.next_at or len(work.keyframes.kept) < p.least_keyframes:
+        if state.t < work.next_at or len(work.keyframes.stored) < p.least_keyframes:
             return
         work.pause *= 2.0
         work.next_at = state.t + work.pause
-        work.frames = list(work.keyframes.kept)
+        work.frames = list(work.keyframes.stored)
         work.p = [f.p for f in work.frames]
         work.R_GB = [f.R_GB for f in work.frames]
         work.calibration = replace(state.copy(), P=np.zeros((0, 0)))
         work.sweep = 0
-        self._begin_sweep(work, beside)
+        self._begin_sweep(work, extra)
 
-    def _begin_sweep(self, work: BundleWork, beside: Beside | None) -> None:
+    def _begin_sweep(self, work: BundleWork, extra: SideInformation | None) -> None:
         """Initialises the sums with the priors of hand and mountings and with the guided poses."""
         assert work.calibration is not None
         work.back, work.misfit, work.rows = [], 0.0, 0
         information, off = self._information, self._off_nominal(work.calibration)
-        known = beside.known if beside is not None else None
+        known = extra.known if extra is not None else None
         if known is not None:
             information = np.asarray(np.linalg.inv(known.P), float)
             off = calibration_error([getattr(known, n) for n in CALIBRATION], work.calibration)
         work.N, work.g = information.copy(), -information @ off
-        if beside is not None:
-            N, g = beside.poses.information(work.calibration)
+        if extra is not None:
+            N, g = extra.poses.information(work.calibration)
             work.N, work.g = work.N + N, work.g + g
 
     def _off_nominal(self, state: ChainState) -> Array:
@@ -219,7 +221,9 @@ class Bundle:
         work.g += G.T @ r - B[:, :-1].T @ back[:, -1]
         work.back.append(back)
 
-    def _move_on(self, work: BundleWork, beside: Beside | None = None) -> WearerProfile | None:
+    def _move_on(
+        self, work: BundleWork, extra: SideInformation | None = None
+    ) -> WearerProfile | None:
         """Solves for the calibration and updates it and all poses; the profile after the last
         sweep.
 
@@ -232,7 +236,7 @@ class Bundle:
         self._move(work, work.calibration)
         work.sweep += 1
         if work.sweep < self._params.sweeps:
-            self._begin_sweep(work, beside)
+            self._begin_sweep(work, extra)
             return None
         solved, N = work.calibration, work.N
         if not self._believable(solved):
@@ -258,7 +262,7 @@ class Bundle:
     def _drop(self, work: BundleWork) -> None:
         """Discard all postures, because some belong to another hand."""
         self._end(work)
-        work.keyframes.kept.clear()
+        work.keyframes.stored.clear()
 
     def _believable(self, solved: ChainState) -> bool:
         """Whether the solution is plausible for a person wearing the glove."""

@@ -50,7 +50,7 @@ def wearer_text(wearer: WearerFile) -> str:
     """The text of the file."""
     profile, layout, hand = wearer.profile, wearer.layout, wearer.layout.hand
     bases = [name for name, b in zip(layout.names, layout.base_of, strict=True) if b >= 0]
-    said: dict[str, Any] = {
+    table: dict[str, Any] = {
         "schema": SCHEMA,
         "hand": hand.name,
         "glove": layout.glove.name,
@@ -63,14 +63,14 @@ def wearer_text(wearer: WearerFile) -> str:
     }
     if profile.synergies is not None:
         digits = DistalSegments(layout, SynergyParams()).digits
-        said["synergies"] = {
+        table["synergies"] = {
             hand.synergies[d.link].angle: dict(
                 zip(("ratio", "offset", "aside"), value.tolist(), strict=True)
             )
             for d, value in zip(digits, profile.synergies.value, strict=True)
         }
-        said["certainty"]["synergies"] = profile.synergies.P.tolist()
-    return tomli_w.dumps(said)
+        table["certainty"]["synergies"] = profile.synergies.P.tolist()
+    return tomli_w.dumps(table)
 
 
 def is_for(path: Path, layout: ChainLayout) -> bool:
@@ -85,19 +85,19 @@ def is_for(path: Path, layout: ChainLayout) -> bool:
         return True
 
 
-def _is_of_another(said: dict[str, Any], layout: ChainLayout) -> bool:
-    names = str(said.get("hand", "")), str(said.get("glove", ""))
+def _is_of_another(table: dict[str, Any], layout: ChainLayout) -> bool:
+    names = str(table.get("hand", "")), str(table.get("glove", ""))
     return all(names) and names != (layout.hand.name, layout.glove.name)
 
 
 def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
     """Raises FileError where the file is not a wearer profile, or is for another hand or glove."""
     try:
-        said = parse_toml(read_text(path), path.name)
+        table = parse_toml(read_text(path), path.name)
     except FileError as error:
         raise FileError(notice("wearer.invalid", file=path.name, why=error)) from error
-    if _is_of_another(said, layout):
-        names, ours = (said["hand"], said["glove"]), (layout.hand.name, layout.glove.name)
+    if _is_of_another(table, layout):
+        names, ours = (table["hand"], table["glove"]), (layout.hand.name, layout.glove.name)
         raise FileError(
             notice(
                 "wearer.other_hand",
@@ -109,42 +109,42 @@ def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
             )
         )
     try:
-        return _parsed(said, layout)
+        return _parsed(table, layout)
     except (KeyError, TypeError, ValueError) as error:
         raise FileError(notice("wearer.damaged", file=path.name)) from error
 
 
-def _parsed(said: dict[str, Any], layout: ChainLayout) -> WearerFile:
+def _parsed(table: dict[str, Any], layout: ChainLayout) -> WearerFile:
     """Raises KeyError, TypeError or ValueError where the table is invalid."""
-    if said["schema"] != SCHEMA:
+    if table["schema"] != SCHEMA:
         raise ValueError("another version wrote it")
     state = initial_state(layout)
     state.P = initial_covariance(layout, PriorParams())
-    bones = [said["bones"][name] for name in layout.names]
+    bones = [table["bones"][name] for name in layout.names]
     state.scale = _numbers([[b["length"], b["girth"]] for b in bones], state.scale.shape)
-    bases = [said["bases"][n] for n, b in zip(layout.names, layout.base_of, strict=True) if b >= 0]
+    bases = [table["bases"][n] for n, b in zip(layout.names, layout.base_of, strict=True) if b >= 0]
     state.joint = _numbers(bases, state.joint.shape)
     block = slice(layout.blocks.scale, layout.blocks.marker)
     known = _bones(state.P[layout.n_dynamic :, layout.n_dynamic :], layout)
-    state.P[block, block] = _covariance(said["certainty"]["bones"], len(known))
+    state.P[block, block] = _covariance(table["certainty"]["bones"], len(known))
     low, high = SCALE_LIMITS
     inside = np.all((state.scale >= low) & (state.scale <= high))
     if not inside or np.abs(state.joint).max(initial=0.0) > MOST_OFFSET:
         raise ValueError("no hand is like that")
-    profile = replace(profile_of(state, layout), synergies=_synergies(said, layout))
+    profile = replace(profile_of(state, layout), synergies=_synergies(table, layout))
     return WearerFile(layout, profile, calibration_of(layout, state))
 
 
-def _synergies(said: dict[str, Any], layout: ChainLayout) -> Synergies | None:
-    if "synergies" not in said:
+def _synergies(table: dict[str, Any], layout: ChainLayout) -> Synergies | None:
+    if "synergies" not in table:
         return None
     distal = DistalSegments(layout, SynergyParams())
-    tables = [said["synergies"][layout.hand.synergies[d.link].angle] for d in distal.digits]
+    tables = [table["synergies"][layout.hand.synergies[d.link].angle] for d in distal.digits]
     rows = [[t["ratio"], t["offset"], t["aside"]] for t in tables]
     value = _numbers(rows, (len(rows), OWN))
     if np.abs(value).max(initial=0.0) > 2 * np.pi:
         raise ValueError("no joint bends like that")
-    return Synergies(value, _covariance(said["certainty"]["synergies"], value.size))
+    return Synergies(value, _covariance(table["certainty"]["synergies"], value.size))
 
 
 def _bones(P: Array, layout: ChainLayout) -> Array:

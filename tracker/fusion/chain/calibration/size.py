@@ -19,7 +19,7 @@ def size_sd(profile: WearerProfile, layout: ChainLayout) -> float:
     return float(np.sqrt(variance) / (gain @ profile.scale[:, 0]))
 
 
-def as_unsure(profile: WearerProfile, layout: ChainLayout, sd: float) -> WearerProfile:
+def with_min_size_sd(profile: WearerProfile, layout: ChainLayout, sd: float) -> WearerProfile:
     """A copy whose relative size uncertainty is at least ``sd``.
 
     The added variance is common to all lengths and girths: in the images of one camera, a hand of

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 
 from tracker.base.records import record
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
-from tracker.fusion.chain.bundle.solver import Beside, Bundle, BundleWork, adopt
+from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, SideInformation, adopt
 from tracker.fusion.chain.calibration import control
-from tracker.fusion.chain.calibration.size import as_unsure, size_sd
+from tracker.fusion.chain.calibration.size import size_sd, with_min_size_sd
 from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
@@ -25,7 +25,7 @@ from tracker.vision.rig import StereoRig
 
 @record("chain.wearer")
 @dataclass(eq=False)
-class WearerKept:
+class WearerSavedState:
     """The part that changes."""
 
     held: WearerProfile | None = None  # calibration while it is frozen
@@ -39,40 +39,40 @@ class WearerCalibration:
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._params = layout, params
         self._bundle = Bundle(layout, rig, params)
-        self.kept = WearerKept()
+        self.saved = WearerSavedState()
 
     @property
     def is_frozen(self) -> bool:
         """Whether the calibration is frozen."""
-        return self.kept.held is not None
+        return self.saved.held is not None
 
     @property
     def known_size_sd(self) -> float:
         """Relative uncertainty of the hand's size before tracking; infinite without a profile."""
-        known = self.kept.known
+        known = self.saved.known
         return size_sd(known, self._layout) if known is not None else float("inf")
 
     def shown(self, state: ChainState) -> Calibration:
         """The calibration as of ``state``."""
-        held = self.kept.held
+        held = self.saved.held
         if held is not None:
             state = control.with_held(state, self._layout, held)
         return calibration_of(self._layout, state)
 
     def profile(self, state: ChainState) -> WearerProfile:
         """The learned wearer profile."""
-        return self.kept.held or profile_of(state, self._layout)
+        return self.saved.held or profile_of(state, self._layout)
 
     def start_with(self, state: ChainState, lately: bool) -> WearerProfile | None:
         """The profile for a search of a lost hand: that of ``state`` if it was tracked ``lately``,
         else the initial one."""
-        return profile_of(state, self._layout) if lately else self.kept.known
+        return profile_of(state, self._layout) if lately else self.saved.known
 
     # ---- a user's commands
 
     def put_on(self, state: ChainState, profile: WearerProfile) -> None:
         """Use a wearer profile, now and at each new start."""
-        self.kept.known = profile
+        self.saved.known = profile
         wear(state, self._layout, profile)
         self._keep_frozen(state)
 
@@ -80,40 +80,40 @@ class WearerCalibration:
         """Discard the calibration of some segments, or (None) of all of them. Raises ConfigError
         for a segment that is not estimated."""
         self._thaw(state)
-        self.kept.work = BundleWork()
+        self.saved.work = BundleWork()
         names = self._layout.names if segments is None else segments
         control.reset_calibration(state, self._layout, self._params.prior, names)
         if segments is None:
-            self.kept.known = None
-        elif self.kept.known is not None:  # the size in a state may be assumed, not measured
+            self.saved.known = None
+        elif self.saved.known is not None:  # the size in a state may be assumed, not measured
             rest, sd = profile_of(state, self._layout), self.known_size_sd
-            self.kept.known = as_unsure(rest, self._layout, sd)
+            self.saved.known = with_min_size_sd(rest, self._layout, sd)
         self._keep_frozen(state)
 
     def freeze(self, state: ChainState, on: bool) -> None:
         """Hold the present calibration, or resume estimating from it."""
         if not on:
             self._thaw(state)
-        self.kept.held = profile_of(state, self._layout) if on else None
+        self.saved.held = profile_of(state, self._layout) if on else None
         self._keep_frozen(state)
 
     def _thaw(self, state: ChainState) -> None:
         """Restore the covariance that the calibration had when it was frozen."""
-        if self.kept.held is not None:
-            wear(state, self._layout, self.kept.held)
+        if self.saved.held is not None:
+            wear(state, self._layout, self.saved.held)
 
     def _keep_frozen(self, state: ChainState) -> None:
         """After a change of the calibration: freeze the new one if it is frozen."""
-        if self.kept.held is not None:
-            self.kept.held = profile_of(state, self._layout)
+        if self.saved.held is not None:
+            self.saved.held = profile_of(state, self._layout)
             control.hold_calibration(state, self._layout)
 
     # ---- while tracking
 
     def begin(self, state: ChainState) -> None:
         """A new start: apply the frozen calibration."""
-        if self.kept.held is not None:
-            wear(state, self._layout, self.kept.held)
+        if self.saved.held is not None:
+            wear(state, self._layout, self.saved.held)
             control.hold_calibration(state, self._layout)
 
     def refine(
@@ -129,14 +129,14 @@ class WearerCalibration:
         if not self._params.bundle.enabled or self.is_frozen:
             return
         self._remember(state, image, found, buffer)
-        solved = self._bundle.step(self.kept.work, state, Beside(poses, self.kept.known))
+        solved = self._bundle.step(self.saved.work, state, SideInformation(poses, self.saved.known))
         if solved is not None:
             adopt(state, self._layout, solved)
 
     def _remember(
         self, state: ChainState, image: SeenImage, found: Recognised, buffer: ImuBuffer
     ) -> None:
-        work = self.kept.work
+        work = self.saved.work
         if not self._bundle.wants(work, state.t):
             return
         relative = relative_rotations(state.R_GB, self._layout.parent)

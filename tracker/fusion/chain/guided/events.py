@@ -11,7 +11,7 @@ from tracker.messages import Event
 KIND = "guided"
 
 
-class GuidedSaid(NamedTuple):
+class GuidedPoseEvent(NamedTuple):
     """A pose begins, or ends; ``held``: whether it was held."""
 
     pose: str
@@ -19,7 +19,7 @@ class GuidedSaid(NamedTuple):
     held: bool
 
 
-def guided_of(event: Event) -> GuidedSaid | Notice | None:
+def guided_of(event: Event) -> GuidedPoseEvent | Notice | None:
     """The guided pose in an event; a notice for an unknown pose, None for any other event."""
     if event.kind != KIND:
         return None
@@ -28,7 +28,7 @@ def guided_of(event: Event) -> GuidedSaid | Notice | None:
         return warning("guided.unknown", pose=str(pose)[:40])
     if phase not in ("begin", "end"):
         return warning("guided.no_phase", pose=pose)
-    return GuidedSaid(pose, phase == "begin", event.data.get("held") is True)
+    return GuidedPoseEvent(pose, phase == "begin", event.data.get("held") is True)
 
 
 def began(pose: str, t: float) -> Event:

@@ -33,7 +33,7 @@ CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker")
 
 @record("chain.guided", accepted="told")
 @dataclass(eq=False)
-class GuidedKept:
+class GuidedSavedState:
     """The complete state of the learning."""
 
     over: int = 0  # number of completed holds
@@ -53,29 +53,29 @@ class GuidedLearning:
         self._layout, self._distal, self._params = layout, distal, params
         self._rows = PoseRows(layout, distal, params)
         self._holds = holds
-        self.kept = GuidedKept()
+        self.saved = GuidedSavedState()
 
     @property
     def synergies(self) -> Synergies:
         """The present estimate."""
-        return self.kept.synergies or self._distal.prior()
+        return self.saved.synergies or self._distal.prior()
 
     @property
     def _base(self) -> Synergies:
         """The synergies before the first pose."""
-        return self.kept.base or self._distal.prior()
+        return self.saved.base or self._distal.prior()
 
     def put_on(self, known: Synergies | None) -> None:
         """Start over with the synergies of a wearer profile, or (None) of the hand file."""
-        self.kept.accepted, self.kept.base, self.kept.synergies = [], known, known
+        self.saved.accepted, self.saved.base, self.saved.synergies = [], known, known
 
     # ---- while the filter runs
 
     def step(self, filter_: ChainFilter) -> bool:
         """Call after the filter has moved on; returns whether something was learned from a pose."""
         learned = False
-        while self.kept.over < len(self._holds):
-            hold = self._holds[self.kept.over]
+        while self.saved.over < len(self._holds):
+            hold = self._holds[self.saved.over]
             self._sample(filter_.state, hold)
             if not hold.is_over(filter_.state.t):
                 break
@@ -83,24 +83,24 @@ class GuidedLearning:
         return learned
 
     def _sample(self, state: ChainState, hold: Hold) -> None:
-        due = state.t - self.kept.last >= self._params.sample_period
+        due = state.t - self.saved.last >= self._params.sample_period
         if not due or not hold.may_count(state.t):
             return
-        self.kept.last = state.t
+        self.saved.last = state.t
         posture = relative_rotations(state.R_GB, self._layout.parent)
         rows = self._rows(state, self.synergies, POSES[hold.pose])
         reduced = [self._reduced(state, hold.pose, r) for r in rows]
-        self.kept.samples.append(HeldSample(state.t, posture, reduced))
+        self.saved.samples.append(HeldSample(state.t, posture, reduced))
 
     def _finish(self, filter_: ChainFilter, hold: Hold) -> bool:
         """Learns from a completed hold if it is valid."""
-        samples, self.kept.samples = self.kept.samples, []
-        self.kept.over += 1
+        samples, self.saved.samples = self.saved.samples, []
+        self.saved.over += 1
         sample = chosen(hold, samples, self._params.moving) if hold.held else None
         if sample is None:
             return False
         accepted = [rows for rows in sample.rows if self._learn(filter_, rows)]
-        self.kept.accepted += accepted
+        self.saved.accepted += accepted
         return bool(accepted)
 
     def _reduced(self, state: ChainState, pose: str, rows: HeldRows) -> ReducedRows:
@@ -112,9 +112,9 @@ class GuidedLearning:
         factor = cho_factor(P_cc / np.outer(unit, unit), lower=True)
         H = (cho_solve(factor, (HP[:, n:] / unit).T) / unit[:, None]).T
         R = rows.R + HP @ rows.H.T - HP[:, n:] @ H.T
-        kept = [np.array(getattr(state, name)) for name in CALIBRATION]
+        saved = [np.array(getattr(state, name)) for name in CALIBRATION]
         return ReducedRows(
-            pose, H, rows.H_own, rows.r, (R + R.T) / 2, kept, self.synergies.value.copy()
+            pose, H, rows.H_own, rows.r, (R + R.T) / 2, saved, self.synergies.value.copy()
         )
 
     # ---- learning
@@ -137,13 +137,13 @@ class GuidedLearning:
         filter_.learn(rows.H, r, R + by_own)
         gain = own.P @ rows.H_own.T @ np.linalg.inv(by_own + by_state + R)
         P = own.P - gain @ rows.H_own @ own.P
-        self.kept.synergies = own.moved(gain @ r, (P + P.T) / 2)
+        self.saved.synergies = own.moved(gain @ r, (P + P.T) / 2)
         return True
 
     def again(self, filter_: ChainFilter) -> None:
         """Applies the learned poses to the calibration after the filter was reinitialized."""
-        if self.kept.accepted:
-            own, accepted = self._base, self.kept.accepted
+        if self.saved.accepted:
+            own, accepted = self._base, self.saved.accepted
             H_own = np.concatenate([t.H_own for t in accepted])
             r = np.concatenate([self.innovation(t, filter_.state, own.value) for t in accepted])
             R = block_diag(*(t.R for t in accepted)) + H_own @ own.P @ H_own.T
@@ -156,7 +156,7 @@ class GuidedLearning:
         N, g = np.zeros((n, n)), np.zeros(n)
         N_own, g_own = np.linalg.inv(own.P), np.zeros(own.value.size)
         N_both = np.zeros((n, own.value.size))
-        for rows in self.kept.accepted:
+        for rows in self.saved.accepted:
             r = self.innovation(rows, state, own.value)
             weighed, weighed_own = (np.linalg.solve(rows.R, H).T for H in (rows.H, rows.H_own))
             N, N_own = N + weighed @ rows.H, N_own + weighed_own @ rows.H_own

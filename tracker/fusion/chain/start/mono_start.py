@@ -82,9 +82,7 @@ def vote_mono(
     return best
 
 
-def size_taken_for_granted(
-    state: ChainState, layout: ChainLayout, p_GC: Array, share: float
-) -> None:
+def fix_size(state: ChainState, layout: ChainLayout, p_GC: Array, share: float) -> None:
     """Fixes the size, and adds ``share`` of the distance from the camera at p_GC (3,) m as its
     sd."""
     ray = state.p - p_GC
@@ -105,7 +103,7 @@ def release_size(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
     P[rows, rows] += initial_covariance(layout, prior)[rows, rows]
 
 
-def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) -> Array:
+def with_distance_uncertainty(sd: Array, p: Array, pose: CameraPose, size_sd: float) -> Array:
     """sd (n,) m of points near p (3,) m in G, whose relative distance uncertainty is that of the
     hand's size.
 
@@ -117,13 +115,13 @@ def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) 
     return out
 
 
-def size_unsure_by(known_sd: float) -> float:
+def assumed_size_sd(known_sd: float) -> float:
     """Relative uncertainty assumed for a size known to ``known_sd`` (relative)."""
     return min(max(known_sd, KNOWN_SIZE_SD), SIZE_SD)
 
 
 def measured_sd(p: Array, pose: CameraPose, size_sd: float) -> float:
-    """m, result of `with_unsure_distance` for a hand at p (3,) m in G with relative size
+    """m, result of `with_distance_uncertainty` for a hand at p (3,) m in G with relative size
     uncertainty ``size_sd``: points with a larger sd may be wrong by more than `WRONG`.
 
     A wrong size persists as long as the hand is in view, and pose errors act along the ray as well,

@@ -23,7 +23,7 @@ from tracker.fusion.chain.profile import WearerProfile, wear
 from tracker.fusion.chain.start.mono_start import (
     MonoParams,
     Rays,
-    size_taken_for_granted,
+    fix_size,
     vote_mono,
 )
 from tracker.fusion.chain.start.search import (
@@ -124,7 +124,7 @@ class Starter:
             if all(len(s.uv) for s in seen):
                 moved.R_GB = spread(moved, self._layout, self.points(seen, pose))
             else:
-                size_taken_for_granted(moved, self._layout, pose.p_GC, self._mono.distance_sd)
+                fix_size(moved, self._layout, pose.p_GC, self._mono.distance_sd)
             out.append(moved)
         return out
 

@@ -21,7 +21,7 @@ SWAY_DEG = 0.8  # sd of a hand that holds a posture
 SWAY_TIME = 0.8  # s, correlation
 
 
-class Asked(NamedTuple):
+class PostureRequest(NamedTuple):
     """From ``t`` (s) on the hand assumes a posture of ``angles`` (J,) rad, in front of the camera;
     without any it continues its own motion. ``turning`` is the period (s) of an alternating
     rotation about the forearm during the posture; 0: none."""
@@ -31,7 +31,7 @@ class Asked(NamedTuple):
     turning: float = 0.0
 
 
-def asked_event(asked: Asked, pose: str, t: float) -> Event:
+def request_event(asked: PostureRequest, pose: str, t: float) -> Event:
     """The recorded event at ``t`` (s): the posture is of ``pose``, or (empty) the wearer's own."""
     data = {"t": asked.t, "angles": list(asked.angles), "turning": asked.turning}
     if pose:
@@ -39,15 +39,15 @@ def asked_event(asked: Asked, pose: str, t: float) -> Event:
     return Event.of(t, "device", notice("simulation.pose_over"), {"asked": data})
 
 
-def asked_in(event: Event) -> Asked | None:
-    """The data of `asked_event`; None for any other event."""
+def request_in(event: Event) -> PostureRequest | None:
+    """The data of `request_event`; None for any other event."""
     data = event.data.get("asked")
     if not isinstance(data, dict):
         return None
-    return Asked(data["t"], tuple(data["angles"]), data.get("turning", 0.0))
+    return PostureRequest(data["t"], tuple(data["angles"]), data.get("turning", 0.0))
 
 
-class AskedMotion:
+class RequestedMotion:
     """``own`` except for the postures requested by `ask`; a `Motion`. Postures are held where
     ``own`` begins.
 
@@ -56,14 +56,14 @@ class AskedMotion:
     """
 
     def __init__(self, own: Motion, seed: int) -> None:
-        self._own, self.asked = own, tuple[Asked, ...]()
+        self._own, self.asked = own, tuple[PostureRequest, ...]()
         self.duration, self.follows_synergies = own.duration, own.follows_synergies
         first = own.poses(np.zeros(1))
         self._R, self._p = first.R_GB[0], first.p_GB[0]
         count = first.angles.shape[1] + 3
         self._sway = SmoothNoise(rng_for(seed, "asked postures"), (count,), SWAY_TIME)
 
-    def ask(self, asked: Asked) -> None:
+    def ask(self, asked: PostureRequest) -> None:
         """Thread-safe; replaces earlier requests that are not reached yet."""
         if asked not in self.asked:
             self.asked = (*self.asked, asked)
@@ -81,13 +81,13 @@ class AskedMotion:
         n = len(t)
         return Poses(out.angles[:n], out.R_GB[:n], out.p_GB[:n])
 
-    def _that_count(self, t: float) -> tuple[Asked, ...]:
+    def _that_count(self, t: float) -> tuple[PostureRequest, ...]:
         """The last request reached by ``t``, and all later ones."""
         asked = self.asked
         reached = [k for k, a in enumerate(asked) if a.t + MOVE <= t]
         return asked[reached[-1] :] if reached else asked
 
-    def _held(self, t: Array, asked: Asked) -> Poses:
+    def _held(self, t: Array, asked: PostureRequest) -> Poses:
         sway = np.deg2rad(SWAY_DEG) * self._sway(t)
         p = np.tile(self._p, (len(t), 1))
         R = self._R @ so3.exp(sway[:, -3:])

@@ -41,26 +41,26 @@ def fetch(made_of: str, module: str) -> bool:
         _log.warning("%s is not used: other users can write to it", source)
         return False
     target = HERE / source.name
-    beside = target.with_suffix(".new")
-    shutil.copy(source, beside)
-    beside.replace(target)  # the old one may be in use
+    partial = target.with_suffix(".new")
+    shutil.copy(source, partial)
+    partial.replace(target)  # the old one may be in use
     os.utime(source.parent)
     return True
 
 
-def keep(made_of: str, module: str) -> None:
+def store(made_of: str, module: str) -> None:
     """Store the extension ``module`` of this folder; an unwritable cache is ignored."""
     folder = _folder()
     if folder is None or (folder / _key(made_of)).exists():
         return
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        beside = Path(tempfile.mkdtemp(dir=folder, prefix="new-"))
-        shutil.copy(HERE / _file(module), beside)
-        beside.rename(folder / _key(made_of))
-        _forget(folder)
+        partial = Path(tempfile.mkdtemp(dir=folder, prefix="new-"))
+        shutil.copy(HERE / _file(module), partial)
+        partial.rename(folder / _key(made_of))
+        _evict(folder)
     except OSError as error:
-        _log.info("compiled kernels are not kept: %s", error)
+        _log.info("compiled kernels are not cached: %s", error)
 
 
 def _is_trusted(path: Path) -> bool:
@@ -87,7 +87,7 @@ def _file(module: str) -> str:
     return f"{module}{sysconfig.get_config_var('EXT_SUFFIX')}"
 
 
-def _forget(folder: Path) -> None:
+def _evict(folder: Path) -> None:
     """Remove the least recently used folders."""
     by_use = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
     for path in by_use[AT_MOST:]:
