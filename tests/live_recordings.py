@@ -69,12 +69,12 @@ def record_demo(home: Path, options: tuple[str, ...], watched: float = WATCHED) 
     home.mkdir(parents=True)
     port, log = _free_port(), home / "window.log"
     words = ["--demo", "--fps", "20", "--remote", f"udp:{port}", *options]
-    with log.open("wb") as said:
+    with log.open("wb") as output:
         window = subprocess.Popen(
             [sys.executable, "-m", "app", *words],
             cwd=ROOT,
             env=_environment(home),
-            stdout=said,
+            stdout=output,
             stderr=subprocess.STDOUT,
         )
     try:

@@ -91,7 +91,7 @@ def run(*words: object, allowed: tuple[int, ...] = (0,)) -> None:
     assert tracker.cli.main(argv) in allowed, argv
 
 
-def said(folder: Path, *words: object, allowed: tuple[int, ...] = (0,)) -> dict[str, Any]:
+def run_json(folder: Path, *words: object, allowed: tuple[int, ...] = (0,)) -> dict[str, Any]:
     """The command's JSON, in a file as mktemp makes it."""
     out = folder / "result.json"
     out.unlink(missing_ok=True)
@@ -113,20 +113,20 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_track_and_info_and_verify(folder: Path) -> None:
-    found = said(folder, "track", folder / "2.mcap", "-o", folder / "again.mcap")
+    found = run_json(folder, "track", folder / "2.mcap", "-o", folder / "again.mcap")
     keys = {"duration_s", "wall_s", "estimates", "frames", "losses", "lost_s", "error_mm"}
     assert keys <= found.keys()
-    about = said(folder, "info", folder / "again.mcap")
+    about = run_json(folder, "info", folder / "again.mcap")
     keys = {"duration_s", "topics", "engine", "version", "simulated", "integrity"}
     assert keys <= about.keys()
     assert all({"type", "count", "rate_hz"} <= topic.keys() for topic in about["topics"].values())
-    verdict = said(folder, "verify", folder / "again.mcap")
+    verdict = run_json(folder, "verify", folder / "again.mcap")
     assert verdict["ok"] is True
     assert all({"severity", "what", "where"} <= f.keys() for f in verdict["findings"])
 
 
 def test_compare(folder: Path) -> None:
-    found = said(folder, "compare", folder / "tracked.mcap", folder / "tracked.mcap")
+    found = run_json(folder, "compare", folder / "tracked.mcap", folder / "tracked.mcap")
     assert found["identical"] is True
 
 
@@ -134,13 +134,13 @@ def test_recover_reports_the_length_as_info_does(folder: Path) -> None:
     cut = folder / "cut.mcap"
     data = (folder / "2.mcap").read_bytes()
     cut.write_bytes(data[: len(data) * 2 // 3])
-    found = said(folder, "recover", cut, "-o", folder / "whole.mcap")
-    about = said(folder, "info", folder / "whole.mcap")
+    found = run_json(folder, "recover", cut, "-o", folder / "whole.mcap")
+    about = run_json(folder, "info", folder / "whole.mcap")
     assert 1.0 < found["duration_s"] == about["duration_s"] < 3.0
 
 
 def test_report(folder: Path) -> None:
-    found = said(folder, "report", folder / "tracked.mcap", "-o", folder / "report.html")
+    found = run_json(folder, "report", folder / "tracked.mcap", "-o", folder / "report.html")
     (hand,) = found["hand"].values()
     keys = {"min_deg", "max_deg", "range_deg", "sd_deg", "peak_deg_s", "repetitions"}
     assert hand["angles"] and all(keys <= angle.keys() for angle in hand["angles"].values())
@@ -152,14 +152,14 @@ def test_report(folder: Path) -> None:
 
 def test_a_report_of_several_sessions(folder: Path) -> None:
     sessions = [folder / "tracked.mcap"] * 2
-    found = said(folder, "report", *sessions, "-o", folder / "two.html")
+    found = run_json(folder, "report", *sessions, "-o", folder / "two.html")
     assert [set(session["hand"]) for session in found["sessions"]] == [{"right"}] * 2
 
 
 def test_conformance_fills_a_folder(folder: Path) -> None:
     out = folder / "judged"
     words = ["conformance", folder / "tracked.mcap", "-o", out]
-    found = said(folder, *words, allowed=(0, 1))
+    found = run_json(folder, *words, allowed=(0, 1))
     assert isinstance(found["ok"], bool)
     keys = {"group", "name", "hand", "value", "limit", "ok"}
     assert found["checks"] and all(keys == check.keys() for check in found["checks"])
@@ -169,7 +169,7 @@ def test_conformance_fills_a_folder(folder: Path) -> None:
 
 
 def test_colours_check(folder: Path) -> None:
-    found = said(folder, "colours", "check", folder / "2.mcap")
+    found = run_json(folder, "colours", "check", folder / "2.mcap")
     assert isinstance(found["ok"], bool)
     keys = {"found", "expected", "false_per_picture", "clash"}
     assert found["hues"] and all(hue.keys() == keys for hue in found["hues"].values())
@@ -187,7 +187,7 @@ def test_usage_is_2_and_failure_is_1(folder: Path, capsys: pytest.CaptureFixture
 
 def test_the_inertial_evaluation(folder: Path) -> None:
     words = ["evaluate", "inertial", "--quick", "--seeds", 1, "--rates", 100]
-    found = said(folder, *words)
+    found = run_json(folder, *words)
     assert all(
         {"series", "rate_hz", "t_m", "estimator", "rms_deg"} <= r.keys() for r in found["rows"]
     )
@@ -196,7 +196,7 @@ def test_the_inertial_evaluation(folder: Path) -> None:
 
 def test_the_vist_evaluation(folder: Path) -> None:
     words = ["--participants", 1, "--minutes", 0.1, "--engines", "chain", "--experiments", "free"]
-    (row,) = said(folder, "evaluate", "vist", *words)["rows"]
+    (row,) = run_json(folder, "evaluate", "vist", *words)["rows"]
     keys = """experiment engine ablation level participants mean_mm sd_mm within_sd_mm
         between_sd_mm
         ci95_mm pck20 pck35 keypoints matched_mean wrong_match_rate nees_per_dof core_s_per_s

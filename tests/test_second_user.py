@@ -37,9 +37,9 @@ for path in sys.argv[1:]:
 def refused(*paths: Path) -> bool:
     """Whether another user can neither read nor write any of these, which all exist."""
     words = [sys.executable, "-c", AS_NOBODY, *map(str, paths)]
-    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()
-    assert len(said) == 2 * len(paths)
-    return all(line.startswith("refused ") for line in said)
+    output = subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines()
+    assert len(output) == 2 * len(paths)
+    return all(line.startswith("refused ") for line in output)
 
 
 @pytest.fixture

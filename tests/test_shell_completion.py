@@ -35,11 +35,11 @@ PROGRAM = Path(sys.executable).with_name("glovetrack")
     ],
 )
 def test_words_are_completed(words: str, found: list[str] | None) -> None:
-    said = candidates(words.split(" "))
+    offered = candidates(words.split(" "))
     if found is None:
-        assert {"-o", "--smooth", "--log-level"} <= set(said)
+        assert {"-o", "--smooth", "--log-level"} <= set(offered)
     else:
-        assert said == found
+        assert offered == found
 
 
 def test_an_option_is_completed_before_other_positions() -> None:

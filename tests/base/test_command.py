@@ -162,14 +162,14 @@ def test_an_incomplete_installation_is_reported(
 def test_a_command_imports_no_other_command_s_modules() -> None:
     code = "import atexit, sys; atexit.register(lambda: print(*sys.modules)); "
     code += "from tracker.cli import main; main(sys.argv[1:])"
-    said = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", code, "vehicles", "--help"],
         cwd=ROOT,
         capture_output=True,
         text=True,
         check=True,
     )
-    loaded = set(said.stdout.splitlines()[-1].split())
+    loaded = set(result.stdout.splitlines()[-1].split())
     assert "extensions.applications.command" in loaded
     others = {"tracker.offline.commands", "extensions.evaluation.extension", "numpy", "PySide6"}
     assert not others & loaded

@@ -72,7 +72,7 @@ def test_what_cannot_be_a_setting_is_named(text, complaint):
 
 def test_who_reads_decides_what_is_dropped():
     wrong = {"name": 3, "on": True, "new": 1, "inner": {"share": 1, "point": ["x"], "old": {}}}
-    heard = []
-    read = from_dict(Outer, wrong, lambda path, why: heard.append((path, why == UNKNOWN)))
+    problems = []
+    read = from_dict(Outer, wrong, lambda path, why: problems.append((path, why == UNKNOWN)))
     assert read == Outer(on=True, inner=Inner(share=1.0))
-    assert heard == [("name", False), ("new", True), ("inner.point", False), ("inner.old", True)]
+    assert problems == [("name", False), ("new", True), ("inner.point", False), ("inner.old", True)]

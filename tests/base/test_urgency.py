@@ -14,7 +14,7 @@ from tracker.base.urgency import CALLS, SLICE_NS, _Attributes, run_soon
 GETS = {"x86_64": 315, "aarch64": 275}  # number of sched_getattr
 
 
-def told() -> _Attributes:
+def attributes() -> _Attributes:
     """What Linux has of the calling thread."""
     found = _Attributes()
     call, size = GETS[platform.machine()], ctypes.sizeof(found)
@@ -31,20 +31,20 @@ def test_a_thread_gets_short_slices_and_keeps_its_priority_and_others_theirs() -
         assert not run_soon()
         return
     seen: list[tuple[bool, _Attributes]] = []
-    before = told()
+    before = attributes()
 
     def work() -> None:
         os.setpriority(os.PRIO_PROCESS, 0, before.nice + 3)
-        seen.append((run_soon(), told()))
+        seen.append((run_soon(), attributes()))
 
     thread = threading.Thread(target=work)
     thread.start()
     thread.join()
-    ((heard, after),) = seen
-    assert heard
-    told_back = SLICE_NS if kernel() >= (6, 12) else 0  # an older one takes no notice
-    assert (after.policy, after.nice, after.runtime) == (0, before.nice + 3, told_back)
-    assert told().runtime == before.runtime
+    ((accepted, after),) = seen
+    assert accepted
+    reported_runtime = SLICE_NS if kernel() >= (6, 12) else 0  # an older one takes no notice
+    assert (after.policy, after.nice, after.runtime) == (0, before.nice + 3, reported_runtime)
+    assert attributes().runtime == before.runtime
 
 
 def test_a_machine_whose_call_is_not_known_is_not_asked(monkeypatch: pytest.MonkeyPatch) -> None:

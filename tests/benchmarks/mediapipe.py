@@ -47,8 +47,8 @@ class HandsPeer:
         self._folder = tempfile.TemporaryDirectory()
         images = Path(self._folder.name) / "pairs.npy"
         np.save(images, pairs)
-        said = images.with_name("stderr.txt")
-        with said.open("wb") as complaints:
+        log = images.with_name("stderr.txt")
+        with log.open("wb") as complaints:
             self._process = subprocess.Popen(
                 [str(python), str(WORKER), str(images)],
                 stdin=subprocess.PIPE,
@@ -57,7 +57,7 @@ class HandsPeer:
                 text=True,
             )
         if self._line() != "ready":
-            last = said.read_text(errors="replace").strip().rpartition("\n")[2]
+            last = log.read_text(errors="replace").strip().rpartition("\n")[2]
             self.close()
             raise PeerAbsentError(f"mediapipe does not start there: {last or 'not a word'}")
 

@@ -46,9 +46,9 @@ def test_quick_run_writes_rows_plot_and_history(
             assert r["ratio"] == pytest.approx(r["value"] / r["peer_value"])
     assert (tmp_path / "out" / "bench.png").read_bytes()[:4] == b"\x89PNG"
     assert "vs last" in capsys.readouterr().out
-    (kept,) = bench_history.read(tmp_path / "out" / "history.jsonl")
-    assert [r.name for r in kept.rows] == [r["name"] for r in rows]
-    assert kept.rounds == bench.QUICK_ROUNDS
+    (stored,) = bench_history.read(tmp_path / "out" / "history.jsonl")
+    assert [r.name for r in stored.rows] == [r["name"] for r in rows]
+    assert stored.rounds == bench.QUICK_ROUNDS
 
 
 @pytest.mark.usefixtures("cheap")

@@ -31,11 +31,11 @@ ABOUT_LIGHT = {"clipped", "dark", "noisy", "warm", "cold"}
 
 def usual_advice(images) -> set[str]:
     """What most of the images get said about their light."""
-    meter, said, count = LightMeter(PROFILE), Counter(), 0
+    meter, counts, count = LightMeter(PROFILE), Counter(), 0
     for seen in images:
-        said.update({a.kind for a in meter.read(seen.image).advice})
+        counts.update({a.kind for a in meter.read(seen.image).advice})
         count += 1
-    return {kind for kind, n in said.items() if kind in ABOUT_LIGHT and n > count / 2}
+    return {kind for kind, n in counts.items() if kind in ABOUT_LIGHT and n > count / 2}
 
 
 @pytest.mark.parametrize("light", EXPECTED)
@@ -43,8 +43,8 @@ def test_photographs_get_the_advice_that_their_light_needs(light: str, data_fold
     folder = data_folder / "desk_pictures" / light
     if not folder.is_dir():
         pytest.skip(f"no photographs at {folder}")
-    said = usual_advice(islice(desk_scores.photographs(folder), 0, None, 12))
-    assert said == EXPECTED[light]
+    counts = usual_advice(islice(desk_scores.photographs(folder), 0, None, 12))
+    assert counts == EXPECTED[light]
 
 
 @pytest.mark.parametrize("light", EXPECTED)

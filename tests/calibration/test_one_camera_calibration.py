@@ -134,8 +134,8 @@ def test_a_file_of_ros_is_of_one_camera(tmp_path: Path) -> None:
 def test_views_of_one_camera_are_collected_and_advised() -> None:
     collector = Collector(640)
     first, second = views(16, 1)[:2]
-    said = [collector.offer(BoardLook(None, None, v)) for v in (first, first, second, second)]
-    assert said == [Answer.MOVING, Answer.TAKEN, Answer.MOVING, Answer.TAKEN]
+    answers = [collector.offer(BoardLook(None, None, v)) for v in (first, first, second, second)]
+    assert answers == [Answer.MOVING, Answer.TAKEN, Answer.MOVING, Answer.TAKEN]
     cover = coverage(collector.views, [(640, 480)])
     assert len(cover.maps) == 1 and 0 < cover.area < 1
     more = advice(cover)

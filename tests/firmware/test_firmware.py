@@ -119,12 +119,12 @@ def test_a_new_rate_acts_at_once_and_is_told(build: Path) -> None:
         glove.send(RATE, "H", 37)
         glove.wait_for(ERROR)
         glove.send(ASK_HELLO)
-        told = glove.wait_for(HELLO)[0]
+        hello = glove.wait_for(HELLO)[0]
         glove.wait_for(SAMPLES, 20)
     _, t_us, _ = samples(glove.of(SAMPLES))
     steps = np.diff(t_us)
     slow = int(np.argmax(steps != 10_000))
-    assert told.numbers[8] == 50
+    assert hello.numbers[8] == 50
     assert 10_000 < steps[slow] <= 30_000  # part of the old period, then a whole new one
     assert np.all(steps[slow + 1 :] == 20_000)
     assert [f.text for f in glove.of(ERROR)] == ["rate must be 50, 100 or 200 Hz"]

@@ -49,9 +49,9 @@ def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
     assert [f.t_us for f in got] == t_us.tolist()
     assert np.array_equal([f.raw for f in got], raw)
     hello = next(f for f in frames if isinstance(f, Hello))
-    told = glove.of(HELLO)[0].numbers
-    assert (hello.protocol, *hello.firmware, hello.glove_id, hello.imu_count) == told[:6]
-    assert (hello.gyro_range_dps, hello.accel_range_g, hello.rate_hz) == told[6:9]
+    fields = glove.of(HELLO)[0].numbers
+    assert (hello.protocol, *hello.firmware, hello.glove_id, hello.imu_count) == fields[:6]
+    assert (hello.gyro_range_dps, hello.accel_range_g, hello.rate_hz) == fields[6:9]
     assert hello.chips == tuple(glove.of(HELLO)[0].chips)
     warmth = next(f for f in frames if isinstance(f, Temperatures))
     assert warmth.values_cC[:6] == glove.of(TEMPERATURES)[0].numbers[:6]
@@ -106,13 +106,13 @@ def test_a_pulse_is_an_event_at_its_instant_on_the_hosts_clock(build: Path) -> N
         glove.port.close()
         link = GloveLink(serial_port(glove.port.port), IMUS)
         got: list[ImuSample | Event] = []
-        told = 0
+        commands = 0
         end = time.monotonic() + 30
         while sum(isinstance(m, Event) and m.kind == "pulse" for m in got) < 3:
             assert time.monotonic() < end
-            if link.figures.packets > 100 * (told + 1):
+            if link.figures.packets > 100 * (commands + 1):
                 glove.tell("pulse 50")
-                told += 1
+                commands += 1
             got += link.poll(0.02)
         link.close()
     pulses = [m for m in got if isinstance(m, Event) and m.kind == "pulse"]

@@ -23,30 +23,30 @@ def test_without_images_the_heading_is_off_by_what_is_said(
     hand: HandModel, glove: GloveModel
 ) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 3, duration=12.0), 3)
-    pipeline, off, said = Pipeline(hand, glove, None, Settings(engine="inertial")), [], []
+    pipeline, off, sds = Pipeline(hand, glove, None, Settings(engine="inertial")), [], []
     engine = pipeline.engine
     assert isinstance(engine, ChainEngine) and np.isnan(engine.heading_sd)
     for sample in sim.imu_samples():
         e = pipeline.feed_imu(sample)
         if sample.seq % 50 == 0 and sample.t > 1.0:
             off.append(heading(e.segment_R[0] @ sim.truth(e.t).R_GB[0].T))
-            said.append(engine.heading_sd)
+            sds.append(engine.heading_sd)
     drift = np.unwrap(off) - off[0]
-    assert said[-1] > said[0]
-    assert np.mean(np.abs(drift) < 3 * np.array(said)) > 0.95
-    assert np.abs(drift).max() > 0.2 * said[-1]  # and not ten times too unsure
+    assert sds[-1] > sds[0]
+    assert np.mean(np.abs(drift) < 3 * np.array(sds)) > 0.95
+    assert np.abs(drift).max() > 0.2 * sds[-1]  # and not ten times too unsure
 
 
 def test_an_image_holds_it(hand: HandModel, glove: GloveModel) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 3, duration=4.0), 3, fps=20)
-    pipeline, said = Pipeline(hand, glove, sim.rig), []
+    pipeline, sds = Pipeline(hand, glove, sim.rig), []
     engine = pipeline.engine
     assert isinstance(engine, ChainEngine)
     for message in sim.feed():
         if isinstance(message, ImuSample):
             pipeline.feed_imu(message)
-            said.append(engine.heading_sd)
+            sds.append(engine.heading_sd)
         elif message.t < 2.0:  # then the camera is gone
             pipeline.feed_frame(message)
-    held, gone = said[190], said[-1]
+    held, gone = sds[190], sds[-1]
     assert 1.1 * held < gone < np.deg2rad(10.0)

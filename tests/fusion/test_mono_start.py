@@ -70,9 +70,9 @@ def test_one_lens_tracks_and_says_how_unsure_it_is(hand, glove, blind: str) -> N
     assert all(e.tracking == Tracking.TRACKING for e in late)
     error = np.array(errors[10:])
     assert error.mean() < 0.030
-    said = np.array([sd_of_sensed_digits(glove, hand, e) for e in late])
-    assert np.all(said > 0.008)  # 5 % of the distance, over three axes
-    assert np.mean(error < 3 * np.sqrt(3) * said) > 0.95
+    sds = np.array([sd_of_sensed_digits(glove, hand, e) for e in late])
+    assert np.all(sds > 0.008)  # 5 % of the distance, over three axes
+    assert np.mean(error < 3 * np.sqrt(3) * sds) > 0.95
     found = pipeline.calibration()
     assert found.hand_length_sd == pytest.approx(0.05 * found.hand_length, rel=0.01)
     assert abs(found.hand_length - sim.wearer.hand_length) < 3 * found.hand_length_sd

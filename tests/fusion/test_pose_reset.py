@@ -197,8 +197,8 @@ def test_a_bent_or_upright_hand_is_refused_in_words(
         other.set_state(state)
         other.feed_event(reset_event(1.0))
         assert other.drain_notices()[-1].code == code
-        kept = other.get_state().engine.tracker.filter.state
-        assert np.array_equal(kept.R_GB, R_GB), "nothing is changed"
+        stored = other.get_state().engine.tracker.filter.state
+        assert np.array_equal(stored.R_GB, R_GB), "nothing is changed"
 
 
 def test_an_engine_without_it_says_so(wearer: Simulation) -> None:

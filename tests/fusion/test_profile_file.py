@@ -66,9 +66,9 @@ def test_what_belongs_to_one_putting_on_is_as_of_anybody(wearer, engine, tmp_pat
 
 def test_foreign_tools_read_it(wearer, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
-    said = tomllib.loads((tmp_path / "anna.toml").read_text())
-    assert said["bones"]["dorsum"]["length"] == wearer.profile.scale[0, 0]
-    assert set(said["synergies"]) == {
+    table = tomllib.loads((tmp_path / "anna.toml").read_text())
+    assert table["bones"]["dorsum"]["length"] == wearer.profile.scale[0, 0]
+    assert set(table["synergies"]) == {
         "thumb_ip_flexion",
         "index_dip_flexion",
         "middle_dip_flexion",

@@ -68,13 +68,13 @@ def test_a_strangers_profile_of_one_camera_is_a_strangers_later(hand, glove, tmp
     engine, _, _ = one_camera(simulation(hand, glove, 4, 5.0))
     path = tmp_path / "anna.toml"
     write_wearer(path, WearerFile(engine.layout, engine.profile(), engine.calibration()))
-    kept = read_wearer(path, engine.layout)
-    assert size_sd(kept.profile, engine.layout) == pytest.approx(STRANGER, rel=1e-6)
-    assert kept.calibration.hand_length_sd > 0.045 * kept.calibration.hand_length
-    _, again, _ = one_camera(simulation(hand, glove, 4, 3.0), kept.profile)
+    stored = read_wearer(path, engine.layout)
+    assert size_sd(stored.profile, engine.layout) == pytest.approx(STRANGER, rel=1e-6)
+    assert stored.calibration.hand_length_sd > 0.045 * stored.calibration.hand_length
+    _, again, _ = one_camera(simulation(hand, glove, 4, 3.0), stored.profile)
     # 5 % of the distance over three axes, as the first day
     assert np.nanmean(again[-1].keypoint_sd) > 0.008
-    engine.wearer.put_on(kept.profile)
+    engine.wearer.put_on(stored.profile)
     engine.wearer.reset(["index_proximal"])  # the state beside it takes the size for granted
     assert engine.wearer.calibration.known_size_sd > 0.045
 

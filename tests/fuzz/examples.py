@@ -127,7 +127,7 @@ def _record(kind: int, body: bytes) -> bytes:
 
 
 def _state() -> bytes:
-    said = {
+    header = {
         "engine": "chain",
         "arrays": [["float64", [3]], ["bool", [2, 2]]],
         "state": {
@@ -139,7 +139,7 @@ def _state() -> bytes:
             },
         },
     }
-    text = json.dumps(said).encode()
+    text = json.dumps(header).encode()
     return struct.pack("<I", len(text)) + text + np.arange(3.0).tobytes() + bytes(4)
 
 

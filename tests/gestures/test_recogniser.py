@@ -46,7 +46,7 @@ def shown(shape: dict[str, float], t: float = 0.0, turn: np.ndarray | None = Non
     return as_estimate(t, Truth(GLOVE.keypoint_positions(HAND, R, p), angles, R, p), HAND, GLOVE)
 
 
-def told(frames: list[Estimate]) -> list[tuple[str, bool]]:
+def phases(frames: list[Estimate]) -> list[tuple[str, bool]]:
     recogniser = GestureRecogniser(HAND, NAMES)
     return [(p.gesture, p.begins) for e in frames for p in recogniser.feed(e)]
 
@@ -58,7 +58,7 @@ def lasting(shape: dict[str, float], start: float, seconds: float) -> list[Estim
 
 @pytest.mark.parametrize("name", SHAPES)
 def test_a_shape_is_told_by_its_name_once(name: str) -> None:
-    assert told(lasting(SHAPES[name], 0.0, 1.0)) == [(name, True)]
+    assert phases(lasting(SHAPES[name], 0.0, 1.0)) == [(name, True)]
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -71,12 +71,12 @@ def test_it_begins_within_40_ms(name: str) -> None:
 def test_where_the_hand_is_turned_does_not_count() -> None:
     turn = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
     frames = [replace(shown(SHAPES["thumb_up"], turn=turn), t=0.01 * i) for i in range(20)]
-    assert told(frames) == [("thumb_up", True)]
+    assert phases(frames) == [("thumb_up", True)]
 
 
 def test_one_posture_ends_as_the_next_begins() -> None:
     frames = lasting(SHAPES["fist"], 0.0, 0.5) + lasting(SHAPES["thumb_up"], 0.5, 0.5)
-    assert told(frames) == [("fist", True), ("fist", False), ("thumb_up", True)]
+    assert phases(frames) == [("fist", True), ("fist", False), ("thumb_up", True)]
 
 
 def test_a_value_that_trembles_about_the_threshold_begins_once() -> None:
@@ -85,13 +85,13 @@ def test_a_value_that_trembles_about_the_threshold_begins_once() -> None:
     for i in range(200):
         mcp = 62.0 + 5.0 * (-1) ** (i // 5)
         frames.append(shown(bent(mcp, 78, *FINGERS) | THUMB_OVER, t=0.01 * i))
-    assert sum(begins for name, begins in told(frames) if name == "fist") <= 1
+    assert sum(begins for name, begins in phases(frames) if name == "fist") <= 1
 
 
 def test_a_single_estimate_that_is_off_tells_nothing() -> None:
     frames = lasting(bent(35, 30, *FINGERS), 0.0, 1.0)
     frames[50] = shown(SHAPES["fist"], t=frames[50].t)
-    assert told(frames) == told(lasting(bent(35, 30, *FINGERS), 0.0, 1.0))
+    assert phases(frames) == phases(lasting(bent(35, 30, *FINGERS), 0.0, 1.0))
 
 
 def test_a_lost_hand_shows_nothing() -> None:
@@ -105,8 +105,8 @@ def test_a_lost_hand_shows_nothing() -> None:
         for e in lasting(SHAPES["fist"], 0.5, 0.5)
     ]
     frames = lasting(SHAPES["fist"], 0.0, 0.5) + lost
-    assert told(frames) == [("fist", True), ("fist", False)]
-    assert told(lost) == []
+    assert phases(frames) == [("fist", True), ("fist", False)]
+    assert phases(lost) == []
 
 
 def inferred(frames: list[Estimate], *fingers: str) -> list[Estimate]:
@@ -121,35 +121,37 @@ def inferred(frames: list[Estimate], *fingers: str) -> list[Estimate]:
 def test_a_half_open_hand_is_an_open_palm_where_all_fingers_are_measured_alone() -> None:
     """Beside two straight fingers the others may be bent: to tell it of these takes more."""
     half, flat = (lasting(bent(angle, 0, *FINGERS), 0.0, 0.5) for angle in (45.0, 5.0))
-    assert told(half) == told(flat) == [("open_palm", True)]
-    assert told(inferred(half, "ring", "little")) == []
-    assert told(inferred(flat, "ring", "little")) == [("open_palm", True)]
-    assert told(inferred(lasting(SHAPES["fist"], 0, 0.5), "ring", "little")) == [("fist", True)]
+    assert phases(half) == phases(flat) == [("open_palm", True)]
+    assert phases(inferred(half, "ring", "little")) == []
+    assert phases(inferred(flat, "ring", "little")) == [("open_palm", True)]
+    assert phases(inferred(lasting(SHAPES["fist"], 0, 0.5), "ring", "little")) == [("fist", True)]
 
 
 def test_a_grasp_that_is_passed_by_is_told_where_all_fingers_are_measured_alone() -> None:
     """0.12 s of it on the way: less than 0.15 s, which it has to last beside inferred fingers."""
     way = bent(40, 25, *FINGERS) | {"thumb_cmc_flexion": 22.0}  # a value of 0.84
     brief, long = (lasting(way, 0.0, s) + lasting({}, s, 0.1) for s in (0.12, 0.2))
-    assert ("grasp", True) in told(brief)
-    assert ("grasp", True) not in told(inferred(brief, "ring", "little"))
-    assert ("grasp", True) in told(inferred(long, "ring", "little"))
+    assert ("grasp", True) in phases(brief)
+    assert ("grasp", True) not in phases(inferred(brief, "ring", "little"))
+    assert ("grasp", True) in phases(inferred(long, "ring", "little"))
     plain = lasting(
         bent(50, 30, *FINGERS) | {"thumb_cmc_flexion": 22.0}, 0.0, 0.1
     )  # a value of 1: 0.06 s will do
-    assert ("grasp", True) in told(inferred(plain, "ring", "little"))
+    assert ("grasp", True) in phases(inferred(plain, "ring", "little"))
 
 
 def test_a_posture_of_which_nothing_is_measured_does_not_begin() -> None:
     for name in ("open_palm", "fist"):
         frames = lasting(SHAPES[name], 0.0, 0.5)
-        assert told(inferred(frames, *FINGERS)) == []
-        assert told(frames + inferred(lasting(SHAPES[name], 0.5, 0.5), *FINGERS)) == [(name, True)]
+        assert phases(inferred(frames, *FINGERS)) == []
+        assert phases(frames + inferred(lasting(SHAPES[name], 0.5, 0.5), *FINGERS)) == [
+            (name, True)
+        ]
 
 
 def test_a_hand_that_is_searched_for_shows_nothing() -> None:
     searching = [replace(e, tracking=Tracking.SEARCHING) for e in lasting(SHAPES["fist"], 0, 1)]
-    assert told(searching) == []
+    assert phases(searching) == []
 
 
 def test_a_pinch_that_is_not_known_well_does_not_begin() -> None:
@@ -167,7 +169,7 @@ def test_a_pinch_that_is_not_known_well_does_not_begin() -> None:
             )
             for i in range(20)
         ]
-        assert (("pinch_index", True) in told(frames)) == wanted
+        assert (("pinch_index", True) in phases(frames)) == wanted
 
 
 POINTING = [Key(0.0, "point", (0.17, 0.0, 0.1)), Key(0.6, "point", (0.17, 0.0, 0.1))]
@@ -183,14 +185,14 @@ WAYS = {  # where the pointing finger goes, and in how many s
 def test_a_poke_is_a_pointing_finger_that_is_thrust_ahead(way: str) -> None:
     there, seconds, pokes = WAYS[way]
     after = [Key(0.6 + seconds, "point", there), Key(1.4 + seconds, "point", there)]
-    found = told(estimates([*POINTING, *after]))
+    found = phases(estimates([*POINTING, *after]))
     expected = [("point", True), *([("poke", True), ("poke", False)] if pokes else [])]
     assert found == expected
 
 
 def test_an_open_hand_that_is_thrust_ahead_pokes_nothing() -> None:
     keys = [Key(k.t, "open_palm", k.palm) for k in POINTING]
-    assert told(estimates([*keys, Key(1.0, "open_palm", (0.24, 0.0, 0.1))])) == [
+    assert phases(estimates([*keys, Key(1.0, "open_palm", (0.24, 0.0, 0.1))])) == [
         ("open_palm", True)
     ]
 
@@ -207,7 +209,7 @@ def pinching(finger: str) -> Estimate:
 def test_the_finger_whose_pad_is_nearest_pinches(finger: str) -> None:
     """Its neighbours bend with it, and are near enough for pinches of their own."""
     frames = [replace(pinching(finger), t=0.01 * i) for i in range(20)]
-    found = {name for name, begins in told(frames) if begins and name.startswith("pinch_")}
+    found = {name for name, begins in phases(frames) if begins and name.startswith("pinch_")}
     assert found == {f"pinch_{finger}"}
 
 

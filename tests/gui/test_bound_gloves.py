@@ -30,15 +30,15 @@ def settings() -> AppSettings:
 
 
 def test_a_left_glove_is_not_tracked_with_a_right_ones_files() -> None:
-    used, said = as_bound(settings(), 22)
+    used, message = as_bound(settings(), 22)
     assert (used.glove, used.hand) == (LEFT.glove, LEFT.hand)
-    assert "Glove 22 (left hand)" in said and LEFT.glove in said
+    assert "Glove 22 (left hand)" in message and LEFT.glove in message
 
 
 @pytest.mark.parametrize("number", [11, None])
 def test_a_glove_that_is_new_or_tells_no_number_is_taken_as_chosen(number: int | None) -> None:
-    used, said = as_bound(settings(), number)
-    assert used.glove == AppSettings().glove and said == ""
+    used, message = as_bound(settings(), number)
+    assert used.glove == AppSettings().glove and message == ""
 
 
 def test_nothing_is_said_where_the_files_are_its_own() -> None:
@@ -55,9 +55,9 @@ def test_what_was_bound_outlives_the_program(tmp_path) -> None:
     assert bound(again.value, 22) == LEFT
 
 
-@pytest.mark.parametrize("said", [{"22": "left"}, {"22": {"side": "left"}}, {"22": {"side": 1}}])
-def test_a_damaged_entry_is_as_none(said) -> None:
-    assert bound(AppSettings(gloves=said), 22) is None
+@pytest.mark.parametrize("entry", [{"22": "left"}, {"22": {"side": "left"}}, {"22": {"side": 1}}])
+def test_a_damaged_entry_is_as_none(entry) -> None:
+    assert bound(AppSettings(gloves=entry), 22) is None
 
 
 def test_the_wizard_recalls_side_files_and_wearer_of_the_port_that_is_chosen(qtbot) -> None:
@@ -86,8 +86,8 @@ def bluetooth(monkeypatch) -> set[str]:
 
     def find(paths, bauds):
         path = paths[0]
-        said = hello(numbers[path]) if path in there else None
-        return [PortReport(path, said, trouble=None if said else plain("Silence."))]
+        greeting = hello(numbers[path]) if path in there else None
+        return [PortReport(path, greeting, trouble=None if greeting else plain("Silence."))]
 
     monkeypatch.setattr(found_gloves, "find_gloves", find)
     monkeypatch.setattr(found_gloves, "serial_ports", list)

@@ -119,8 +119,8 @@ def test_an_exception_nobody_caught_is_logged_once_and_offered(
 
 
 def test_an_exception_in_a_thread_is_heard_of(watch, qtbot):
-    told = []
-    watch.happened.connect(told.append)
+    notified = []
+    watch.happened.connect(notified.append)
 
     def work() -> None:
         raise ZeroDivisionError("in a thread")
@@ -128,8 +128,8 @@ def test_an_exception_in_a_thread_is_heard_of(watch, qtbot):
     thread = threading.Thread(target=work)
     thread.start()
     thread.join()
-    qtbot.waitUntil(lambda: told != [], timeout=5_000)
-    assert "in a thread" in told[0]
+    qtbot.waitUntil(lambda: notified != [], timeout=5_000)
+    assert "in a thread" in notified[0]
 
 
 def test_a_failing_panel_rests_and_the_others_go_on(live, qtbot, monkeypatch):

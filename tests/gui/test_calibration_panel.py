@@ -246,11 +246,11 @@ def test_without_an_engine_that_listens_nothing_can_be_changed(window):
 
 
 @pytest.mark.parametrize(
-    ("name", "kept"),
+    ("name", "file_name"),
     [("Anna B.", "Anna B"), ("../x/y", "x_y"), ("Jürgen", "Jürgen"), ("//", "unnamed")],
 )
-def test_every_name_is_a_file_name(name, kept):
-    assert person_file_name(name) == kept
+def test_every_name_is_a_file_name(name, file_name):
+    assert person_file_name(name) == file_name
 
 
 def test_a_profile_that_is_taken_in_replaces_no_other_one(tmp_path):
@@ -261,13 +261,13 @@ def test_a_profile_that_is_taken_in_replaces_no_other_one(tmp_path):
     write_wearer(elsewhere, wearer)
     first = store.take_in(elsewhere, layout)
     assert store.take_in(elsewhere, layout) == first, "the same profile is stored once"
-    kept = store.path(first).read_bytes()
+    content = store.path(first).read_bytes()
     scale = wearer.profile.scale * 1.01
     profile = dataclasses.replace(wearer.profile, scale=scale)
     write_wearer(elsewhere, dataclasses.replace(wearer, profile=profile))
     second = store.take_in(elsewhere, layout)
     assert second != first and store.take_in(elsewhere, layout) == second
-    assert store.path(first).read_bytes() == kept
+    assert store.path(first).read_bytes() == content
     assert store.names() == sorted([first, second])
 
 

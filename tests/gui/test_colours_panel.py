@@ -126,35 +126,37 @@ def test_clicks_say_which_hues_are_missing_and_one_that_is_taken_back_does_not_c
     _, blobs = frame_and_blobs(engine.frame)
     names = colours.tuning.profile.hue_names
     first = [blobs.left.uv[blobs.left.hue == blobs.hue_names.index(n)][0] for n in names]
-    said = colours.ranges.words.text
+    message = colours.ranges.words.text
     colours.tools.pick.click()
     other = first[1]  # of another hue: a mistake, which a second click insists on
     click(colours, qtbot, 0, other)
     click(colours, qtbot, 0, other)
     missing = ", ".join(names[1:])
-    assert said().startswith(f"Clicked: {names[0]}. To learn the colours, also click: {missing}.")
+    assert message().startswith(
+        f"Clicked: {names[0]}. To learn the colours, also click: {missing}."
+    )
     colours.undo()
-    assert not said().startswith("Clicked")
+    assert not message().startswith("Clicked")
     for index in range(1, len(names)):
         click(colours, qtbot, index, first[index])
-    assert f"also click: {names[0]}." in said()
+    assert f"also click: {names[0]}." in message()
     assert engine.profiles[-1].learned is None
     click(colours, qtbot, 0, first[0])
     qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None, timeout=30_000)
-    assert said().startswith("Fitted")
+    assert message().startswith("Fitted")
 
 
 def test_what_is_said_of_colours_is_taken_back_with_them(colours):
-    said = colours.ranges.words.text
+    message = colours.ranges.words.text
     colours.ranges.rows["value"].low.setValue(33)
     colours.factory()
-    assert said().startswith("Restored the factory colours.")
+    assert message().startswith("Restored the factory colours.")
     colours.undo()
-    assert "factory" not in said()
+    assert "factory" not in message()
     colours.redo()
-    assert said().startswith("Restored the factory colours.")
+    assert message().startswith("Restored the factory colours.")
     colours.ranges.rows["value"].low.setValue(44)
-    assert "factory" not in said()
+    assert "factory" not in message()
 
 
 def test_with_an_eyedropper_in_hand_what_is_outside_the_range_keeps_its_colour(colours, engine):
@@ -532,8 +534,8 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     colours.check_room()
     assert "green: the background has this colour" in colours.ranges.words.text()
     colours.start_again()
-    said = colours.ranges.words.text()
-    assert said.startswith(
+    message = colours.ranges.words.text()
+    assert message.startswith(
         "Restored the initial colours of this session.\n▲ green: the background has this"
     )
     assert room_shares(room, models()[2])["green"] == pytest.approx(
@@ -558,8 +560,8 @@ def test_what_was_learned_to_be_the_room_s_is_no_colour_of_the_room():
 def test_a_single_patch_is_told_as_one():
     profile = models()[2]
     found = [FoundHue(h, n, 0) for n, h in enumerate(profile.hues[:2], start=1)]
-    said = fit_words(found, profile)
-    assert said.startswith("Fitted red (1 patch), yellow (2 patches). Not changed: green, blue")
+    message = fit_words(found, profile)
+    assert message.startswith("Fitted red (1 patch), yellow (2 patches). Not changed: green, blue")
 
 
 def test_fast_masks_are_those_of_the_profile():
@@ -580,8 +582,8 @@ def test_closing_in_the_middle_of_a_drag_keeps_the_last_values(window, engine, s
     window.host.adopt(setup_of(engine))
     window.colours.ranges.rows["value"].low.setValue(61)
     window.close()
-    kept = ColourStore(store.path.parent / "colours").load(CAMERA, models()[2])
-    assert kept.hues[0].value[0] == 61
+    saved = ColourStore(store.path.parent / "colours").load(CAMERA, models()[2])
+    assert saved.hues[0].value[0] == 61
 
 
 def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
@@ -699,21 +701,21 @@ def test_a_click_on_a_marker_of_another_hue_is_questioned(colours, engine, qtbot
     _, blobs = frame_and_blobs(engine.frame)
     green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")][0]
     red = colours.tuning.profile.hue_names.index("red")
-    before, said = colours.tuning.profile, colours.ranges.words.text
+    before, message = colours.tuning.profile, colours.ranges.words.text
     colours.tools.pick.click()
     click(colours, qtbot, red, green)
-    assert said().startswith("This looks like green, not red.")
+    assert message().startswith("This looks like green, not red.")
     assert colours.tuning.profile == before and engine.profiles == []
     assert not colours.tuning.all_picked
     click(colours, qtbot, red, green)
-    assert said().startswith("Clicked: red.")
+    assert message().startswith("Clicked: red.")
     assert engine.profiles[-1] == colours.tuning.profile != before
     colours.undo()
     assert engine.profiles[-1] == colours.tuning.profile == before
     click(colours, qtbot, red, green)
-    assert said().startswith("This looks like green")  # asked each time
+    assert message().startswith("This looks like green")  # asked each time
     click(colours, qtbot, colours.tuning.profile.hue_names.index("green"), green)
-    assert said().startswith("Clicked: green.")
+    assert message().startswith("Clicked: green.")
 
 
 def test_a_grey_pixel_is_refused_by_both_eyedroppers_that_take(colours, engine, qtbot):
@@ -721,13 +723,13 @@ def test_a_grey_pixel_is_refused_by_both_eyedroppers_that_take(colours, engine, 
     image, _ = frame_and_blobs(engine.frame)
     wall = np.array([3.0, 3.0])
     assert np.ptp(image.left[3, 3].astype(int)) < 15  # levels between its channels
-    before, said = colours.tuning.profile, colours.ranges.words.text
+    before, message = colours.tuning.profile, colours.ranges.words.text
     for button in (colours.tools.pick, colours.tools.take):
         button.click()
         for _ in range(2):  # not even a second time
             click(colours, qtbot, 0, wall)
-            assert said().startswith("This pixel is too grey or too dark to have a hue")
-        assert "Click the middle of a red marker." in said()
+            assert message().startswith("This pixel is too grey or too dark to have a hue")
+        assert "Click the middle of a red marker." in message()
         assert colours.tuning.profile == before and engine.profiles == []
 
 
@@ -763,13 +765,13 @@ def test_a_marker_of_a_hue_that_was_moved_is_not_taken_for_another(colours, engi
     index = colours.tuning.profile.hue_names.index("yellow")
     colours.choose_hue(index)
     colours.tuning.move("hue", (80, 95), held=False)
-    said = colours.ranges.words.text
+    message = colours.ranges.words.text
     colours.tools.pick.click()
     click(colours, qtbot, index, yellow)
-    assert said().startswith("Clicked: yellow.")
+    assert message().startswith("Clicked: yellow.")
     colours.undo()
     click(colours, qtbot, colours.tuning.profile.hue_names.index("red"), yellow)
-    assert said().startswith("This looks like yellow, not red.")
+    assert message().startswith("This looks like yellow, not red.")
 
 
 def test_a_number_that_is_typed_is_left_alone_by_colours_that_follow_the_light(

@@ -79,8 +79,8 @@ def test_a_key_stays_with_the_first_panel_that_has_it(window):
 
 def test_a_panel_that_cannot_be_made_is_reported_with_what_to_install(window):
     assert "broken" not in window.docks and "broken" not in window.panels
-    said = window.log.model
-    assert said.ends_with(
+    log_text = window.log.model
+    assert log_text.ends_with(
         "The panel Broken cannot be shown: No module named 'mujoco'. "
         "Install it with pip install 'glovetrack[robot]'."
     )

@@ -74,5 +74,5 @@ def test_none_is_usual_and_the_choice_is_kept(window, engine, store):
     assert window.host.recording.request is not None
     window.recording.countdown.setCurrentIndex(2)
     window.recording.countdown_sound.click()
-    kept = SettingsStore(store.path).value
-    assert (kept.countdown, kept.countdown_sound) == (5, True)
+    stored = SettingsStore(store.path).value
+    assert (stored.countdown, stored.countdown_sound) == (5, True)

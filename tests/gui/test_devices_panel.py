@@ -214,9 +214,9 @@ def test_a_file_reports_what_differs_and_applies_what_can_be(devices, glove, tmp
     path.write_text(text, "utf-8")
     devices.load_from(path)
     assert devices.edits == {RATE: 50, "camera.exposure": 90}
-    said = devices.report.toPlainText()
-    assert "3 differences, 2 to be applied" in said
-    assert "1.1.0 in the file, 1.2.0 now (cannot be changed)" in said
+    report_text = devices.report.toPlainText()
+    assert "3 differences, 2 to be applied" in report_text
+    assert "1.1.0 in the file, 1.2.0 now (cannot be changed)" in report_text
     path.write_text("not [ TOML", "utf-8")
     devices.load_from(path)
     assert path.name in devices.report.toPlainText()

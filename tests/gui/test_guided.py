@@ -28,7 +28,7 @@ class Posed(ScriptedEngine):
         self.inner = ChainEngine(hand, glove, simulation().rig, ChainParams())
         self.drawn = DrawnHand(hand)
         self.angles = posture(hand, {})
-        self.told: list[tuple[str, str, bool]] = []
+        self.reported: list[tuple[str, str, bool]] = []
         self.silent, self._t = False, 0.0
         self.tracking = Tracking.TRACKING
         self.unsensed: tuple[str, ...] = ()  # digits that nothing measures
@@ -58,11 +58,11 @@ class Posed(ScriptedEngine):
             self.events.append(Event(0.0, "error", str(error)))
 
     def hold(self, pose: str) -> None:
-        self.told.append((pose, "begin", False))
+        self.reported.append((pose, "begin", False))
         self._write(began(pose, self._t))
 
     def let_go(self, pose: str, held: bool) -> None:
-        self.told.append((pose, "end", held))
+        self.reported.append((pose, "end", held))
         self._write(ended(pose, self._t, held))
 
     def _write(self, event: Event) -> None:
@@ -137,8 +137,8 @@ def test_held_well_every_pose_is_told_to_begin_and_to_end_within_half_a_minute(
     qtbot.keyClick(guided.lead.start, Qt.Key.Key_Return)
     began_at = clock.now
     through(guided, clock, engine)
-    told = [(pose, phase, phase == "end") for pose in POSES for phase in ("begin", "end")]
-    assert engine.told == told
+    reported = [(pose, phase, phase == "end") for pose in POSES for phase in ("begin", "end")]
+    assert engine.reported == reported
     assert 25.0 < clock.now - began_at < 35.0
 
 
@@ -164,7 +164,7 @@ def test_a_finger_that_is_bent_is_named_and_the_ring_stays_empty(guided, clock, 
     engine.angles = posture(models()[0], {"middle_pip_flexion": 45.0})
     pass_time(guided, clock, 4.0)
     assert guided.lead.word.text() == "Straighten the middle finger"
-    assert guided.lead.stage.ring.share == 0.0 and engine.told == []
+    assert guided.lead.stage.ring.share == 0.0 and engine.reported == []
 
 
 def test_a_pose_let_go_too_early_is_told_as_not_held_and_asked_for_again(guided, clock, engine):
@@ -174,7 +174,7 @@ def test_a_pose_let_go_too_early_is_told_as_not_held_and_asked_for_again(guided,
     assert 0.3 < guided.lead.stage.ring.share < 0.7
     engine.take("fist")
     pass_time(guided, clock, 0.6)
-    assert engine.told == [("flat", "begin", False), ("flat", "end", False)]
+    assert engine.reported == [("flat", "begin", False), ("flat", "end", False)]
     assert guided.run.pose == "flat" and guided.lead.stage.ring.share == 0.0
     assert guided.lead.word.text().startswith("Straighten")
 
@@ -183,7 +183,7 @@ def test_skipping_leaves_a_pose_out_and_says_so_in_the_file(guided, clock, engin
     guided.start()
     pass_time(guided, clock, 0.2)
     qtbot.keyClick(guided, Qt.Key.Key_S)
-    assert engine.told == [("flat", "begin", False), ("flat", "end", False)]
+    assert engine.reported == [("flat", "begin", False), ("flat", "end", False)]
     assert guided.run.pose == "spread"
 
 
@@ -195,7 +195,7 @@ def test_repeating_goes_back_to_the_pose_before(guided, clock, engine, qtbot):
     qtbot.keyClick(guided, Qt.Key.Key_R)
     assert guided.run.pose == "flat"
     pass_time(guided, clock, 3.7)
-    assert [t for t in engine.told if t[0] == "flat"] == 2 * [
+    assert [t for t in engine.reported if t[0] == "flat"] == 2 * [
         ("flat", "begin", False),
         ("flat", "end", True),
     ]
@@ -207,7 +207,7 @@ def test_who_is_not_believed_insists_with_enter(guided, clock, engine, qtbot):
     pass_time(guided, clock, 2.0)
     qtbot.keyClick(guided.lead.insist, Qt.Key.Key_Return)
     pass_time(guided, clock, 2.1)
-    assert engine.told == [("flat", "begin", False), ("flat", "end", True)]
+    assert engine.reported == [("flat", "begin", False), ("flat", "end", True)]
 
 
 def test_a_pose_that_is_never_held_is_left_out_after_a_while(guided, clock, engine):
@@ -233,7 +233,7 @@ def test_escape_ends_it_and_tells_the_engine_that_the_pose_is_over(guided, clock
     engine.take("flat")
     pass_time(guided, clock, 2.5)
     qtbot.keyClick(guided, Qt.Key.Key_Escape)
-    assert engine.told == [("flat", "begin", False), ("flat", "end", False)]
+    assert engine.reported == [("flat", "begin", False), ("flat", "end", False)]
     assert not guided.isVisible()
 
 
@@ -333,7 +333,7 @@ def test_it_ends_with_the_tracking(guided, window, clock, engine):
     engine.take("flat")
     pass_time(guided, clock, 2.0)
     window.host.stop()
-    assert engine.told[-1] == ("flat", "end", False) and not guided.isVisible()
+    assert engine.reported[-1] == ("flat", "end", False) and not guided.isVisible()
 
 
 def test_without_an_engine_that_learns_it_is_not_begun(window, engine):
@@ -344,7 +344,7 @@ def test_without_an_engine_that_learns_it_is_not_begun(window, engine):
     assert "chain" in window.banner.text()
 
 
-def told_of(dialog) -> dict[str, list[str]]:
+def rows_of(dialog) -> dict[str, list[str]]:
     table = dialog.outcome.table
     texts = [[table.item(r, c).text() for c in range(4)] for r in range(table.rowCount())]
     return {what: rest for what, *rest in texts}
@@ -356,15 +356,15 @@ def test_a_change_within_what_is_left_unsure_is_no_sentence(guided, clock, engin
     through(guided, clock, engine)
     teach(engine.inner, 6.0, sure=0.9)  # of 8.2° that people differ by in a fist
     qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
-    said = guided.outcome.words.text()
-    assert said == "Your fingers bend as expected."
-    assert told_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
+    summary = guided.outcome.words.text()
+    assert summary == "Your fingers bend as expected."
+    assert rows_of(guided)["End joint of the index finger, bent"][2] == "+6.0°"
 
 
 def test_nothing_is_claimed_of_fingers_without_sensors(guided, clock, engine, qtbot):
     """They bend as index and middle finger do, and nobody has looked."""
     finished(guided, clock, engine, qtbot)
-    assert not [what for what in told_of(guided) if "ring" in what or "little" in what]
+    assert not [what for what in rows_of(guided) if "ring" in what or "little" in what]
     assert "ring" not in guided.outcome.words.text()
 
 
@@ -405,14 +405,14 @@ def test_who_insists_must_be_seen(guided, clock, engine, qtbot):
     assert guided.lead.word.text() == "No data from the glove"
     qtbot.keyClick(guided, Qt.Key.Key_Return)
     pass_time(guided, clock, 20.0, step=0.2)
-    assert engine.told == [] and guided.run.held == {}
+    assert engine.reported == [] and guided.run.held == {}
     engine.unsensed = ()
     pass_time(guided, clock, 0.2)
     qtbot.keyClick(guided, Qt.Key.Key_Return)
     pass_time(guided, clock, 1.0)
     engine.unsensed = ("thumb", "index", "middle", "ring", "little", "wrist")
     pass_time(guided, clock, 3.0)  # unplugged in the middle
-    assert guided.run.held == {} and engine.told[-1] == ("flat", "end", False)
+    assert guided.run.held == {} and engine.reported[-1] == ("flat", "end", False)
 
 
 def test_it_ends_with_the_tracking_after_poses_that_were_held_too(guided, window, clock, engine):
@@ -489,6 +489,6 @@ def test_of_two_hands_it_is_the_one_it_was_begun_with(both, window, clock, qtbot
     window.host.show_hand("left")
     finished(dialog, clock, right, qtbot)
     assert "index finger bends 6° more" in dialog.outcome.words.text()
-    assert left.told == []
+    assert left.reported == []
     dialog.outcome.undo_button.click()
     np.testing.assert_array_equal(right.inner.wearer.synergies[0], before)

@@ -172,8 +172,8 @@ def chooser(qtbot, store):
     view, tasks = View3D(), TaskOwner()
     qtbot.addWidget(view)
     chooser = ViewChooser(view, store, tasks)
-    chooser.said = []
-    chooser.refused.connect(chooser.said.append)
+    chooser.refusals = []
+    chooser.refused.connect(chooser.refusals.append)
     yield chooser
     chooser.shut_down()
     tasks.shut_down()
@@ -184,7 +184,7 @@ def test_a_card_that_ended_the_program_is_not_tried_again(chooser, store):
     store.update(card_trial=True)
     chooser.start()
     assert (store.value.card_trial, store.value.view_3d) == (False, "painted")
-    assert "crashed the program last time" in chooser.said[0]
+    assert "crashed the program last time" in chooser.refusals[0]
 
 
 def test_a_card_is_trusted_after_some_images(chooser, store, monkeypatch):
@@ -207,19 +207,19 @@ def test_a_card_that_cannot_be_used_is_said_where_it_was_asked_for(
     monkeypatch.setattr(View3D, "use_card", lambda _self: False)
     store.update(view_3d="card")
     chooser._use(there)
-    assert "cannot use the graphics card" in chooser.said[0]
+    assert "cannot use the graphics card" in chooser.refusals[0]
     assert not store.value.card_trial
     store.update(view_3d="auto")
     chooser._use(there)
-    assert len(chooser.said) == 1
+    assert len(chooser.refusals) == 1
 
 
 def test_an_installation_without_the_cards_view_says_so(chooser, store, monkeypatch):
     monkeypatch.setattr("app.panels.hand.controls.is_there", lambda: False)
     chooser.start()  # "auto" paints without a word
-    assert chooser.said == [] and not chooser._tasks.tasks
+    assert chooser.refusals == [] and not chooser._tasks.tasks
     chooser.choose("card")
-    assert "not part of this installation" in chooser.said[0]
+    assert "not part of this installation" in chooser.refusals[0]
     assert not chooser._view.on_card and not store.value.card_trial
 
 

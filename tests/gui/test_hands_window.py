@@ -184,7 +184,7 @@ def goes_on(window, qtbot, side: str) -> None:
     qtbot.waitUntil(lambda: newest(window, side) > since + 0.3, timeout=90_000)
 
 
-def told(window, text: str) -> int:
+def log_count(window, text: str) -> int:
     """How often the log has a sentence."""
     items = (window.log.list.item(i).text() for i in range(window.log.list.count()))
     return sum(text in item for item in items)
@@ -203,7 +203,7 @@ def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, tw
         two_gloves.discard(number)
         gloves[number].unplug()
         away = f"{side.capitalize()} glove: The glove was unplugged"
-        qtbot.waitUntil(lambda text=away: told(window, text) == 1, timeout=90_000)
+        qtbot.waitUntil(lambda text=away: log_count(window, text) == 1, timeout=90_000)
         goes_on(window, qtbot, other)
         gloves[number].plug()
         two_gloves.add(number)

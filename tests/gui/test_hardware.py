@@ -101,11 +101,11 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
 def test_a_glove_that_is_unplugged_is_said_in_the_log(connected, qtbot, device):
     device.unplug()
 
-    def said() -> bool:
+    def is_logged() -> bool:
         texts = [connected.log.list.item(i).text() for i in range(connected.log.list.count())]
         return any("unplugged" in t for t in texts)
 
-    qtbot.waitUntil(said, timeout=30_000)
+    qtbot.waitUntil(is_logged, timeout=30_000)
 
 
 @pytest.fixture

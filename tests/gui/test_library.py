@@ -173,8 +173,8 @@ def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
     from app.jobs.export import export_job
     from app.platform.tasks import Cancelled
 
-    told = []
-    progress = JobProgress(lambda share, _text: told.append(share))
+    shares = []
+    progress = JobProgress(lambda share, _text: shares.append(share))
     job = export_job(ExportRequest(recorded, "csv", tmp_path / "out.csv"))
 
     class Impatient(JobProgress):
@@ -188,7 +188,7 @@ def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
     assert list(tmp_path.iterdir()) == []
     job(progress)
     assert (tmp_path / "out.csv").is_file()
-    assert max(told) > 0.8
+    assert max(shares) > 0.8
 
 
 @pytest.mark.timeout(120)

@@ -285,8 +285,8 @@ def test_an_open_session_from_anywhere_is_exported_in_several_formats(
     qtbot.waitUntil(lambda: ended(library), timeout=30_000)
     assert [i.look for i in library.exports.items] == [DONE, DONE]
     assert (out / "tracked.csv").exists() and (out / "tracked.trc").exists()
-    kept = SettingsStore(store.path).value
-    assert kept.export_folder == str(out) and kept.export["formats"] == ["csv", "trc"]
+    stored = SettingsStore(store.path).value
+    assert stored.export_folder == str(out) and stored.export["formats"] == ["csv", "trc"]
     manager = FileManager()
     QDesktopServices.setUrlHandler("file", manager, "show")
     try:

@@ -39,11 +39,11 @@ def a_reading(*advice: Advice):
 def test_a_moment_without_the_hand_keeps_what_was_read():
     watch, warm = LightWatch(), Advice("warm", warning("light.warm"))
     none = Advice("hand", notice("light.show_hand"))
-    for t, said, line in (
+    for t, problems, line in (
         (0.0, warm, "too warm"), (2.0, none, "too warm"), (3.0 + KEPT, none, "–"),
     ):  # fmt: skip
         assert watch.work(GREY.copy(), PROFILE, 640.0, t) is not None
-        watch.took(a_reading(said))
+        watch.took(a_reading(problems))
         assert watch.line() == line
 
 

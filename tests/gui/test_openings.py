@@ -12,14 +12,14 @@ from tracker.base.errors import GlovetrackError
 class Port:
     """Only one may be open, as with a server's port."""
 
-    def __init__(self, told: list[str], name: str) -> None:
-        if told and told[-1].startswith("opened"):
+    def __init__(self, log: list[str], name: str) -> None:
+        if log and log[-1].startswith("opened"):
             raise GlovetrackError(f"{name} finds the port taken")
-        self._told, self._name = told, name
-        told.append(f"opened {name}")
+        self._log, self._name = log, name
+        log.append(f"opened {name}")
 
     def close(self) -> None:
-        self._told.append(f"closed {self._name}")
+        self._log.append(f"closed {self._name}")
 
 
 @pytest.fixture
@@ -35,41 +35,41 @@ def openings(tasks):
 
 
 def test_what_is_open_is_closed_before_it_is_opened_anew(openings, qtbot):
-    told = []
-    openings.renew("a", "a", lambda: Port(told, "first"), lambda port: True)
+    log = []
+    openings.renew("a", "a", lambda: Port(log, "first"), lambda port: True)
     qtbot.waitUntil(lambda: openings.get("a") is not None)
-    openings.renew("a", "a", lambda: Port(told, "second"), lambda port: True)
+    openings.renew("a", "a", lambda: Port(log, "second"), lambda port: True)
     qtbot.waitUntil(lambda: openings.get("a") is not None)
-    assert told == ["opened first", "closed first", "opened second"]
+    assert log == ["opened first", "closed first", "opened second"]
     assert openings.problems == {}
     openings.renew("a", "a", None, lambda port: True)
-    qtbot.waitUntil(lambda: told[-1] == "closed second")
+    qtbot.waitUntil(lambda: log[-1] == "closed second")
     assert openings.get("a") is None
 
 
 def test_what_nobody_wants_any_more_is_closed_when_it_has_opened(openings, qtbot):
-    told, go = [], threading.Event()
+    log, go = [], threading.Event()
 
     def slowly() -> Port:
         go.wait(10.0)
-        return Port(told, "slow")
+        return Port(log, "slow")
 
     openings.renew("a", "a", slowly, lambda port: True)
     openings.renew("a", "a", None, lambda port: True)
     go.set()
-    qtbot.waitUntil(lambda: told == ["opened slow", "closed slow"])
-    openings.renew("a", "a", lambda: Port(told, "refused"), lambda port: False)
-    qtbot.waitUntil(lambda: told[2:] == ["opened refused", "closed refused"])
+    qtbot.waitUntil(lambda: log == ["opened slow", "closed slow"])
+    openings.renew("a", "a", lambda: Port(log, "refused"), lambda port: False)
+    qtbot.waitUntil(lambda: log[2:] == ["opened refused", "closed refused"])
     assert openings.get("a") is None
 
 
 def test_a_failure_is_told_and_the_end_leaves_nothing_open(openings, tasks, qtbot):
-    told = []
-    openings.renew("a", "a", lambda: Port(told, "a"), lambda port: True)
+    log = []
+    openings.renew("a", "a", lambda: Port(log, "a"), lambda port: True)
     qtbot.waitUntil(lambda: openings.get("a") is not None)
-    openings.renew("b", "b", lambda: Port(told, "b"), lambda port: True)
+    openings.renew("b", "b", lambda: Port(log, "b"), lambda port: True)
     qtbot.waitUntil(lambda: "b" in openings.problems)
     assert "taken" in openings.problems["b"]
     tasks.shut_down()
     openings.shut_down()
-    assert told == ["opened a", "closed a"]
+    assert log == ["opened a", "closed a"]

@@ -117,9 +117,9 @@ def test_who_else_hears_lab_streaming_layer_is_said_beside_its_switch(panel):
 def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listener, qtbot):
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.boxes["udp"].click()
-    told = received(qtbot, listener)
+    message = received(qtbot, listener)
     estimate = window.host.setup.engine.latest_estimate()
-    assert told["keypoints"]["wrist"]["position"] == pytest.approx(
+    assert message["keypoints"]["wrist"]["position"] == pytest.approx(
         estimate.keypoints[0].tolist(), abs=1e-6
     )
     qtbot.waitUntil(lambda: "sending" in panel.cells["udp"]["state"].text(), timeout=10_000)

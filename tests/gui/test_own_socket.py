@@ -187,9 +187,9 @@ def test_another_user_cannot_speak_to_the_window(shared, monkeypatch, name, qtbo
             command = [sys.executable, "-c", CONNECT, str(address)]
             with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as other:
                 qtbot.waitUntil(lambda p=other: p.poll() is not None, timeout=60_000)
-                said = other.communicate()[0]
-            assert "taken" not in said
-            assert ("PermissionError" in said) != opened
+                output = other.communicate()[0]
+            assert "taken" not in output
+            assert ("PermissionError" in output) != opened
         assert asked == []
     finally:
         instance.close()

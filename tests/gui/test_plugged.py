@@ -43,13 +43,13 @@ def test_a_watch_tells_of_newcomers_until_it_rests(qtbot, store):
     there: set[str] = set()
     watch = PlugWatch(SimpleNamespace(opening=False), store, look=lambda _s: frozenset(there))
     watch._timer.setInterval(10)
-    told: list[list[str]] = []
-    watch.came.connect(told.append)
+    arrivals: list[list[str]] = []
+    watch.came.connect(arrivals.append)
     with qtbot.waitSignal(watch._timer.timeout):
         watch.begin()
     qtbot.waitUntil(lambda: watch._newcomers._known is not None)
     there.add("glove")
-    qtbot.waitUntil(lambda: told == [["glove"]])
+    qtbot.waitUntil(lambda: arrivals == [["glove"]])
     watch.rest()
     assert not watch._timer.isActive()
     watch.shut_down()

@@ -163,8 +163,8 @@ def test_a_reset_of_the_demo_without_a_camera_is_recorded_and_tracked_again(
     window.run_command("record")
     path = window.host.recording.request.path
     qtbot.keyClick(window, Qt.Key.Key_R)
-    said = lambda: window.log.model.entries("device", "Pose reset, right hand: joints")  # noqa: E731
-    qtbot.waitUntil(lambda: said() != [], timeout=30_000)
+    log_entries = lambda: window.log.model.entries("device", "Pose reset, right hand: joints")  # noqa: E731
+    qtbot.waitUntil(lambda: log_entries() != [], timeout=30_000)
     assert "heading by" in window.banner.text()
     qtbot.wait(1_000)
     window.run_command("record")

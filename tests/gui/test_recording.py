@@ -130,9 +130,9 @@ def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tm
 def test_an_engine_stops_while_the_disk_is_behind_and_the_file_is_told_when_whole(
     recording, engine, recorders, monkeypatch, tmp_path
 ):
-    host, finished, said = recording.host, [], []
+    host, finished, failures = recording.host, [], []
     host.recording.finished.connect(finished.append)
-    host.recording.failed.connect(said.append)
+    host.recording.failed.connect(failures.append)
     behind = engine.recorder
     monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)  # its end takes long
     recorders[0].close = lambda: (_ for _ in ()).throw(FileError("The disk is full."))
@@ -142,7 +142,7 @@ def test_an_engine_stops_while_the_disk_is_behind_and_the_file_is_told_when_whol
         behind.close()  # in the disk's own thread
     assert host.snapshot() is None
     assert [path.name[:6] for path in finished] == ["P-01-a"] and not host.recording.closing
-    assert said == ["The recording could not be finished: The disk is full."]
+    assert failures == ["The recording could not be finished: The disk is full."]
 
 
 def test_closing_the_window_waits_for_the_disk(recording, engine, recorders, monkeypatch):
@@ -156,9 +156,9 @@ def test_closing_the_window_waits_for_the_disk(recording, engine, recorders, mon
 
 
 def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeypatch):
-    recording, finished, said = Recording(), [], []
+    recording, finished, failures = Recording(), [], []
     recording.finished.connect(finished.append)
-    recording.failed.connect(said.append)
+    recording.failed.connect(failures.append)
     path = tmp_path / "a.mcap"
     recording.set_engine(scripted_setup(engine).live)
     assert recording.begin(RecordingRequest(path, "", ""))
@@ -167,7 +167,7 @@ def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeyp
     recording.end()
     assert recording.request is None and recording.closing and finished == []
     assert not recording.begin(RecordingRequest(tmp_path / "b.mcap", "", ""))
-    assert "a.mcap is still being written" in said[0]
+    assert "a.mcap is still being written" in failures[0]
     behind.close()
     recording.look()
     assert finished == [path] and not recording.closing

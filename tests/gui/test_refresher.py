@@ -84,13 +84,13 @@ def test_panels_and_shapes_give_way_before_they_are_painted(host, qtbot, monkeyp
 
 
 def test_an_engine_that_fails_is_stopped_and_the_window_says_so(host, qtbot):
-    engine, said = ScriptedEngine(), []
+    engine, errors = ScriptedEngine(), []
     host.adopt(scripted_setup(engine))
-    host.error.connect(said.append)
+    host.error.connect(errors.append)
     assert host.running
     engine.failure = failure("thread.failed", thread="camera", type="ValueError", why="empty")
     host.snapshot()
     assert not host.running and engine.stopped
-    assert len(said) == 1 and "Tracking has stopped" in said[0] and "ValueError" in said[0]
+    assert len(errors) == 1 and "Tracking has stopped" in errors[0] and "ValueError" in errors[0]
     host.snapshot()
-    assert len(said) == 1
+    assert len(errors) == 1

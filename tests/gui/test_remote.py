@@ -165,8 +165,8 @@ def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engi
     window.host.adopt(with_glove(scripted_setup(engine), glove))
 
     def say(strength: float) -> dict:
-        said = {"do": "contact", "finger": "thumb", "strength": strength, "object": "cup"}
-        return json.loads(window.remote.answers.answer_line(json.dumps(said)))
+        contact = {"do": "contact", "finger": "thumb", "strength": strength, "object": "cup"}
+        return json.loads(window.remote.answers.answer_line(json.dumps(contact)))
 
     assert say(1.0)["text"] == "The thumb touches cup."
     assert say(0.25)["ok"] and say(0.0)["text"] == "The thumb lets go of cup."

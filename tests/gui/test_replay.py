@@ -247,14 +247,14 @@ def test_a_replay_leaves_out_damaged_messages_and_says_how_many(sessions, frames
         engine.player.set_speed(4.0)
         engine.player.play(True)
         qtbot.waitUntil(lambda: shown(engine) == frames[-1].t, timeout=20_000)
-        told: list[str] = []
+        errors: list[str] = []
 
         def has_told_all() -> bool:
-            told.extend(e.text for e in engine.drain_events() if e.kind == "error")
-            return bool(told) and all(f"1 on {topic}" in told[-1] for topic in topics)
+            errors.extend(e.text for e in engine.drain_events() if e.kind == "error")
+            return bool(errors) and all(f"1 on {topic}" in errors[-1] for topic in topics)
 
         qtbot.waitUntil(has_told_all, timeout=20_000)
-        assert len(told) <= 3
+        assert len(errors) <= 3
     finally:
         engine.close()
 

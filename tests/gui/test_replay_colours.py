@@ -21,14 +21,14 @@ def moved(by: int) -> ColourProfile:
     return dataclasses.replace(FIRST, hues=tuple(hues))
 
 
-def told(t: float, profile: ColourProfile) -> Event:
+def event_of(t: float, profile: ColourProfile) -> Event:
     return Event(t, KIND, "", {"colours": profile_to_toml(profile)})
 
 
 def test_colours_of_an_instant_are_the_last_that_were_told_before() -> None:
     events = [
-        (2.0, told(2.0, moved(20))),
-        (1.0, told(1.0, moved(10))),
+        (2.0, event_of(2.0, moved(20))),
+        (1.0, event_of(1.0, moved(10))),
         (1.5, Event(1.5, "note", "")),
     ]
     colours = ColoursOfFile(FIRST, events)
@@ -43,10 +43,10 @@ def test_colours_of_an_instant_are_the_last_that_were_told_before() -> None:
 def test_colours_that_cannot_be_read_or_are_of_another_glove_change_nothing() -> None:
     fewer = dataclasses.replace(FIRST, hues=FIRST.hues[:2])
     events = [
-        (1.0, told(1.0, moved(10))),
+        (1.0, event_of(1.0, moved(10))),
         (2.0, Event(2.0, KIND, "", {"colours": "schema = 1\nname = 3\n"})),
-        (3.0, told(3.0, fewer)),
-        (4.0, told(4.0, moved(20))),
+        (3.0, event_of(3.0, fewer)),
+        (4.0, event_of(4.0, moved(20))),
     ]
     colours = ColoursOfFile(FIRST, events)
     assert [colours.at(t) for t in (3.5, 2.5, 4.5)] == [moved(10), moved(10), moved(20)]
@@ -65,7 +65,7 @@ def followed(tmp_path):
         for message in messages:
             recorder.write(message)
         for at in (1, 2):
-            recorder.write(told(start + at, moved(10 * at)))
+            recorder.write(event_of(start + at, moved(10 * at)))
     return path
 
 

@@ -20,9 +20,9 @@ def test_each_gesture_has_its_words():
 def test_what_the_hand_shows_is_told_at_the_windows_rate():
     shown = ShownGestures(scripted_setup(ScriptedEngine()))
     fists = estimates([Key(0.0, "fist", HERE), Key(1.0, "fist", HERE)], rate=30.0)
-    said = [shown.line(e) for e in fists]
-    assert said[0] == ""
-    assert said[3:] == ["fist 100 %"] * (len(said) - 3)
+    lines = [shown.line(e) for e in fists]
+    assert lines[0] == ""
+    assert lines[3:] == ["fist 100 %"] * (len(lines) - 3)
     later = replace(estimates([Key(0.0, "relaxed", HERE), Key(0.1, "relaxed", HERE)])[0], t=60.0)
     assert shown.line(later) == ""
     assert shown.line(None) == ""

@@ -68,10 +68,10 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
             words = [sys.executable, "-m", "app", str(session_file)]
             second = subprocess.run(words, env=home, timeout=START_S, check=False)
             assert second.returncode == 0
-            said, _ = first.communicate(timeout=END_S)
+            output, _ = first.communicate(timeout=END_S)
         finally:
             first.kill()
-    assert "opened P01.mcap" in said
+    assert "opened P01.mcap" in output
     assert first.returncode == 0
     logs = Path(home["XDG_STATE_HOME"]) / "glovetrack" / "log"
     assert [p.name for p in logs.glob("*-*.log")] == []  # neither running nor crashed

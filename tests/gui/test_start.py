@@ -21,7 +21,7 @@ LATER = {
 def test_the_window_is_imported_without_what_only_devices_and_dialogs_need() -> None:
     code = "import sys, app.window.start, app.window.main_window; print(*sys.modules)"
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": "offscreen"}
-    said = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", code],
         cwd=ROOT,
         env=environment,
@@ -29,14 +29,14 @@ def test_the_window_is_imported_without_what_only_devices_and_dialogs_need() -> 
         text=True,
         check=True,
     )
-    loaded = set(said.stdout.split())
+    loaded = set(result.stdout.split())
     assert "app.window.main_window" in loaded
     assert loaded & (LATER if are_compiled() else LATER - {"scipy"}) == set()  # numba loads it
 
 
 def test_commands_are_told_without_numpy_and_qt() -> None:
     code = "import sys; from tracker.cli import build_parser as b; b(['-h']); print(*sys.modules)"
-    said = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    assert {"numpy", "PySide6", "cv2"} & set(said.stdout.split()) == set()
+    assert {"numpy", "PySide6", "cv2"} & set(result.stdout.split()) == set()

@@ -29,13 +29,13 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
         assert window.store.value.streams == {}, "the next start is as it was"
         window.host.adopt(scripted_setup(ScriptedEngine()))
 
-        def heard() -> bool:
+        def has_arrived() -> bool:
             try:
                 return json.loads(listener.recv(65536))["schema"] == 1
             except BlockingIOError:
                 return False
 
-        qtbot.waitUntil(heard, timeout=10_000)
+        qtbot.waitUntil(has_arrived, timeout=10_000)
         assert window.panels["streams"].boxes["udp"].isChecked()
 
 

@@ -72,12 +72,12 @@ def _vanish(progress) -> None:
 
 
 def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
-    told = []
+    results = []
     pid, nice = run_in_subprocess(
-        "work", _share_of_process, JobProgress(lambda share, _text: told.append(share))
+        "work", _share_of_process, JobProgress(lambda share, _text: results.append(share))
     )
     assert pid != os.getpid() and nice > os.nice(0)
-    assert told == [0.5]
+    assert results == [0.5]
 
 
 def test_a_crash_aside_is_told_by_its_name():

@@ -67,7 +67,7 @@ def test_fields_are_told_apart_by_order_format_and_conversion():
 
 @pytest.mark.parametrize("code", OFFERED)
 def test_a_translation_takes_the_values_of_its_text(code):
-    wrong = {t: said for t, said in catalogue(code).items() if fields(t) != fields(said)}
+    wrong = {t: to for t, to in catalogue(code).items() if fields(t) != fields(to)}
     assert wrong == {}
 
 
@@ -76,7 +76,7 @@ def test_a_translation_has_an_accelerator_and_blanks_where_its_text_has(code):
     def shape(text: str) -> tuple[bool, bool, bool]:
         return bool(accelerator(text)), text[:1] == " ", text[-1:] == " "
 
-    wrong = {t: said for t, said in catalogue(code).items() if shape(t) != shape(said)}
+    wrong = {t: to for t, to in catalogue(code).items() if shape(t) != shape(to)}
     assert wrong == {}
 
 
@@ -144,10 +144,10 @@ def texts_of(widget: QWidget) -> Iterator[str]:
 
 def english_of(window: QWidget, listed: dict[str, str]) -> set[str]:
     """Texts in sight of the user that stand in the catalogue and are not translated."""
-    said = {text for w in [window, *window.findChildren(QWidget)] for text in texts_of(w)}
-    said |= {action.text() for action in window.findChildren(QAction)}
+    shown = {text for w in [window, *window.findChildren(QWidget)] for text in texts_of(w)}
+    shown |= {action.text() for action in window.findChildren(QAction)}
     translated = set(listed.values())
-    return {text for text in said if text in listed and text not in translated}
+    return {text for text in shown if text in listed and text not in translated}
 
 
 @pytest.mark.parametrize("code", OFFERED)

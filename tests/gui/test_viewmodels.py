@@ -350,8 +350,8 @@ def test_orbit_keeps_its_distance_and_looks_where_it_is_told():
 def test_tracking_is_not_said_while_nothing_arrives():
     """The state is of the last message that came."""
     silent = {"imu_rate_hz": 0.0, "frame_rate_hz": 0.0}
-    told = tracking_look(Status(5.0, Tracking.TRACKING, silent), True)
-    assert (told.word, told.sign) == ("No data", BAD.sign)
+    shown_look = tracking_look(Status(5.0, Tracking.TRACKING, silent), True)
+    assert (shown_look.word, shown_look.sign) == ("No data", BAD.sign)
     half = Status(5.0, Tracking.TRACKING, {**silent, "imu_rate_hz": 100.0})
     assert tracking_look(half, True).word == "Tracking"
     assert tracking_look(Status(0.0, Tracking.SEARCHING, {}), True).word != "No data"

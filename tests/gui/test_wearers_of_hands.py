@@ -101,11 +101,11 @@ def test_left_and_right_gloves_used_in_turn_keep_their_wearers(window, qtbot, op
     save(window, qtbot, open_hand("right"), "Anna", 1.04)
     left = open_hand("left")
     assert row.name == "" and offered(window) == [] and left.scale == pytest.approx(1.0)
-    kept = save(window, qtbot, left, "Anna", 0.98)
-    assert kept == "Anna vist-small-left"  # the right hand's file of that name is not replaced
+    stored = save(window, qtbot, left, "Anna", 0.98)
+    assert stored == "Anna vist-small-left"  # the right hand's file of that name is not replaced
     for _ in range(2):
         assert open_hand("right").scale == pytest.approx(1.04) and row.name == "Anna"
-        assert open_hand("left").scale == pytest.approx(0.98) and row.name == kept
+        assert open_hand("left").scale == pytest.approx(0.98) and row.name == stored
     assert not window.banner.isVisible()
 
 

@@ -67,8 +67,8 @@ def test_a_keypoint_that_a_glove_lacks_is_nan() -> None:
     hand = side("right")
     points, _ = posed(hand, 0.0, np.eye(3))
     names = hand.keypoint_names
-    kept = [i for i, n in enumerate(names) if n != "ring_tip"]
-    found = to_mediapipe(points[kept], [names[i] for i in kept])
+    present = [i for i, n in enumerate(names) if n != "ring_tip"]
+    found = to_mediapipe(points[present], [names[i] for i in present])
     assert np.isnan(found[16]).all() and np.isfinite(np.delete(found, 16, axis=0)).all()
 
 

@@ -24,7 +24,7 @@ for name in sorted(exported()):
 def fingerprints(blas: str, without: str = "") -> list[str]:
     """As a computer with these instructions has them: of BLAS, and ``without`` some of NumPy's."""
     computer = {"OPENBLAS_CORETYPE": blas, "NPY_DISABLE_CPU_FEATURES": without}
-    said = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", FINGERPRINTS],
         cwd=ROOT,
         env={**os.environ, "PYTHONPATH": str(ROOT), **computer},
@@ -32,7 +32,7 @@ def fingerprints(blas: str, without: str = "") -> list[str]:
         text=True,
         check=True,
     )
-    return said.stdout.splitlines()
+    return result.stdout.splitlines()
 
 
 def test_kernels_have_the_same_fingerprints_on_other_processors() -> None:

@@ -108,10 +108,10 @@ def turns_during(call):
     other.start()
     before = time.thread_time()
     call()
-    kept = time.thread_time() - before
+    held_s = time.thread_time() - before
     is_over.set()
     other.join()
-    return np.array([*turns, time.perf_counter()]), kept
+    return np.array([*turns, time.perf_counter()]), held_s
 
 
 def test_other_threads_run_meanwhile(compiled):
@@ -121,8 +121,8 @@ def test_other_threads_run_meanwhile(compiled):
 
 def test_other_threads_wait_where_it_keeps_the_lock(compiled):
     """Nobody has a turn for at least as long as it computed, however busy the machine is."""
-    turns, kept = turns_during(lambda: compiled.undisturbed(20_000_000))
-    assert np.diff(turns).max() > 0.9 * kept
+    turns, held_s = turns_during(lambda: compiled.undisturbed(20_000_000))
+    assert np.diff(turns).max() > 0.9 * held_s
 
 
 def test_what_is_pickled_is_made_once(compiled, monkeypatch):

@@ -78,7 +78,7 @@ def test_the_user_has_the_last_word() -> None:
     assert follower.profile is USERS  # these are followed from now on
 
 
-class Kept:
+class StoringRecorder:
     """A recorder that keeps what it is given."""
 
     def __init__(self) -> None:
@@ -100,7 +100,7 @@ def used_at(t: float) -> Any:
 def test_colours_that_someone_sets_are_recorded_once_they_stand() -> None:
     """A slider moves through many; the log, which its user reads, has none of them."""
     colours, vision, _, journal = made(None)
-    recorder = Kept()
+    recorder = StoringRecorder()
     journal.open(recorder)
     passed = dataclasses.replace(USERS, name="on the way")
     for t, profile in (
@@ -121,7 +121,7 @@ def test_colours_that_someone_sets_are_recorded_once_they_stand() -> None:
     (event,) = recorder.messages
     assert (event.kind, event.t, event.text) == (KIND, pytest.approx(10.2), "")
     assert parse_profile(str(event.data["colours"])).hues == USERS.hues
-    assert KIND not in [said.kind for said in journal.drain_events()]
+    assert KIND not in [journalled.kind for journalled in journal.drain_events()]
 
 
 def test_it_ends_when_images_do() -> None:

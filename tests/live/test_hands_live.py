@@ -93,9 +93,9 @@ def test_a_live_recording_of_both_is_tracked_again_to_the_same_bits(tmp_path, si
         was, again = (keypoints(file, side) for file in (path, tmp_path / "again.mcap"))
         assert len(was) > 150
         np.testing.assert_array_equal(was, again)
-    said = [e for e in live.journal.drain_events() if e.kind in ("guided", "tracking")]
-    assert said[-1].data == {"pose": "flat", "phase": "begin", "hand": "left"}
-    tracked = [e.notice.values["side"] for e in said if e.code == "tracking.side_tracked"]
+    events = [e for e in live.journal.drain_events() if e.kind in ("guided", "tracking")]
+    assert events[-1].data == {"pose": "flat", "phase": "begin", "hand": "left"}
+    tracked = [e.notice.values["side"] for e in events if e.code == "tracking.side_tracked"]
     assert set(tracked) == {"left", "right"}
 
 

@@ -65,16 +65,16 @@ def test_impossible_plans_are_refused_in_words(folder: Path, tmp_path: Path) -> 
 def test_processes_give_what_one_run_gives(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    out, told = tmp_path / "out", tmp_path / "report.json"
-    words = ["track", str(folder), "-o", str(out), "--jobs", "2", "--json", str(told)]
+    out, report = tmp_path / "out", tmp_path / "report.json"
+    words = ["track", str(folder), "-o", str(out), "--jobs", "2", "--json", str(report)]
     assert main(words) == 1, "one of the three is no session"
-    said = capsys.readouterr()
-    assert "1 of 3 sessions could not be tracked" in said.err
-    rows = {line.split()[0]: line for line in said.out.splitlines()[1:]}
+    output = capsys.readouterr()
+    assert "1 of 3 sessions could not be tracked" in output.err
+    rows = {line.split()[0]: line for line in output.out.splitlines()[1:]}
     assert "100.0 %" not in rows[str(folder / "c.mcap")]
     assert "c.mcap is not an MCAP file" in rows[str(folder / "c.mcap")]
     assert " mm" in rows[str(folder / "monday" / "b.mcap")]
-    sessions = json.loads(told.read_text())["sessions"]
+    sessions = json.loads(report.read_text())["sessions"]
     assert ["error" in s for s in sessions] == [False, True, False]
     track(folder / "monday" / "b.mcap", tmp_path / "alone.mcap")
     assert compare(out / "monday" / "b.mcap", tmp_path / "alone.mcap")["identical"]
@@ -116,7 +116,7 @@ def test_a_cluster_that_is_not_there_is_told_in_words(monkeypatch: pytest.Monkey
 def test_a_folder_is_verified_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["verify", str(folder), "--json", "-"]) == 1
     found = json.loads(capsys.readouterr().out)
-    ok = {Path(name).name: said["ok"] for name, said in found["files"].items()}
+    ok = {Path(name).name: output["ok"] for name, output in found["files"].items()}
     assert ok == {"a.mcap": True, "b.mcap": True, "c.mcap": False} and not found["ok"]
     assert main(["verify", str(folder / "a.mcap"), str(folder / "monday")]) == 0
     assert "b.mcap is intact." in capsys.readouterr().out

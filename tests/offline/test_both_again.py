@@ -113,9 +113,9 @@ def test_replaced_files_are_of_the_side_that_they_say(session: Path, tmp_path: P
 
 
 def test_a_rulers_length_is_of_both(session: Path, plain: Plain, tmp_path: Path) -> None:
-    told = track(session, tmp_path / "b.mcap", TrackOptions(hand_length=0.19))
+    measured = track(session, tmp_path / "b.mcap", TrackOptions(hand_length=0.19))
     for side in SIDES:
-        assert told.hands[side].error_mm != plain.report.hands[side].error_mm
+        assert measured.hands[side].error_mm != plain.report.hands[side].error_mm
 
 
 def test_a_session_of_one_hand_takes_one_file(tmp_path: Path) -> None:

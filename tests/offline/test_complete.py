@@ -45,11 +45,11 @@ def test_a_moving_camera_has_a_transform_per_frame(
     track(head, out, TrackOptions(with_sensors=with_sensors))
     with SessionReader(head) as reader:
         frames = {reader.anchor.wall(m.t): m for m in reader.messages((BlobFrame,))}
-    told = camera_transforms(out, "/tf")
-    assert told.keys() == frames.keys()
+    found_transforms = camera_transforms(out, "/tf")
+    assert found_transforms.keys() == frames.keys()
     for stamp, frame in frames.items():
         if frame.pose is not None:
-            assert np.array_equal(told[stamp], frame.pose.p_GC)
+            assert np.array_equal(found_transforms[stamp], frame.pose.p_GC)
     static = camera_transforms(out, "/tf_static")
     assert bool(static) == (with_sensors and head.stem == "head-imu")
     with SessionReader(out) as reader:
@@ -66,15 +66,15 @@ def test_status_is_told_every_second(head: Path, tmp_path: Path) -> None:
     track(head, out)
     with SessionReader(head) as reader:
         packets = [reader.anchor.wall(m.t) for m in reader.messages((ImuSample,))]
-    stamps, said = [], []
+    stamps, diagnostics = [], []
     with AnyReader([out], default_typestore=typestore()) as bag:
         for connection, _, raw in bag.messages():
             if connection.topic == "/tracker/status":
                 message = bag.deserialize(raw, connection.msgtype)
                 stamps.append(message.header.stamp.sec * 10**9 + message.header.stamp.nanosec)
-                said.append({v.key: float(v.value) for v in message.status[0].values})
+                diagnostics.append({v.key: float(v.value) for v in message.status[0].values})
                 assert message.status[0].name == "tracker"
     assert np.diff([packets[0], *stamps, packets[-1]]).max() <= 10**9
-    assert said[-1]["imu_rate_hz"] == pytest.approx(100, abs=2)
-    assert said[-1]["frame_rate_hz"] == pytest.approx(30, abs=2)
-    assert said[-1]["imu_lost"] == 0 and said[-1]["latency_imu_ms"] > 0
+    assert diagnostics[-1]["imu_rate_hz"] == pytest.approx(100, abs=2)
+    assert diagnostics[-1]["frame_rate_hz"] == pytest.approx(30, abs=2)
+    assert diagnostics[-1]["imu_lost"] == 0 and diagnostics[-1]["latency_imu_ms"] > 0

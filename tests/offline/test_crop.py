@@ -99,8 +99,8 @@ def test_the_command_crops_and_replaces_nothing_unasked(tracked, tmp_path, capsy
     out = tmp_path / "part.mcap"
     words = ["crop", str(tracked), "-o", str(out), "--start", "1", "--stop", "2"]
     assert main(words) == 0
-    said = capsys.readouterr().out  # the last message stands a little before the end
-    length = float(said.removeprefix(f"{out}: ").removesuffix(" s of tracked.mcap\n"))
+    output = capsys.readouterr().out  # the last message stands a little before the end
+    length = float(output.removeprefix(f"{out}: ").removesuffix(" s of tracked.mcap\n"))
     assert length == pytest.approx(1.0, abs=0.04)
     assert main(words) == 1
     assert "exists" in capsys.readouterr().err

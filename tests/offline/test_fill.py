@@ -107,9 +107,9 @@ def test_fingertips_without_a_sensor_say_so(cut: Path) -> None:
 def test_the_new_file_is_whole_and_differs_in_the_gaps_alone(cut: Path, filled: Path) -> None:
     assert is_ok(verify(filled))
     before, after = series(cut), series(filled)
-    kept = after.rows(np.flatnonzero(~in_gaps(filled, filled)))
+    outside = after.rows(np.flatnonzero(~in_gaps(filled, filled)))
     for name in ("stamp_ns", "keypoints", "q", "state", "sd", "angles", "angle_state", "segment_p"):
-        a, b = getattr(before, name), getattr(kept, name)
+        a, b = getattr(before, name), getattr(outside, name)
         assert np.array_equal(a, b, equal_nan=a.dtype.kind == "f"), name
     assert len(after) - len(before) == pytest.approx(100 * sum(b - a for a, b in CUTS), abs=4)
     assert not [gap for gap in session_gaps(filled) if gap.kind == HOLE]
@@ -170,9 +170,9 @@ def test_each_export_calls_it_interpolated(filled: Path, tmp_path: Path) -> None
         rows = list(csv.DictReader(file))
     for column in ("index_pip_state", "index_tip_state", "index_mcp_flexion_state"):
         assert sum(row[column] == "interpolated" for row in rows) == count, column
-    said = json.loads((tmp_path / "a.csv.json").read_text())
-    assert said["edits"][0]["who"] == "Ada"
-    share = said["certainty"]["index_pip"]["interpolated"]
+    data = json.loads((tmp_path / "a.csv.json").read_text())
+    assert data["edits"][0]["who"] == "Ada"
+    share = data["certainty"]["index_pip"]["interpolated"]
     assert share == pytest.approx(count / len(rows), abs=1e-5)
     points = ezc3d.c3d(str(tmp_path / "a.c3d"))
     column = points["parameters"]["POINT"]["LABELS"]["value"].index("index_pip")
@@ -240,8 +240,8 @@ def test_a_second_edit_joins_the_first(cut: Path, tmp_path: Path) -> None:
 def test_listed_gaps_alone_are_filled(cut: Path, tmp_path: Path) -> None:
     listed, out = tmp_path / "gaps.json", tmp_path / "one.mcap"
     assert main(["gaps", str(cut), "--json", str(listed)]) == 0
-    said = json.loads(listed.read_text())["gaps"]
-    one = [gap for gap in said if gap["kind"] == "hole"][:1]
+    data = json.loads(listed.read_text())["gaps"]
+    one = [gap for gap in data if gap["kind"] == "hole"][:1]
     listed.write_text(json.dumps({"gaps": one}))
     words = ["fill", str(cut), "-o", str(out), "--gaps", str(listed), "--max-gap", "1"]
     assert main([*words, "--by", "Ada"]) == 0

@@ -20,11 +20,11 @@ def test_a_dim_room_is_told(tmp_path, capsys):
     simulate(path, SimulateOptions(scene="desk", light="dim", seed=2, duration=1.5, fps=5))
     args = light(str(path), "--json", str(tmp_path / "light.json"))
     assert args.command.start(args) == 0
-    said = json.loads((tmp_path / "light.json").read_text())
-    assert said["images"] == 2
-    assert 0 < said["found"] <= said["markers"]
-    assert said["noise"] > 2.9
-    assert any("more light" in words for words in said["advice"])
+    data = json.loads((tmp_path / "light.json").read_text())
+    assert data["images"] == 2
+    assert 0 < data["found"] <= data["markers"]
+    assert data["noise"] > 2.9
+    assert any("more light" in words for words in data["advice"])
     assert "The image is noisy" in capsys.readouterr().out
 
 

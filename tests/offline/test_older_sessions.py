@@ -152,13 +152,13 @@ def test_angles_are_judged_wherever_the_truth_is_known(tmp_path: Path, capsys) -
     done = tmp_path / "a.json"
     words = ["track", str(tmp_path / "in.mcap"), "-o", str(tmp_path / "a.mcap")]
     assert main([*words, "--json", str(done)]) == 0
-    said = json.loads(done.read_text())
-    assert said["error_mm"]["mean"] > 0 and 0 < said["error_deg"] < 15
+    output = json.loads(done.read_text())
+    assert output["error_mm"]["mean"] > 0 and 0 < output["error_deg"] < 15
     assert "joint angle error" in capsys.readouterr().out
 
 
 def test_the_help_names_every_engine_and_what_becomes_of_settings(capsys) -> None:
     with pytest.raises(SystemExit):
         main(["track", "--help"])
-    said = capsys.readouterr().out
-    assert "inertial" in said and "--settings FILE|default" in said
+    output = capsys.readouterr().out
+    assert "inertial" in output and "--settings FILE|default" in output

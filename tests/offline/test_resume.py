@@ -114,28 +114,28 @@ def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
     """Half way it is calibrated anew, 5 cm to the side: nothing else than the rig says so."""
     sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, images=False))
     lateral = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
-    told, silent = tmp_path / "told.mcap", tmp_path / "silent.mcap"
-    for path in (told, silent):
+    changed, silent = tmp_path / "told.mcap", tmp_path / "silent.mcap"
+    for path in (changed, silent):
         with SessionRecorder(path, info) as recorder:
             for before, after in zip(sim.feed(), lateral.feed(), strict=False):
                 if before.t_arrival < 2.0:
                     recorder.write(before)
                     continue
-                if path == told and recorder.info.rig is info.rig:
+                if path == changed and recorder.info.rig is info.rig:
                     recorder.write_rig(lateral.rig, 2.0)
                 recorder.write(after)
                 if isinstance(after, ImuSample):
                     recorder.write_truth(truth_message(after.t, sim.truth(after.t), info))
-    with SessionReader(told) as reader:
+    with SessionReader(changed) as reader:
         ((t, rig),) = reader.rig_changes()
         assert t == pytest.approx(2.0) and np.array_equal(rig.pose.p_GC, lateral.rig.pose.p_GC)
-    right = track(told, tmp_path / "a.mcap", TrackOptions(with_sensors=True)).error_mm["mean"]
+    right = track(changed, tmp_path / "a.mcap", TrackOptions(with_sensors=True)).error_mm["mean"]
     wrong = track(silent, tmp_path / "b.mcap").error_mm["mean"]
     assert right < 6 and wrong > 20
     track(tmp_path / "a.mcap", tmp_path / "c.mcap")
     assert compare(tmp_path / "a.mcap", tmp_path / "c.mcap")["identical"]
     with pytest.raises(FileError, match="calibration"):
-        track(told, tmp_path / "d.mcap", TrackOptions(smooth=True))
+        track(changed, tmp_path / "d.mcap", TrackOptions(smooth=True))
 
 
 @pytest.fixture(scope="module")

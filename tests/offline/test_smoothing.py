@@ -47,7 +47,7 @@ def test_going_back_gives_the_least_squares_answer() -> None:
     wanted = [T @ every for T in to_x]
 
     # 2. A filter that leaves a tape, and the way back.
-    x, P, tape, kept = np.zeros(n), P0, [], []
+    x, P, tape, states = np.zeros(n), P0, [], []
     for k, (H, z) in enumerate(measured):
         if k:
             x, P = A @ x, A @ P @ A.T + Q
@@ -55,10 +55,10 @@ def test_going_back_gives_the_least_squares_answer() -> None:
         tape.append(Update(H, H @ P, H @ P @ H.T + R, z - H @ x))
         K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
         x, P = x + K @ (z - H @ x), P - K @ H @ P
-        kept.append((x, P))
+        states.append((x, P))
     adjoint = np.zeros(n)
     for k in reversed(range(4)):
-        x, P = kept[k]
+        x, P = states[k]
         assert np.allclose(x + P @ adjoint, wanted[k], atol=1e-12)
         adjoint = tape.pop().back(adjoint)
         if tape:

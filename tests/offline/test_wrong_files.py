@@ -52,6 +52,6 @@ def test_a_wrong_file_is_named_with_its_line(
     wrong.write_text("\n".join(lines))
     known = {"SESSION": str(session), "OUT": str(tmp_path / "out.mcap")}
     assert main([*(known.get(w, w) for w in words), option, str(wrong)]) == 1
-    said = capsys.readouterr().err
-    assert wrong.name in said and session.name not in said
-    assert f"line {k + 1}" in said
+    output = capsys.readouterr().err
+    assert wrong.name in output and session.name not in output
+    assert f"line {k + 1}" in output

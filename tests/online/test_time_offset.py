@@ -116,11 +116,11 @@ def test_nothing_is_known_of_a_still_hand(recording) -> None:
 class Known(TimeOffset):
     """An offset that is what the test says."""
 
-    said = Offset()
+    value = Offset()
 
     @property
     def estimate(self) -> Offset:
-        return self.said
+        return self.value
 
 
 def test_what_is_worth_it_is_taken_off_step_by_step(recording) -> None:
@@ -128,16 +128,21 @@ def test_what_is_worth_it_is_taken_off_step_by_step(recording) -> None:
     offset = Known(sim.hand, sim.glove, sim.rig)
     timing = FrameTiming(offset, TimingParams())
     frame, result = seen[0]
-    for said in (Offset(), Offset(0.004, 0.001), Offset(0.007, 0.0025), Offset(0.02, 0.005)):
-        offset.said = said
+    for value in (
+        Offset(),
+        Offset(0.004, 0.001),
+        Offset(0.007, 0.0025),
+        Offset(0.02, 0.005),
+    ):
+        offset.value = value
         assert timing.corrected(frame) is frame
-    offset.said = Offset(0.02, 0.001)
+    offset.value = Offset(0.02, 0.001)
     for k in range(1, 30):
         given = replace(frame, t=frame.t + k / 30)
         sent = timing.corrected(given)
         assert given.t - sent.t == pytest.approx(min(0.001 * k, 0.02))
         assert timing.restored(replace(result, t=sent.t)).t == given.t
-    offset.said = Offset(0.001, 0.001)
+    offset.value = Offset(0.001, 0.001)
     for _ in range(30):
         timing.corrected(given)
     assert timing.applied == 0.001

@@ -36,8 +36,8 @@ def test_a_library_that_nobody_knows_is_refused(tmp_path: Path) -> None:
     for name in ("libxcb-cursor.so.0", "libreadline.so.8", "libsecret.so.1"):
         (tmp_path / name).touch()
     known = {"libx": "GPL-2.0-only", "libxcb": "MIT", "libreadline": "GPL-3.0-or-later"}
-    told = licences.refused(licences.libraries(tmp_path, known))
-    assert told == [
+    refusals = licences.refused(licences.libraries(tmp_path, known))
+    assert refusals == [
         "libreadline.so.8: GPL-3.0-or-later",
         "libsecret.so.1: its licence is not known",
     ]

@@ -154,11 +154,11 @@ def test_every_command_of_a_page_runs(page: Path, ran: Callable[[str], None]) ->
 
 
 def test_commands_that_are_not_run_here_are_run_elsewhere() -> None:
-    told = {line for page in PAGES for line in commands(page)}
-    assert set(ELSEWHERE) <= told
+    documented = {line for page in PAGES for line in commands(page)}
+    assert set(ELSEWHERE) <= documented
     for name, words in ELSEWHERE.values():
         assert words in (ROOT / name).read_text("utf-8")
-    others = {line for line in told - set(ELSEWHERE) if not line.startswith("glovetrack")}
+    others = {line for line in documented - set(ELSEWHERE) if not line.startswith("glovetrack")}
     assert others == {
         'pip install ".[streams]"',
         'pip install "glovetrack[robot]"',
@@ -287,15 +287,15 @@ def test_shortcuts_are_the_windows() -> None:
     texts = [(root / name).read_text("utf-8") for name in files]
     known = {key for text in texts for key in re.findall(r'"([^"\n]{1,12})"', text)}
     known |= {key for text in texts for key in re.findall(r"Key_([A-Z])\b", text)}
-    told = {
+    documented = {
         key
         for page in PAGES
         for key in re.findall(
             r"`((?:Ctrl|Shift)\+\w+|F\d+|Space|[A-Z0-9])`", page.read_text("utf-8")
         )
     }
-    assert {"Ctrl+D", "Space"} <= told
-    assert told <= known
+    assert {"Ctrl+D", "Space"} <= documented
+    assert documented <= known
 
 
 def test_export_formats_are_all_told() -> None:

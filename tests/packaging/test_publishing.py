@@ -24,20 +24,20 @@ def project() -> dict[str, Any]:
 def test_addresses_version_and_words_agree() -> None:
     site = (ROOT / "mkdocs.yml").read_text("utf-8")
     citation = (ROOT / "CITATION.cff").read_text("utf-8")
-    said, declared = project(), project()["urls"]
+    project_data, declared = project(), project()["urls"]
     assert f"site_url: {declared['Documentation']}\n" in site
-    assert f"site_description: {said['description']}\n" in site
+    assert f"site_description: {project_data['description']}\n" in site
     for line in (
-        f"title: {said['name'].title()}",
-        f"abstract: {said['description']}",
-        f"  - name: {said['authors'][0]['name']}",
-        f"version: {said['version']}",
-        f"license: {said['license']}",
+        f"title: {project_data['name'].title()}",
+        f"abstract: {project_data['description']}",
+        f"  - name: {project_data['authors'][0]['name']}",
+        f"version: {project_data['version']}",
+        f"license: {project_data['license']}",
         f"url: {declared['Homepage']}",
     ):
         assert line in citation.splitlines()
     (words,) = re.findall(r"^keywords:\n((?:  - .+\n)+)", citation, re.MULTILINE)
-    assert [w.removeprefix("  - ") for w in words.splitlines()] == said["keywords"]
+    assert [w.removeprefix("  - ") for w in words.splitlines()] == project_data["keywords"]
 
 
 @pytest.fixture(scope="module")

@@ -22,9 +22,9 @@ def test_folders_that_differ_are_told_by_their_files(tmp_path: Path) -> None:
         (tmp_path / name / "same.txt").write_text("same")
         (tmp_path / name / "inside" / "other file.txt").write_text(text)
     (tmp_path / "a" / "alone.txt").write_text("")
-    said = compare(tmp_path / "a", tmp_path / "b")
-    assert said.returncode == 1
-    assert said.stdout.splitlines() == ["./alone.txt", "./inside/other file.txt"]
+    result = compare(tmp_path / "a", tmp_path / "b")
+    assert result.returncode == 1
+    assert result.stdout.splitlines() == ["./alone.txt", "./inside/other file.txt"]
 
 
 def test_equal_folders_and_files_are_told_so(tmp_path: Path) -> None:
@@ -32,7 +32,7 @@ def test_equal_folders_and_files_are_told_so(tmp_path: Path) -> None:
         (tmp_path / name).mkdir()
         (tmp_path / name / "file").write_bytes(b"same")
     for paths in ((tmp_path / "a", tmp_path / "b"), (tmp_path / "a/file", tmp_path / "b/file")):
-        said = compare(*paths)
-        assert (said.returncode, said.stdout) == (0, "Both are identical, byte for byte.\n")
+        result = compare(*paths)
+        assert (result.returncode, result.stdout) == (0, "Both are identical, byte for byte.\n")
     (tmp_path / "b" / "file").write_bytes(b"other")
     assert compare(tmp_path / "a/file", tmp_path / "b/file").returncode == 1

@@ -30,7 +30,7 @@ print(*(m.__file__ for m in sys.modules.values() if getattr(m, "__file__", None)
 
 @pytest.mark.skipif(sys.platform != "linux", reason="asks Linux what a process has loaded")
 def test_nothing_that_the_window_loads_is_taken_out() -> None:
-    said = subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-c", LOADED],
         cwd=ROOT,
         env={**os.environ, "PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": "offscreen"},
@@ -38,7 +38,7 @@ def test_nothing_that_the_window_loads_is_taken_out() -> None:
         text=True,
         check=True,
     )
-    of_vtk, mapped, modules = said.stdout.splitlines()
+    of_vtk, mapped, modules = result.stdout.splitlines()
     assert {name.removeprefix("vtkmodules.vtk") for name in of_vtk.split()} <= set(slim.VTK.split())
     files = {Path(name) for name in (*mapped.split("|"), *modules.split("|"))}
     loaded = {f for f in files if PACKAGES in f.parents}

@@ -35,7 +35,7 @@ class Scripted:
     gone: bool = False  # its cable is out
     out: bytes = b""
     truth: list[float] = field(default_factory=list)
-    heard: list[object] = field(default_factory=list)
+    received: list[object] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self.decoder, self.next, self.rng = FrameDecoder(), self.t, np.random.default_rng(3)
@@ -72,7 +72,7 @@ class Scripted:
 
     def write(self, data: bytes) -> int:
         for frame in self.decoder.feed(data):
-            self.heard.append(frame)
+            self.received.append(frame)
             if isinstance(frame, HelloRequest) and self.hello is not None:
                 self.put(self.hello)
             elif isinstance(frame, Rate) and self.obeys:

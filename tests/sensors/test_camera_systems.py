@@ -85,9 +85,9 @@ def test_none_plugged_in_is_no_error() -> None:
 def test_a_list_that_cannot_be_had_is_said_in_words(
     system: str, answers: System, words: str
 ) -> None:
-    with raises(DeviceError, "camera.not_listed") as said:
+    with raises(DeviceError, "camera.not_listed") as raised:
         list_cameras(system, answers)
-    assert words in str(said.value) and "number" in str(said.value)
+    assert words in str(raised.value) and "number" in str(raised.value)
 
 
 def test_without_a_list_plugins_are_still_offered_and_numbers_open(monkeypatch, caplog) -> None:

@@ -95,14 +95,14 @@ class PluggedIn(Camera):
     def __init__(self, stream: Stream, scene: VirtualCamera, rig: StereoRig) -> None:
         super().__init__(stream)
         self._scene, self._now = scene, 0.0
-        self.told: list[Event] = []
+        self.drained: list[Event] = []
         source = open_plugin("depth://1", CaptureFormat(1280, 720, 30.0))
         self._camera = StereoCamera(
             source, rig, CameraParams(delay=0.0), lambda: self._now, sleep=lambda _dt: None
         )
 
     def drain_events(self) -> Sequence[Event]:
-        self.told += (events := self._camera.drain_events())
+        self.drained += (events := self._camera.drain_events())
         return events
 
     def read(self, timeout: float) -> StereoFrame | None:

@@ -24,7 +24,7 @@ class FakePort:
     timeout: float | None = 0.1
 
     def __init__(self, data: bytes) -> None:
-        self.data, self.heard, self.t, self.closed = data, b"", 0.0, False
+        self.data, self.received, self.t, self.closed = data, b"", 0.0, False
 
     @property
     def in_waiting(self) -> int:
@@ -35,7 +35,7 @@ class FakePort:
         return self.data[:size]
 
     def write(self, data: bytes) -> int:
-        self.heard += data
+        self.received += data
         return len(data)
 
     def close(self) -> None:
@@ -51,8 +51,8 @@ def test_a_stranger_hears_nothing_but_the_request() -> None:
     report = ask(port)
     assert not report.is_glove
     assert report.trouble is not None and report.trouble.code == "port.not_glove"
-    assert port.heard.replace(b"\0" + encode(HelloRequest()), b"") == b""
-    assert port.heard.count(encode(HelloRequest())) == 4
+    assert port.received.replace(b"\0" + encode(HelloRequest()), b"") == b""
+    assert port.received.count(encode(HelloRequest())) == 4
     assert port.closed
 
 
@@ -79,8 +79,8 @@ class SlowGlove(FakePort):
     baudrate = 250_000
 
     def read(self, size: int) -> bytes:
-        said = super().read(size)
-        return said if self.baudrate == 115_200 else bytes(b ^ 0x5A for b in said)
+        data_read = super().read(size)
+        return data_read if self.baudrate == 115_200 else bytes(b ^ 0x5A for b in data_read)
 
     def write(self, data: bytes) -> int:
         return super().write(data) if self.baudrate == 115_200 else len(data)
@@ -138,20 +138,20 @@ def test_ports_are_listed_without_error() -> None:
     assert all(p.startswith("/dev/") for p in serial_ports())
 
 
-@pytest.mark.parametrize(("value", "told"), [("16\n", True), ("1\n", False), ("?", False)])
-def test_latency_timer(tmp_path: Path, value: str, told: bool) -> None:
+@pytest.mark.parametrize(("value", "is_warned"), [("16\n", True), ("1\n", False), ("?", False)])
+def test_latency_timer(tmp_path: Path, value: str, is_warned: bool) -> None:
     folder = tmp_path / "ttyUSB0"
     folder.mkdir()
     (folder / "latency_timer").write_text(value)
     advice = latency_advice("/dev/ttyUSB0", tmp_path, "linux")
-    assert (advice is not None) == told
+    assert (advice is not None) == is_warned
     if advice is not None:
         assert (advice.code, advice.values["latency_ms"]) == ("port.latency_linux", 16)
     assert latency_advice("/dev/ttyACM0", tmp_path, "linux") is None
 
 
-@pytest.mark.parametrize(("vid", "told"), [(0x0403, True), (0x1A86, False)])
-def test_windows_keeps_the_time_in_the_device_manager(vid: int, told: bool) -> None:
+@pytest.mark.parametrize(("vid", "is_warned"), [(0x0403, True), (0x1A86, False)])
+def test_windows_keeps_the_time_in_the_device_manager(vid: int, is_warned: bool) -> None:
     ports = [UsbPort("COM7", vid, 0x6001, "A1")]
     advice = latency_advice("COM7", system="win32", ports=lambda: ports)
-    assert advice == (warning("port.latency_windows", port="COM7") if told else None)
+    assert advice == (warning("port.latency_windows", port="COM7") if is_warned else None)

@@ -68,7 +68,7 @@ def test_another_rate_is_taken_while_packets_come_and_told_by_their_times() -> N
     run.link.want_rate(50)
     assert run.link.report().rate_asked_hz == 50
     run.go(3.0)
-    assert run.glove.heard[-1] == Rate(50) and run.glove.heard.count(Rate(50)) == 1
+    assert run.glove.received[-1] == Rate(50) and run.glove.received.count(Rate(50)) == 1
     assert run.link.report().rate_hz == pytest.approx(50.0, rel=0.01)
     assert run.notices == events, "a rate that was asked for is no news"
     steps = np.diff([s.t for s in run.samples[-50:]])
@@ -146,7 +146,7 @@ def test_a_glove_that_an_earlier_run_left_streaming_is_stopped_and_asked_again()
     assert len(run.samples) > 150 and run.link.state == LinkState.GREETING
     glove.hello = Hello(1, N)
     run.go(1.0)
-    assert any(isinstance(f, Stop) for f in glove.heard)
+    assert any(isinstance(f, Stop) for f in glove.received)
     assert run.link.hello == Hello(1, N) and run.link.state == LinkState.STREAMING
     assert run.samples[-1].valid.all()
     assert "glove.restarted" not in run.codes

@@ -140,9 +140,9 @@ def test_ports_are_listed_with_their_numbers() -> None:
 def test_complaints_are_words_of_the_system_at_hand(
     error: Exception, system: str, words: str
 ) -> None:
-    said = reason(error, system)
-    assert words in said
-    assert ("sudo" in said) == (system == "linux")
+    text = reason(error, system)
+    assert words in text
+    assert ("sudo" in text) == (system == "linux")
 
 
 def wait_for(slave: int, count: int) -> None:
@@ -205,11 +205,11 @@ def test_all_is_written_also_where_the_line_takes_a_part_of_it_at_once() -> None
     master, slave = pty.openpty()
     tty.setraw(slave)
     port = SerialPort(os.ttyname(slave), BAUD)
-    data, heard = bytes(range(256)) * 128, bytearray()
+    data, received = bytes(range(256)) * 128, bytearray()
 
     def listen() -> None:
-        while len(heard) < taken + len(data):
-            heard.extend(os.read(master, 4096))
+        while len(received) < taken + len(data):
+            received.extend(os.read(master, 4096))
 
     try:
         taken = os.write(port.fd, data)
@@ -218,7 +218,7 @@ def test_all_is_written_also_where_the_line_takes_a_part_of_it_at_once() -> None
         listener.start()
         assert port.write(data) == len(data)
         listener.join(10)
-        assert bytes(heard) == data[:taken] + data
+        assert bytes(received) == data[:taken] + data
     finally:
         port.close()
         os.close(slave)

@@ -122,8 +122,8 @@ def main() -> None:
         pipeline, t = tracked(sim, sample)
         path.write_bytes(pack(pipeline.settings.engine, pipeline.get_state()))
         shown = pipeline.predict(t + LATER)
-        said = {"t": shown.t, "keypoints_mm": (1000 * shown.keypoints).round(4).tolist()}
-        path.with_suffix(".json").write_text(json.dumps(said) + "\n")
+        data = {"t": shown.t, "keypoints_mm": (1000 * shown.keypoints).round(4).tolist()}
+        path.with_suffix(".json").write_text(json.dumps(data) + "\n")
 
 
 if __name__ == "__main__":

@@ -83,8 +83,8 @@ def inspect(path: Path, last: int) -> Kill:
     assert needs_recovery(path)
     with SessionReader(recover(path).path) as reader:
         found = [m.seq for m in reader.messages((ImuSample,)) if isinstance(m, ImuSample)]
-    kept = found[-1] if found else -1
-    return Kill(last + 1, (last - kept) * PERIOD_MS / 1000, kept + 1 - len(found))
+    last_found = found[-1] if found else -1
+    return Kill(last + 1, (last - last_found) * PERIOD_MS / 1000, last_found + 1 - len(found))
 
 
 def main() -> None:

@@ -59,21 +59,21 @@ def test_by_clock_what_the_computers_say_is_taken(takes: tuple[Path, Path]) -> N
 def test_what_was_aligned_is_kept_and_compared(
     takes: tuple[Path, Path], tmp_path: Path, capsys: pytest.CaptureFixture
 ) -> None:
-    kept, picture = tmp_path / "o.json", tmp_path / "o.png"
-    words = ["align", *map(str, takes), "-o", str(kept), "--figure", str(picture)]
+    alignment, picture = tmp_path / "o.json", tmp_path / "o.png"
+    words = ["align", *map(str, takes), "-o", str(alignment), "--figure", str(picture)]
     assert main(words) == 0
     assert "by movement, correlation" in capsys.readouterr().out
     assert cv2.imread(str(picture)) is not None
     assert main(words) == 1, "nothing is written over"
-    assert read_alignment(kept).clocks_differ_s == pytest.approx(-CLOCK, abs=0.005)
+    assert read_alignment(alignment).clocks_differ_s == pytest.approx(-CLOCK, abs=0.005)
     words = ["compare", *map(str, takes), "--json", "-"]
-    assert main([*words, "--align", str(kept)]) == 0
-    said = json.loads(capsys.readouterr().out)
-    assert said["compared"] > 400 and said["rms_deg"] < 0.5 and said["mean_mm"] < 1.0
+    assert main([*words, "--align", str(alignment)]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["compared"] > 400 and data["rms_deg"] < 0.5 and data["mean_mm"] < 1.0
     assert compare(*takes)["rms_deg"] > 5, "by their own clocks they do not fit"
-    kept.write_text('{"offset_s": "x"}')
+    alignment.write_text('{"offset_s": "x"}')
     with raises(FileError, "align.not_alignment"):
-        read_alignment(kept)
+        read_alignment(alignment)
 
 
 def swings(seed: int, n: int, start: float = 0.0) -> SpeedCourse:

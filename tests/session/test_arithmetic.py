@@ -49,14 +49,14 @@ def test_compare_tells_of_another_arithmetic(
     ours = record(tmp_path / "ours.mcap", estimates)
     other = replace(session_info, arithmetic="processor abacus")
     moved = [replace(e, keypoints=e.keypoints + 1e-12) for e in estimates]
-    for name, said in (("theirs", moved), ("alike", estimates)):
+    for name, content in (("theirs", moved), ("alike", estimates)):
         path = tmp_path / f"{name}.mcap"
         with SessionRecorder(path, other, RecorderParams(sync=False)) as recorder:
-            for e in said:
+            for e in content:
                 recorder.write(e)
     assert main(["compare", str(ours), str(tmp_path / "theirs.mcap")]) == 0
-    told = capsys.readouterr().out
-    assert "not identical" in told and "different arithmetic" in told
-    assert arithmetic() in told and "processor abacus" in told
+    output = capsys.readouterr().out
+    assert "not identical" in output and "different arithmetic" in output
+    assert arithmetic() in output and "processor abacus" in output
     main(["compare", str(ours), str(tmp_path / "alike.mcap")])
     assert "arithmetic" not in capsys.readouterr().out

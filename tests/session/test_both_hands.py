@@ -112,20 +112,20 @@ def test_a_format_of_one_hand_gives_a_file_for_each(tracked: Path, tmp_path: Pat
     rows = {}
     for side in ("left", "right"):
         path = tmp_path / f"out_{side}.csv"
-        said = json.loads((tmp_path / f"out_{side}.csv.json").read_text())
-        assert said["glove"].endswith("left") == (side == "left")
+        data = json.loads((tmp_path / f"out_{side}.csv.json").read_text())
+        assert data["glove"].endswith("left") == (side == "left")
         with path.open() as file:
             rows[side] = sum(1 for _ in csv.reader(line for line in file if line[0] != "#"))
     assert rows["left"] > 100 and rows["right"] > 100
 
 
 def test_a_report_tells_of_each_hand(tracked: Path) -> None:
-    told = measure_hands(tracked)
-    assert [(one.side, one.name) for one in told] == [
+    measures = measure_hands(tracked)
+    assert [(one.side, one.name) for one in measures] == [
         ("left", "tracked left"),
         ("right", "tracked right"),
     ]
-    bends = [one.row("index_mcp_flexion") for one in told]
+    bends = [one.row("index_mcp_flexion") for one in measures]
     assert bends[0] is not None and bends[1] is not None
     assert bends[0].measure.greatest != bends[1].measure.greatest
 

@@ -58,10 +58,10 @@ def test_a_session_with_one_damaged_image_is_tracked_without_it(
     images: Path, tmp_path: Path, spoil: Spoil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = spoilt(images, tmp_path / "a.mcap", [RIGHT], spoil, nth=20)
-    out, said = tmp_path / "b.mcap", tmp_path / "track.json"
-    assert main(["track", str(path), "-o", str(out), "--json", str(said)]) == 0
+    out, report = tmp_path / "b.mcap", tmp_path / "track.json"
+    assert main(["track", str(path), "-o", str(out), "--json", str(report)]) == 0
     assert f"a.mcap were ignored: 1 on {RIGHT}" in capsys.readouterr().err
-    assert json.loads(said.read_text())["left_out"] == {RIGHT: 1}
+    assert json.loads(report.read_text())["left_out"] == {RIGHT: 1}
     with SessionReader(out) as tracked, SessionReader(path) as reader:
         assert sum(1 for _ in tracked.messages((Estimate,))) > 280
         frames = [m for m in reader.messages((StereoFrame,)) if isinstance(m, StereoFrame)]

@@ -108,9 +108,9 @@ def test_every_flipped_bit_is_noticed(simulated: tuple[Simulation, Messages]) ->
             unpack(bytes(spoilt))
 
 
-def forged(said: object, blob: bytes = b"", size: int | None = None) -> bytes:
+def forged(header: object, blob: bytes = b"", size: int | None = None) -> bytes:
     """Bytes with a correct checksum around anything."""
-    text = json.dumps(said).encode()
+    text = json.dumps(header).encode()
     raw = struct.pack("<I", len(text)) + text + blob
     packed = struct.pack("<Q", len(raw) if size is None else size)
     packed += zstandard.ZstdCompressor().compress(raw)
@@ -135,9 +135,9 @@ def forged(said: object, blob: bytes = b"", size: int | None = None) -> bytes:
     ],
 )
 def test_forged_states_are_refused(state: object) -> None:
-    said = {"engine": "chain", "arrays": [["float64", [1]]], "state": state}
+    header = {"engine": "chain", "arrays": [["float64", [1]]], "state": state}
     with raises(FileError, "session.state_invalid"):
-        unpack(forged(said, bytes(8)))
+        unpack(forged(header, bytes(8)))
 
 
 @pytest.mark.parametrize(
@@ -208,13 +208,13 @@ def test_a_filter_without_images_goes_on_from_its_bytes(
 def test_a_state_of_another_day_is_still_read(sample: str) -> None:
     """If this fails, a record or a field has lost its name: see `tracker.base.records`."""
     path = DATA / f"engine_state_{sample}.bin"
-    said = json.loads(path.with_suffix(".json").read_text())
+    header = json.loads(path.with_suffix(".json").read_text())
     engine, state = unpack(path.read_bytes())
     pipeline = untouched(simulation(), sample)
     assert engine == pipeline.settings.engine and mismatch(state, pipeline.get_state()) is None
     pipeline.set_state(state)
-    shown = pipeline.predict(said["t"])
-    away = 1000 * shown.keypoints - np.array(said["keypoints_mm"])
+    shown = pipeline.predict(header["t"])
+    away = 1000 * shown.keypoints - np.array(header["keypoints_mm"])
     assert np.abs(away).max() < 0.01, "mm, for other machines' last digits and rounding"
 
 

@@ -120,9 +120,9 @@ def test_nothing_tells_who_it_was_or_when(tmp_path: Path, maker, session_info) -
     for form in sorted(set(FORMATS.names()) - {"mp4", "png", "mcap", "imu.csv", "imu.parquet"}):
         out = tmp_path / f"o.{form}"
         report = export(recorder.path, form, out, ExportOptions(anonymous=everyone))
-        said = (tmp_path / f"o.{form}.json").read_text()
+        text = (tmp_path / f"o.{form}.json").read_text()
         for secret in ("P-07", "P 07", "ä note", session_info.hand.name, "17600000"):
-            assert secret not in said.replace(report["source_sha256"], ""), (form, secret)
+            assert secret not in text.replace(report["source_sha256"], ""), (form, secret)
         for secret in ("P-07", "P 07", session_info.hand.name):
             files = [f for f in out.rglob("*") if f.is_file()] if out.is_dir() else [out]
             assert not any(secret.encode() in f.read_bytes() for f in files), (form, secret)

@@ -61,8 +61,10 @@ def test_parquet_in_pyarrow(tracked, tmp_path: Path, session_info) -> None:
     assert table["wrist_z"][4].as_py() == estimates[4].keypoints[0, 2]
     assert table[f"{name}_state"][8].as_py() == "lost"
     assert table["wrist_qw"][4].as_py() == estimates[4].keypoint_q[0, 3]
-    told = table.schema.metadata
-    assert told[b"axes"] == b"x forward, y left, z up" and told[b"length_unit"] == b"m"
+    column_info = table.schema.metadata
+    assert (
+        column_info[b"axes"] == b"x forward, y left, z up" and column_info[b"length_unit"] == b"m"
+    )
 
 
 def test_hdf5_in_h5py(tracked, tmp_path: Path) -> None:

@@ -125,9 +125,9 @@ def test_names_that_lead_elsewhere_are_refused_by_line(session_info, name: str, 
     line = session_info.glove_text.count("\n") + (2 if where == "keypoint" else 3)
     with pytest.raises(FileError) as caught:
         parse_glove(session_info.glove_text + more, session_info.hand, "g.toml")
-    said = str(caught.value)
-    assert f"g.toml, line {line}: {where}" in said
-    assert len(said) < 600 and said.isprintable()
+    output = str(caught.value)
+    assert f"g.toml, line {line}: {where}" in output
+    assert len(output) < 600 and output.isprintable()
 
 
 @pytest.mark.parametrize("wall", [str(2**63 - 1), "1" * 30, "-1", str(2**31 * 10**9)])
@@ -153,8 +153,8 @@ def test_an_impossible_clock_is_told_and_leaves_nothing(
     out.finish()
     before = sorted(tmp_path.iterdir())
     status = main(["track", str(path), "-o", str(tmp_path / "out.mcap")])
-    said = capsys.readouterr().err
-    assert status == 1 and "impossible start time" in said
+    output = capsys.readouterr().err
+    assert status == 1 and "impossible start time" in output
     assert sorted(tmp_path.iterdir()) == before
     assert not is_ok(verify(path))
 
@@ -194,8 +194,8 @@ def test_what_a_file_says_does_not_steer_the_terminal(
     tmp_path: Path, session_info, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = McapOutput(tmp_path / "a.mcap", sync=False)
-    said = {"engine": "\x1b]0;owned\x07\x1b[2Jchain", "version": "1\r\n2\x9b31m\u202e"}
-    out.metadata("glovetrack", {**session_info.metadata(), **said})
+    output = {"engine": "\x1b]0;owned\x07\x1b[2Jchain", "version": "1\r\n2\x9b31m\u202e"}
+    out.metadata("glovetrack", {**session_info.metadata(), **output})
     out.channel("/evil\x1b[2J\n/topic", "std_msgs/msg/String")
     out.finish()
     for words in ("info", "verify"):

@@ -29,15 +29,15 @@ def driven(of: float, late: float) -> RobotState:
 
 @pytest.fixture
 def session(tmp_path: Path, record: Callable[..., Path]) -> Path:
-    told: list[Message] = [MODEL, Event(at(0), "note", "no latency", {})]
+    recorded: list[Message] = [MODEL, Event(at(0), "note", "no latency", {})]
     for k in range(1, 100):
-        told += [motor(10.0 * k, 5.0), driven(10.0 * k, 8.0)]
-    told += [
+        recorded += [motor(10.0 * k, 5.0), driven(10.0 * k, 8.0)]
+    recorded += [
         motor(1000.0, 25.0),
         driven(1000.0, 30.0),
         state(1050.0, 1),
     ]  # the last: driven offline
-    return record(tmp_path / "late.mcap", told)
+    return record(tmp_path / "late.mcap", recorded)
 
 
 def test_a_session_tells_how_late_motors_and_robots_were_told(session: Path) -> None:

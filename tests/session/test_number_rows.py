@@ -46,7 +46,7 @@ def test_columns_are_those_of_estimates_to_the_last_bit(
 
 def test_joints_are_found_among_zeros_and_under_changing_names() -> None:
     """Eight bytes of zero stand in a message in more places than one."""
-    told = [
+    rows_in = [
         (("a",), [0.0]),
         (("a",), [1.5]),
         (("a", "longer"), [2.5, 0.0]),
@@ -55,7 +55,7 @@ def test_joints_are_found_among_zeros_and_under_changing_names() -> None:
         (("a",), [-1.0]),
     ]
     rows = NumberRows(8)
-    for k, (names, values) in enumerate(told):
+    for k, (names, values) in enumerate(rows_in):
         rows.feed_joints(motion.pack_joints(motion.JointState(k, names, np.array(values))))
     stamps, values = rows.by_name(("a", "longer"))
     assert stamps.tolist() == [0, 1, 2, 3, 4, 5]

@@ -25,16 +25,16 @@ def test_its_links_stand_where_the_sessions_frames_do(
     R, p = hand.forward(angles, so3.exp(rng.normal(size=3)), rng.normal(size=3))
     path = record(tmp_path / "a.mcap", [replace(maker.estimate(0.0), angles=angles,
                                                 segment_R=R, segment_p=p)])  # fmt: skip
-    said = {m.channel.topic: m.ros_msg for m in read_ros2_messages(path)}
+    messages = {m.channel.topic: m.ros_msg for m in read_ros2_messages(path)}
     text = tmp_path / "hand.urdf"
-    text.write_text(said["/robot_description"].data)
+    text.write_text(messages["/robot_description"].data)
     robot = yourdfpy.URDF.load(str(text), build_scene_graph=True, load_meshes=False)
-    joints = said["/hand/right/joint_states"]
-    told = dict(zip(joints.name, joints.position, strict=True))
-    assert set(told) <= set(robot.actuated_joint_names)
-    robot.update_cfg([told.get(name, 0.0) for name in robot.actuated_joint_names])
+    joints = messages["/hand/right/joint_states"]
+    positions = dict(zip(joints.name, joints.position, strict=True))
+    assert set(positions) <= set(robot.actuated_joint_names)
+    robot.update_cfg([positions.get(name, 0.0) for name in robot.actuated_joint_names])
     root = hand.segments[hand.root].name
-    frames = {t.child_frame_id: t.transform for t in said["/tf"].transforms}
+    frames = {t.child_frame_id: t.transform for t in messages["/tf"].transforms}
     assert set(frames) <= set(robot.link_map)
     base = robot.get_transform(f"right_{root}")
     for i, segment in enumerate(hand.segments):

@@ -32,8 +32,8 @@ def state(ms: float, seed: int) -> RobotState:
 
 def recorded(tmp_path: Path, record: Callable[..., Path]) -> Path:
     memory = RobotMemory(at(20), "claw_left", np.arange(9.0))
-    told = [MODEL, *(state(10.0 * k, k) for k in range(1, 6)), memory, MODEL]
-    return record(tmp_path / "s.mcap", told)
+    written = [MODEL, *(state(10.0 * k, k) for k in range(1, 6)), memory, MODEL]
+    return record(tmp_path / "s.mcap", written)
 
 
 def test_a_robot_is_read_back_to_the_last_bit(tmp_path: Path, record: Callable[..., Path]) -> None:
@@ -59,10 +59,10 @@ def test_another_reader_finds_joint_states_as_ros_has_them(
     topics = ["/robot/claw_left/joint_states", "/robot/claw_left/robot_description"]
     with path.open("rb") as file:
         found = make_reader(file, decoder_factories=[DecoderFactory()])
-        said = {c.topic: m for _, c, _, m in found.iter_decoded_messages(topics=topics)}
-    assert list(said[topics[0]].name) == ["a", "b"]
-    assert list(said[topics[0]].position) == list(state(50, 5).joints)
-    assert said[topics[1]].data == "<robot/>"
+        content = {c.topic: m for _, c, _, m in found.iter_decoded_messages(topics=topics)}
+    assert list(content[topics[0]].name) == ["a", "b"]
+    assert list(content[topics[0]].position) == list(state(50, 5).joints)
+    assert content[topics[1]].data == "<robot/>"
 
 
 def test_a_state_before_it_is_said_what_the_robot_is_has_no_names_and_is_left_out(
@@ -87,11 +87,11 @@ def test_a_part_of_a_session_still_says_what_its_robot_is(
     assert found == [at(30), at(40), at(50)]
 
 
-@pytest.mark.parametrize("said", ["[" * 100_000, "{", "[1]", '{"joints": 3}'])
+@pytest.mark.parametrize("content", ["[" * 100_000, "{", "[1]", '{"joints": 3}'])
 def test_what_is_said_of_a_robot_may_be_damaged_and_is_told_in_words(
-    tmp_path: Path, record: Callable[..., Path], said: str, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, record: Callable[..., Path], content: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tracker.session.encode_robot.json.dumps", lambda _said: said)
+    monkeypatch.setattr("tracker.session.encode_robot.json.dumps", lambda _said: content)
     path = record(tmp_path / "s.mcap", [MODEL, state(10, 1)])
     with SessionReader(path) as reader, pytest.raises(FileError):
         robot_model(reader, "claw_left")

@@ -16,34 +16,34 @@ def every(period: float, *spans: tuple[float, float]) -> list[int]:
 
 
 def test_a_glove_that_was_away_for_five_seconds_was_silent_for_five():
-    heard = {
+    times = {
         GLOVE: every(0.01, (0, 4), (9, 20)),
         topics.image("left"): every(1 / 30, (0, 20)),
         topics.STATUS: every(1.0, (0, 20)),
     }
-    assert silences(heard, (0, 20 * S)) == {"/glove/right": pytest.approx(5.0, abs=0.02)}
+    assert silences(times, (0, 20 * S)) == {"/glove/right": pytest.approx(5.0, abs=0.02)}
 
 
 def test_silence_at_the_ends_counts():
-    heard = {topics.blobs("left"): every(1 / 30, (2, 8)), topics.STATUS: every(1.0, (0, 12))}
-    assert silences(heard, (0, 12 * S)) == {"/camera": pytest.approx(2 + 4, abs=0.05)}
+    times = {topics.blobs("left"): every(1 / 30, (2, 8)), topics.STATUS: every(1.0, (0, 12))}
+    assert silences(times, (0, 12 * S)) == {"/camera": pytest.approx(2 + 4, abs=0.05)}
 
 
 def test_a_recording_that_was_held_back_is_not_silent():
     held_back = ((0, 4), (12, 20))
-    heard = {name: every(0.01, *held_back) for name in (GLOVE, topics.image("left"))}
-    heard[topics.STATUS] = every(1.0, *held_back)
-    assert silences(heard, (0, 20 * S)) == {}
+    times = {name: every(0.01, *held_back) for name in (GLOVE, topics.image("left"))}
+    times[topics.STATUS] = every(1.0, *held_back)
+    assert silences(times, (0, 20 * S)) == {}
 
 
 def test_one_imu_or_one_of_two_images_alone_makes_no_silence():
-    heard = {
+    times = {
         GLOVE: every(0.01, (0, 3)),
         topics.imu("right", "thumb_proximal"): every(0.01, (0, 10)),
         topics.image("left"): every(1 / 30, (0, 10)),
         topics.blobs("left"): every(1 / 30, (0, 2)),
     }
-    assert silences(heard, (0, 10 * S)) == {}
+    assert silences(times, (0, 10 * S)) == {}
 
 
 def test_what_is_no_device_of_the_session_is_not_silent():

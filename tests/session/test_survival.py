@@ -229,10 +229,10 @@ def test_overload_costs_images_and_nothing_else(tmp_path: Path, session_info, ma
 def test_verify_finds_gaps_jumps_and_missing_topics(tmp_path: Path, record: Record, maker) -> None:
     messages = [maker.imu(10.0 * k + (800 if k > 60 else 0), k, missing=1) for k in range(120)]
     found = verify(record(tmp_path / "a.mcap", messages))
-    said = " ".join(f"{f.where} {f.what}" for f in found)
-    assert "gaps, the longest 0.810 s" in said
-    assert "no message of this IMU" in said
-    assert "neither images nor blobs" in said
+    findings = " ".join(f"{f.where} {f.what}" for f in found)
+    assert "gaps, the longest 0.810 s" in findings
+    assert "no message of this IMU" in findings
+    assert "neither images nor blobs" in findings
     assert is_ok(found)
 
 

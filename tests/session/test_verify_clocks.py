@@ -75,8 +75,8 @@ def of_one_imu(path: Path) -> list[str]:
 
 
 def test_a_starved_host_is_not_called_a_clock_that_jumps(session: Path, tmp_path: Path) -> None:
-    (said,) = of_one_imu(changed(session, tmp_path / "b.mcap", held_back(2.0, 3.2)))
-    assert said == "messages arrived up to 1.2 s late, once: the computer was overloaded"
+    (finding,) = of_one_imu(changed(session, tmp_path / "b.mcap", held_back(2.0, 3.2)))
+    assert finding == "messages arrived up to 1.2 s late, once: the computer was overloaded"
 
 
 def test_a_delay_that_ends_at_once_is_no_jump_of_the_clock(session: Path, tmp_path: Path) -> None:
@@ -87,8 +87,8 @@ def test_a_delay_that_ends_at_once_is_no_jump_of_the_clock(session: Path, tmp_pa
             return m._replace(log_time=m.log_time + NS)
         return None if 2.05 <= t / NS < 3.08 else m
 
-    (said,) = of_one_imu(changed(session, tmp_path / "b.mcap", change))
-    assert said.startswith("messages arrived up to 1.0 s late")
+    (finding,) = of_one_imu(changed(session, tmp_path / "b.mcap", change))
+    assert finding.startswith("messages arrived up to 1.0 s late")
 
 
 @pytest.mark.parametrize(
@@ -103,6 +103,6 @@ def test_a_delay_that_ends_at_once_is_no_jump_of_the_clock(session: Path, tmp_pa
 def test_a_clock_that_jumps_is_reported(
     session: Path, tmp_path: Path, change: Change, jumps: str
 ) -> None:
-    said = of_one_imu(changed(session, tmp_path / "b.mcap", change))
-    assert f"the clock jumps {jumps}" in said
-    assert not any("late" in what for what in said)
+    finding = of_one_imu(changed(session, tmp_path / "b.mcap", change))
+    assert f"the clock jumps {jumps}" in finding
+    assert not any("late" in what for what in finding)

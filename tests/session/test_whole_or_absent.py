@@ -136,10 +136,10 @@ def test_a_signal_leaves_nothing_that_blocks(tmp_path: Path, number: signal.Sign
         time.sleep(0.05)
     time.sleep(0.3)
     running.send_signal(number)
-    _, said = running.communicate(timeout=60)
+    _, errors = running.communicate(timeout=60)
     assert not out.exists()
     if number != signal.SIGKILL:
-        assert (running.returncode, said) == (1, b"glovetrack: stopped\n")
+        assert (running.returncode, errors) == (1, b"glovetrack: stopped\n")
         assert list(tmp_path.iterdir()) == []
     assert main([*words, "1"]) == 0
     assert list(tmp_path.iterdir()) == [out]

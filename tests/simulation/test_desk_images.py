@@ -51,9 +51,9 @@ def test_own_images_are_as_hard_as_photographs(light: str, data_folder: Path) ->
     ours = [desk_scores.score(desk_scores.simulated(light, s, TIMES, surface)) for s in SEEDS]
     missed = 1 - float(np.mean([s.recall for s in ours]))
     false = float(np.mean([s.false_blobs for s in ours]))
-    told = f"photographs: {theirs}; ours: " + "; ".join(map(str, ours))
-    assert abs(missed - (1 - theirs.recall)) < THIRD * (1 - theirs.recall) + 0.015, told
-    assert abs(false - theirs.false_blobs) < THIRD * theirs.false_blobs, told
+    detail = f"photographs: {theirs}; ours: " + "; ".join(map(str, ours))
+    assert abs(missed - (1 - theirs.recall)) < THIRD * (1 - theirs.recall) + 0.015, detail
+    assert abs(false - theirs.false_blobs) < THIRD * theirs.false_blobs, detail
 
 
 def test_images_are_reproducible_and_every_one_has_its_own_noise(

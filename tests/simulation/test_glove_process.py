@@ -29,7 +29,7 @@ def worn() -> Iterator[GloveProcess]:
     process.close()
 
 
-def heard(link: GloveLink, until: Callable[[list[ImuSample | Event]], bool]) -> list:
+def received(link: GloveLink, until: Callable[[list[ImuSample | Event]], bool]) -> list:
     """All that the link gives until something holds of it."""
     found: list[ImuSample | Event] = []
     deadline = time.monotonic() + START
@@ -46,7 +46,7 @@ def test_what_is_heard_is_the_wearers_own_motion_and_the_cable_is_pulled_at_the_
     assert list(paths) == ["right"]
     link = GloveLink(serial_port(paths["right"]), 7)
     worn.begin(time.monotonic() + 0.1)
-    found = heard(link, lambda got: sum(isinstance(x, ImuSample) for x in got) > 20)
+    found = received(link, lambda got: sum(isinstance(x, ImuSample) for x in got) > 20)
     assert link.hello is not None and link.hello.glove_id == 1
     got = [x for x in found if isinstance(x, ImuSample)]
     # packets that were made before anybody listened are gone, so it is told which by their times
@@ -57,8 +57,8 @@ def test_what_is_heard_is_the_wearers_own_motion_and_the_cable_is_pulled_at_the_
     for sample, row in zip(got, rows, strict=True):
         assert sample.gyro == pytest.approx(true[row].gyro, abs=0.51 * LSB_GYRO)
     worn.close()
-    said = heard(link, lambda got: any(isinstance(x, Event) for x in got))
-    assert "glove.unplugged" in [x.code for x in said if isinstance(x, Event)]
+    arrived = received(link, lambda got: any(isinstance(x, Event) for x in got))
+    assert "glove.unplugged" in [x.code for x in arrived if isinstance(x, Event)]
     link.close()
 
 

@@ -100,10 +100,10 @@ def test_the_rig_tells_where_its_devices_are_and_what_a_ruler_would_say(
     monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
     monkeypatch.setattr("sys.stdin", None)
     assert main(["rig", str(tmp_path), "--hands", "both", "--duration", "0.2"]) == 0
-    told = capsys.readouterr().out
+    output = capsys.readouterr().out
     for side in GLOVE_IDS:
-        assert str(tmp_path / f"glove_{side}") in told
-        (length_mm,) = re.findall(rf"{side} hand +(\d+) mm", told)
+        assert str(tmp_path / f"glove_{side}") in output
+        (length_mm,) = re.findall(rf"{side} hand +(\d+) mm", output)
         nominal_mm = 1000 * library.load(GLOVES[side])[0].length
         assert abs(int(length_mm) / nominal_mm - 1) < 0.12  # people: 5 %, at most 10
 

@@ -24,10 +24,10 @@ def test_reported_pose_errs_as_asked() -> None:
     shifts, turns = [], []
     for seed in range(100):
         head = Head(default_pose(), seed, MOVING)
-        true, said = head.pose(3.0), head.reported(3.0)
-        assert said is not None
-        shifts.append(said.p_GC - true.p_GC)
-        turns.append(so3.log(true.R_GC.T @ said.R_GC))
+        true, reported_pose = head.pose(3.0), head.reported(3.0)
+        assert reported_pose is not None
+        shifts.append(reported_pose.p_GC - true.p_GC)
+        turns.append(so3.log(true.R_GC.T @ reported_pose.R_GC))
     assert np.std(shifts) == pytest.approx(3e-3, rel=0.15)
     assert np.rad2deg(np.std(turns)) == pytest.approx(0.5, rel=0.15)
 

@@ -82,15 +82,15 @@ def test_a_second_process_hears_angles_poses_and_frames(stream, hand, glove, mak
     finally:
         talker.terminate()
         talker.wait(30)
-    heard = json.loads(listener.stdout)
-    assert heard["angles"]["index_pip_flexion"] == pytest.approx(0.7)
-    assert len(heard["angles"]) == len(hand.joint_names)
+    output = json.loads(listener.stdout)
+    assert output["angles"]["index_pip_flexion"] == pytest.approx(0.7)
+    assert len(output["angles"]) == len(hand.joint_names)
     e = make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7})
     xr = to_openxr(e, glove.keypoint_names(hand), joint_radii(hand))
-    assert len(heard["poses"]) == len(JOINTS) and heard["frame"] == "openxr"
+    assert len(output["poses"]) == len(JOINTS) and output["frame"] == "openxr"
     for i, name in enumerate(JOINTS):
         wanted = [*xr.position[i], *xr.orientation[i]]
-        assert heard["poses"][i] == pytest.approx(wanted, abs=1e-6, nan_ok=True), name
+        assert output["poses"][i] == pytest.approx(wanted, abs=1e-6, nan_ok=True), name
     lost = {f"right_{name}" for name, state in zip(JOINTS, xr.state, strict=True) if state == 0}
-    assert set(heard["frames"]) == {f"right_{name}" for name in JOINTS} - lost
+    assert set(output["frames"]) == {f"right_{name}" for name in JOINTS} - lost
     assert "right_index_tip" in lost

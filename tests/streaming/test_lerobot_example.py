@@ -198,8 +198,8 @@ def test_an_action_is_what_is_streamed_and_keeps_what_is_lost(
     names = glove.keypoint_names(hand)
     xr = to_openxr(stream[0].estimate, names, joint_radii(hand))
     tip = JOINTS.index("index_tip")
-    told = [action[f"index_tip.{c}"] for c in ("x", "y", "z", "qx", "qy", "qz", "qw")]
-    assert told == pytest.approx([*xr.position[tip], *xr.orientation[tip]], abs=1e-6)
+    pose = [action[f"index_tip.{c}"] for c in ("x", "y", "z", "qx", "qy", "qz", "qw")]
+    assert pose == pytest.approx([*xr.position[tip], *xr.orientation[tip]], abs=1e-6)
     stream[0].estimate = make_estimate(
         lost=("index_tip", "index_pip_flexion"), angles={"index_mcp_flexion": 0.4}
     )

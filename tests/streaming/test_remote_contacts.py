@@ -22,14 +22,14 @@ def phases(events: list[Event]) -> list[tuple[float, object, object]]:
 
 
 def test_json_and_words_tell_the_same_contact() -> None:
-    said = b'{"do": "contact", "finger": "index", "strength": 0.5, "object": "cup"}'
+    line = b'{"do": "contact", "finger": "index", "strength": 0.5, "object": "cup"}'
     want = Request("contact", 1.0, finger="index", strength=0.5, object="cup")
-    assert parse(said, 1.0) == want
+    assert parse(line, 1.0) == want
     assert parse("contact thumb", 1.0) == Request("contact", 1.0, finger="thumb")
 
 
 @pytest.mark.parametrize(
-    ("said", "code"),
+    ("line", "code"),
     [
         ('{"do": "contact"}', "request.finger_missing"),
         ('{"do": "contact", "finger": "index", "strength": 2}', "request.strength"),
@@ -39,15 +39,15 @@ def test_json_and_words_tell_the_same_contact() -> None:
         ('{"do": "contact", "finger": "index", "object": "' + "x" * 65 + '"}', "request.object"),
     ],
 )
-def test_what_is_no_contact_is_refused_in_words(said: str, code: str) -> None:
+def test_what_is_no_contact_is_refused_in_words(line: str, code: str) -> None:
     with raises(RequestError, code):
-        parse(said, 0.0)
+        parse(line, 0.0)
 
 
 def test_a_contact_begins_once_however_often_it_is_told_and_ends_when_it_is_let_go() -> None:
     book = ContactBook()
-    told = [e for k in range(50) for e in book.tell(touch(0.02 * k, 0.3 + 0.01 * k))]
-    assert phases(told) == [(0.0, "index", "begin")]
+    touches = [e for k in range(50) for e in book.tell(touch(0.02 * k, 0.3 + 0.01 * k))]
+    assert phases(touches) == [(0.0, "index", "begin")]
     assert book.strength("index") == pytest.approx(0.79)
     assert phases(book.tell(touch(1.5, 0.0))) == [(1.5, "index", "end")]
     assert book.strength("index") == 0.0
@@ -87,9 +87,9 @@ def test_a_motor_stops_at_once_and_is_never_told_what_it_cannot() -> None:
         max_size=200,
     )
 )
-def test_every_contact_that_began_ends_once_and_no_other_does(told: list) -> None:
+def test_every_contact_that_began_ends_once_and_no_other_does(touches: list) -> None:
     book, t, open_now = ContactBook(), 0.0, set()
-    for finger, thing, strength, later in told:
+    for finger, thing, strength, later in touches:
         t += later
         for event in book.tell(touch(t, strength, thing, finger)):
             key = event.data["finger"], event.data["object"]

@@ -137,12 +137,12 @@ def test_a_page_of_another_site_controls_nothing(web: WebSocketDoor) -> None:
     assert refused.value.response.status_code == 403
 
 
-@pytest.mark.parametrize("said", ["x" * (MOST_BYTES + 1), None])
-def test_a_client_that_sends_too_much_is_disconnected(web: WebSocketDoor, said) -> None:
+@pytest.mark.parametrize("sent_text", ["x" * (MOST_BYTES + 1), None])
+def test_a_client_that_sends_too_much_is_disconnected(web: WebSocketDoor, sent_text) -> None:
     """One message that is too long, or too many of them."""
     with connect(f"ws://{HERE}:{web.port}/") as page, pytest.raises(ConnectionClosed):
-        for _ in range(1 if said else 2000):
-            page.send(said or "status")
+        for _ in range(1 if sent_text else 2000):
+            page.send(sent_text or "status")
         for _ in range(2000):
             page.recv(timeout=5)
 

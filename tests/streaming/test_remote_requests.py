@@ -46,8 +46,8 @@ def test_words_and_json_ask_for_the_same() -> None:
 def test_an_id_comes_back() -> None:
     asked = parse('{"do": "stop", "id": "a-7"}', 0.0)
     assert asked is not None
-    said = json.loads(Reply(True, "stop", "Done.", Path("takes/x.mcap"), id=asked.id).as_json())
-    assert said == {"ok": True, "do": "stop", "text": "Done.", "file": "x.mcap", "id": "a-7"}
+    line = json.loads(Reply(True, "stop", "Done.", Path("takes/x.mcap"), id=asked.id).as_json())
+    assert line == {"ok": True, "do": "stop", "text": "Done.", "file": "x.mcap", "id": "a-7"}
 
 
 def test_only_this_computers_user_is_told_the_folder() -> None:
@@ -57,7 +57,7 @@ def test_only_this_computers_user_is_told_the_folder() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "code"),
+    ("line", "code"),
     [
         (b"", "request.unknown"),
         (b"explode", "request.unknown"),
@@ -79,9 +79,9 @@ def test_only_this_computers_user_is_told_the_folder() -> None:
         (b"\xff\xfe", "request.not_readable"),
     ],
 )
-def test_what_cannot_be_meant_is_refused_in_words(said: bytes, code: str) -> None:
+def test_what_cannot_be_meant_is_refused_in_words(line: bytes, code: str) -> None:
     with raises(RequestError, code):
-        parse(said, 0.0)
+        parse(line, 0.0)
 
 
 @given(st.binary(max_size=300))
@@ -140,8 +140,8 @@ def test_notes_are_taken_slower_and_the_rest_is_told_why() -> None:
     assert len(taken) == len(desk.asked) == 2 * ACTS_HZ
     refused = answers[-1]
     assert refused is not None and refused.notice == failure("request.too_many", rate_hz=10)
-    said = json.loads(refused.as_json())
-    assert (said["code"], said["values"]) == ("request.too_many", {"rate_hz": 10})
+    line = json.loads(refused.as_json())
+    assert (line["code"], line["values"]) == ("request.too_many", {"rate_hz": 10})
     assert is_reply(refused.as_json())
     counts = desk.reception.counts("x", None)
     assert (counts.asked, counts.refused) == (20, 80)

@@ -68,12 +68,12 @@ class Node:
     """Keeps what is published, and ends the stream when that is enough."""
 
     def __init__(self, name: str) -> None:
-        self.name, self.heard, self.ending = name, {}, threading.Event()
+        self.name, self.received, self.ending = name, {}, threading.Event()
 
     def create_publisher(self, kind: type, topic: str, depth: int) -> SimpleNamespace:
         def publish(message: Message) -> None:
-            self.heard.setdefault(topic, []).append(message)
-            if len(self.heard.get("/hand/right/openxr", [])) >= ENOUGH:
+            self.received.setdefault(topic, []).append(message)
+            if len(self.received.get("/hand/right/openxr", [])) >= ENOUGH:
                 self.ending.set()
 
         return SimpleNamespace(publish=publish)
@@ -110,14 +110,16 @@ def test_the_node_publishes_what_the_stream_tells(
     thread.start()
     runpy.run_path(str(NODE))["run"](f"ws://127.0.0.1:{server.port}/")
     thread.join()
-    state = node.heard["/hand/right/joint_states"][0]
-    told = dict(zip(state.name, state.position, strict=True))
-    assert told["index_pip_flexion"] == pytest.approx(0.7) and len(told) == len(hand.joint_names)
+    state = node.received["/hand/right/joint_states"][0]
+    positions = dict(zip(state.name, state.position, strict=True))
+    assert positions["index_pip_flexion"] == pytest.approx(0.7) and len(positions) == len(
+        hand.joint_names
+    )
     assert e.motion is not None
     assert_allclose(state.velocity, e.motion.angle_rate, atol=1e-6)
     stamp = state.header.stamp  # of the pose, not of its publication
     assert (stamp.sec, stamp.nanosec) == (1_732_538_097, 750_000_000)
-    array = node.heard["/hand/right/openxr"][0]
+    array = node.received["/hand/right/openxr"][0]
     assert array.header.stamp is stamp
     assert len(array.poses) == len(JOINTS) and array.header.frame_id == "openxr"
     wanted = to_openxr(e, glove.keypoint_names(hand), joint_radii(hand))

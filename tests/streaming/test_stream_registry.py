@@ -110,7 +110,7 @@ def test_words_of_the_command_line() -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "code"),
     [
         ("udp,ros", "part.unknown"),
         ("udp:0", "stream.bad_port"),
@@ -118,8 +118,8 @@ def test_words_of_the_command_line() -> None:
         ("lsl:5", "stream.no_port"),
     ],
 )
-def test_a_wrong_word_is_named(words: str, said: str) -> None:
-    with raises(ConfigError, said):
+def test_a_wrong_word_is_named(words: str, code: str) -> None:
+    with raises(ConfigError, code):
         with_streams(StreamSettings(), words)
 
 

@@ -179,7 +179,7 @@ def test_an_unknown_schema_is_refused(names: Names) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "pattern"),
     [
         ("udp?host=x", "no option 'host'; options: port, schema"),
         ("udp?scheme=1", "no option 'scheme'"),
@@ -187,8 +187,8 @@ def test_an_unknown_schema_is_refused(names: Names) -> None:
         ("lsl?network=maybe", "'maybe' is not a value for network"),
     ],
 )
-def test_options_of_the_command_line_are_checked(words: str, said: str) -> None:
-    with pytest.raises(ConfigError, match=said):
+def test_options_of_the_command_line_are_checked(words: str, pattern: str) -> None:
+    with pytest.raises(ConfigError, match=pattern):
         with_streams(StreamSettings(), words)
 
 

@@ -32,8 +32,8 @@ def moved(e: Estimate, names: Names, tip: str, to: np.ndarray | None) -> Estimat
 def test_entering_tells_once_and_leaving_needs_a_margin() -> None:
     rule = ContactRule([BALL], leave=0.005)
     path = [0.040, 0.031, 0.029, 0.0, 0.034, 0.029, 0.036, 0.029]
-    told = [rule.entered("index_tip", on_x(x)) for x in path]
-    assert told == [False, False, True, False, False, False, False, True]
+    is_new = [rule.entered("index_tip", on_x(x)) for x in path]
+    assert is_new == [False, False, True, False, False, False, False, True]
 
 
 def test_fingers_and_spheres_are_told_apart() -> None:

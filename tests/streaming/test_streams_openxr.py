@@ -30,18 +30,18 @@ def test_json_has_26_joints_and_null_for_what_is_lost(make_estimate, openxr: Nam
     wanted = to_openxr(e, openxr.keypoints, joint_radii(hand))
     assert tuple(read["joints"]) == JOINTS and "keypoints" not in read
     for i, name in enumerate(JOINTS):
-        said = read["joints"][name]
+        joint = read["joints"][name]
         if name in GONE:
-            assert said == {
+            assert joint == {
                 "state": "lost",
                 "position": None,
                 "orientation_xyzw": None,
                 "radius": None,
             }
             continue
-        assert_allclose(said["position"], wanted.position[i], atol=1e-6)
-        assert_allclose(said["orientation_xyzw"], wanted.orientation[i], atol=1e-6)
-        assert said["radius"] == pytest.approx(wanted.radius[i], abs=1e-6)
+        assert_allclose(joint["position"], wanted.position[i], atol=1e-6)
+        assert_allclose(joint["orientation_xyzw"], wanted.orientation[i], atol=1e-6)
+        assert joint["radius"] == pytest.approx(wanted.radius[i], abs=1e-6)
     assert tuple(read["angles"]) == openxr.angles
 
 

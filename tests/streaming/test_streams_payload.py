@@ -99,10 +99,10 @@ def test_gestures_are_told_with_their_values() -> None:
     gestures, here = names.recogniser(), (0.17, 0.0, 0.1)
     assert gestures is not None
     for estimate in estimates([Key(0.0, "fist", here), Key(0.2, "fist", here)]):
-        said = json.loads(to_json(estimate, names, gestures))
-    assert said["gestures"]["shown"] == ["fist"]
-    assert said["gestures"]["values"]["fist"] == 1.0
-    assert set(said["gestures"]["values"]) == set(GESTURES)
+        data = json.loads(to_json(estimate, names, gestures))
+    assert data["gestures"]["shown"] == ["fist"]
+    assert data["gestures"]["values"]["fist"] == 1.0
+    assert set(data["gestures"]["values"]) == set(GESTURES)
     lost = replace(estimate, tracking=Tracking.SEARCHING, t=estimate.t + 1.0)
-    said = json.loads(to_json(lost, names, gestures))
-    assert said["gestures"] == {"shown": [], "values": dict.fromkeys(GESTURES), "confidence": {}}
+    data = json.loads(to_json(lost, names, gestures))
+    assert data["gestures"] == {"shown": [], "values": dict.fromkeys(GESTURES), "confidence": {}}

@@ -54,7 +54,7 @@ def test_visible_markers_are_found_where_they_are(simulation: Simulation) -> Non
 def test_stereo_matches_are_the_same_marker(simulation: Simulation) -> None:
     """On true centroids of both images: what both cameras see is paired, and rightly."""
     hue_of = simulation.glove.marker_hue
-    right_pairs = pairs = possible = kept = 0
+    right_pairs = pairs = possible = right_found = 0
     for t in TIMES:
         (left, i), (right, j) = (truth(simulation, t, side) for side in (False, True))
         args = (left, hue_of[i], right, hue_of[j], simulation.rig)
@@ -63,7 +63,7 @@ def test_stereo_matches_are_the_same_marker(simulation: Simulation) -> None:
         right_pairs += int(np.sum(i[got.left_index] == j[got.right_index]))
         pairs, possible = pairs + len(got), possible + both
         every = all_pairs(*args)
-        kept += int(np.sum(i[every.left_index] == j[every.right_index]))
+        right_found += int(np.sum(i[every.left_index] == j[every.right_index]))
     assert right_pairs / possible > 0.95
     assert right_pairs / pairs > 0.95
-    assert kept == possible
+    assert right_found == possible

@@ -28,11 +28,11 @@ def test_what_the_lenses_in_use_see() -> None:
 
 
 @pytest.mark.parametrize(
-    ("engine", "lenses", "said"),
+    ("engine", "lenses", "code"),
     [("vist", "left", "engine.needs_both_lenses"), ("chain", "middle", "camera.lenses")],
 )
-def test_what_cannot_be_is_said(hand, glove, engine: str, lenses: str, said: str) -> None:
-    with raises(ConfigError, said):
+def test_what_cannot_be_is_said(hand, glove, engine: str, lenses: str, code: str) -> None:
+    with raises(ConfigError, code):
         Pipeline(hand, glove, ideal_rig(), Settings(engine=engine, lenses=lenses))
 
 

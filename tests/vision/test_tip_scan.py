@@ -50,8 +50,8 @@ def expected(by: Array, sd: float = 6.0) -> ExpectedTip:
 @pytest.mark.parametrize("by", [(0.0, 0.0), (5.0, 0.0), (-4.0, 6.0), (3.0, 7.0)])
 def test_a_finger_ends_where_its_outline_does(by: tuple[float, float]) -> None:
     off = np.array(by)
-    told, u, v, *cov = scan_tip(laid_out(finger()), expected(off))
-    assert told == 1.0
+    is_found, u, v, *cov = scan_tip(laid_out(finger()), expected(off))
+    assert is_found == 1.0
     # Places are 3 px apart and the outline is looked at in steps of 2 px; it tells to its own sd.
     assert np.hypot(u + by[0], v + by[1]) < 2.0
     assert max(cov[0], cov[2]) < 3.0**2

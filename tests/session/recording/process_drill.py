@@ -25,18 +25,18 @@ from tracker.session.recover import needs_recovery, recover
 def killed(path: Path, what: str, wait: float) -> tuple[float, bool]:
     """s lost, and whether the file was finished all the same."""
     context = multiprocessing.get_context("spawn")
-    told, pid = (context.Value(c_long, -1, lock=False) for _ in range(2))
-    window = context.Process(target=victim, args=(path, told, pid))
+    last_put, pid = (context.Value(c_long, -1, lock=False) for _ in range(2))
+    window = context.Process(target=victim, args=(path, last_put, pid))
     window.start()
-    while told.value < 40 and window.is_alive():
+    while last_put.value < 40 and window.is_alive():
         time.sleep(0.005)
     time.sleep(wait)
     if what != "window":
         os.kill(pid.value, signal.SIGKILL)
-    last = told.value
+    last = last_put.value
     if what != "recorder":
         window.kill()
-        last = told.value
+        last = last_put.value
     has_ended(pid.value, 30.0)
     window.kill()
     window.join()

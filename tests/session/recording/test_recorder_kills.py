@@ -40,8 +40,8 @@ def info() -> SessionInfo:
     )
 
 
-def stream(thread: RecordingThread, maker: MessageMaker, told, until: float = 1e9) -> None:
-    """A live run; ``told`` is the last packet put. Packets' times are those that pass."""
+def stream(thread: RecordingThread, maker: MessageMaker, last_put, until: float = 1e9) -> None:
+    """A live run; ``last_put`` is the last packet put. Packets' times are those that pass."""
     begun, k = time.monotonic(), 0
     while k * PERIOD < until:
         time.sleep(max(0.0, begun + k * PERIOD - time.monotonic()))
@@ -49,7 +49,7 @@ def stream(thread: RecordingThread, maker: MessageMaker, told, until: float = 1e
         thread.put(maker.estimate(1e3 * PERIOD * k))
         if k % 3 == 0:
             thread.put(maker.image(1e3 * PERIOD * k, k))
-        told.value = k
+        last_put.value = k
         k += 1
 
 
@@ -69,13 +69,13 @@ def lost_s(path: Path, last: int) -> float:
 def test_a_recorder_that_is_killed_is_said_and_the_next_one_records_at_once(
     tmp_path, recorders, seed
 ) -> None:
-    path, reports, told = tmp_path / "a.mcap", [], c_long(-1)
+    path, reports, last_put = tmp_path / "a.mcap", [], c_long(-1)
     processes, maker = recorders(), MessageMaker(info())
     recorder = processes.record(path, maker.info)
     thread = RecordingThread(recorder, lambda *report: reports.append(report))
-    stream(thread, maker, told, 0.7 + random.Random(seed).uniform(0, 0.5))
+    stream(thread, maker, last_put, 0.7 + random.Random(seed).uniform(0, 0.5))
     os.kill(recorder.pid, signal.SIGKILL)
-    last = told.value
+    last = last_put.value
     deadline = time.monotonic() + 10
     while not reports and time.monotonic() < deadline:
         thread.put(maker.imu(1e4, 9999))
@@ -109,14 +109,14 @@ def test_a_recorder_killed_while_it_waits_is_replaced(tmp_path, recorders) -> No
     assert second.pid != first.pid
 
 
-def victim(path: Path, told: c_long, pid: c_long) -> None:
+def victim(path: Path, last_put: c_long, pid: c_long) -> None:
     """A window that records for ever, and dies when its terminal does (who runs the tests may have
     said otherwise, nohup does)."""
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     maker = MessageMaker(info())
     recorder = RecorderProcesses().record(path, maker.info)
     pid.value = recorder.pid
-    stream(RecordingThread(recorder, lambda *_: None), maker, told)
+    stream(RecordingThread(recorder, lambda *_: None), maker, last_put)
 
 
 @pytest.fixture
@@ -125,15 +125,15 @@ def window(tmp_path):
     context, begun = multiprocessing.get_context("spawn"), []
 
     def begin(path: Path):
-        told, pid = (context.Value(c_long, -1, lock=False) for _ in range(2))
-        process = context.Process(target=victim, args=(path, told, pid))
+        last_put, pid = (context.Value(c_long, -1, lock=False) for _ in range(2))
+        process = context.Process(target=victim, args=(path, last_put, pid))
         process.start()
         begun.append((process, pid))
         deadline = time.monotonic() + 60
-        while told.value < 80 and time.monotonic() < deadline:
+        while last_put.value < 80 and time.monotonic() < deadline:
             time.sleep(0.01)
         assert process.is_alive() and pid.value > 0
-        return process, pid.value, told
+        return process, pid.value, last_put
 
     yield begin
     for process, pid in begun:
@@ -156,7 +156,7 @@ def has_ended(pid: int, timeout: float) -> bool:
 def test_of_a_window_that_is_killed_the_file_is_finished(tmp_path, window, number) -> None:
     """A terminal that closes, or Ctrl+C in it, is told to both processes at once."""
     path, before = tmp_path / "a.mcap", shared_names()
-    process, pid, told = window(path)
+    process, pid, last_put = window(path)
     if number != signal.SIGKILL:
         os.kill(pid, number)
     os.kill(process.pid, signal.SIGKILL if number != signal.SIGHUP else number)
@@ -164,19 +164,19 @@ def test_of_a_window_that_is_killed_the_file_is_finished(tmp_path, window, numbe
     assert has_ended(pid, 20.0)
     assert not needs_recovery(path)
     assert is_ok(verify(path))
-    assert lost_s(path, told.value) <= MOST_LOST
+    assert lost_s(path, last_put.value) <= MOST_LOST
     assert not left_since(before)
 
 
 def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, window) -> None:
     path, before = tmp_path / "a.mcap", shared_names()
-    process, pid, told = window(path)
+    process, pid, last_put = window(path)
     os.kill(pid, signal.SIGKILL)
     os.kill(process.pid, signal.SIGKILL)
     process.join(20)
     assert has_ended(pid, 20.0)
     assert needs_recovery(path)
-    assert lost_s(recover(path).path, told.value) <= MOST_LOST
+    assert lost_s(recover(path).path, last_put.value) <= MOST_LOST
     assert not left_since(before)
 
 
@@ -184,11 +184,11 @@ def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(
     tmp_path, recorders, monkeypatch
 ) -> None:
     monkeypatch.setattr("tracker.session.recording.process.SEND_TIMEOUT", 1)
-    path, reports, told = tmp_path / "a.mcap", [], c_long(-1)
+    path, reports, last_put = tmp_path / "a.mcap", [], c_long(-1)
     processes, maker = recorders(), MessageMaker(info())
     recorder = processes.record(path, maker.info)
     thread = RecordingThread(recorder, lambda *report: reports.append(report))
-    stream(thread, maker, told, 0.5)
+    stream(thread, maker, last_put, 0.5)
     os.kill(recorder.pid, signal.SIGSTOP)
     try:
         begun = time.monotonic()
@@ -202,7 +202,7 @@ def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(
         os.kill(recorder.pid, signal.SIGCONT)
     assert has_ended(recorder.pid, 20.0)
     assert not needs_recovery(path)
-    assert packets(path) == list(range(told.value + 1))
+    assert packets(path) == list(range(last_put.value + 1))
 
 
 def test_a_recorder_told_to_end_finishes_its_file(tmp_path, recorders) -> None:
