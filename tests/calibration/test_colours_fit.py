@@ -1,4 +1,4 @@
-"""Fitting a profile: ranges that hold their samples, images in other light, clashes."""
+"""Fitting a profile: ranges that contain their samples, images in other light, clashes."""
 
 import numpy as np
 import pytest
@@ -31,7 +31,7 @@ RANGE = st.builds(
 
 
 def brute_arc(hues: set[int]) -> int:
-    """Width of the shortest arc that holds all, by trying every first hue."""
+    """Width of the shortest arc that contains all, by trying every first hue."""
     return min(max((h - first) % HUES for h in hues) for first in hues)
 
 
@@ -59,19 +59,19 @@ def test_stray_samples_do_not_stretch_the_range() -> None:
     assert fit_samples("green", hsv).width <= 2 * FitParams().hue_margin
 
 
-def test_samples_are_needed() -> None:
+def test_fitting_without_samples_is_rejected() -> None:
     with raises(GlovetrackError, "colours.no_pixels"):
         fit_samples("red", np.zeros((0, 3)))
 
 
-def test_samples_of_every_hue_are_refused() -> None:
+def test_samples_of_every_hue_are_rejected() -> None:
     hsv = np.column_stack([np.arange(180), np.full(180, 200), np.full(180, 200)])
     with raises(GlovetrackError, "colours.every_hue"):
         fit_samples("red", hsv)
 
 
 @given(RANGE, PIXEL)
-def test_added_pixel_belongs_and_nothing_is_lost(hue: HueRange, pixel) -> None:
+def test_added_pixel_is_included_and_nothing_is_lost(hue: HueRange, pixel) -> None:
     grown = add_pixel(hue, np.array(pixel))
     assert grown.contains(np.array(pixel))
     assert grown.width >= hue.width
@@ -80,7 +80,7 @@ def test_added_pixel_belongs_and_nothing_is_lost(hue: HueRange, pixel) -> None:
 
 
 @given(RANGE, PIXEL)
-def test_removed_pixel_is_left_out_and_nothing_is_gained(hue: HueRange, pixel) -> None:
+def test_removed_pixel_is_excluded_and_nothing_is_gained(hue: HueRange, pixel) -> None:
     cut = remove_pixel(hue, np.array(pixel))
     if (
         hue.hue[0] == hue.hue[1]
@@ -102,7 +102,7 @@ def test_clashes_name_both_hues() -> None:
     assert clashes(PROFILE) == ()
 
 
-def test_parted_ranges_do_not_clash() -> None:
+def test_split_ranges_do_not_clash() -> None:
     close = ColourProfile("x", (HueRange("a", (170, 10)), HueRange("b", (6, 20))))
     a, b = parted(close.hues)
     assert not a.overlaps(b)

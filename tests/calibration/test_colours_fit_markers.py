@@ -1,4 +1,4 @@
-"""Fitting colours to tracked markers: images of which every disc's colour is known."""
+"""Fitting colours to tracked markers, on images with discs of known colours."""
 
 import dataclasses
 
@@ -32,7 +32,7 @@ def centres(glove: GloveModel) -> np.ndarray:
 
 
 def image(glove: GloveModel, shift: int = 0, value: int = 170) -> np.ndarray:
-    """Every marker as a disc of its cloth on the dark glove, all hues turned by ``shift``."""
+    """Every marker as a disc of its cloth on the dark glove, all hues shifted by ``shift``."""
     hsv = np.zeros((300, 660, 3), np.uint8)
     hsv[..., 2] = 60
     for marker, (u, v) in zip(glove.markers, centres(glove), strict=True):
@@ -44,7 +44,7 @@ def image(glove: GloveModel, shift: int = 0, value: int = 170) -> np.ndarray:
 
 
 def side(glove: GloveModel, image: np.ndarray, matched: np.ndarray) -> SeenSide:
-    """All markers expected where they are; those of ``matched`` (M,) have become blobs."""
+    """All markers predicted at their positions; those in ``matched`` (M,) are blobs."""
     uv, n = centres(glove), int(matched.sum())
     match = np.full(len(uv), -1, np.int64)
     match[matched] = np.arange(n)
@@ -66,7 +66,7 @@ def off(profile: ColourProfile, name: str, shift: int) -> float:
 
 
 @pytest.mark.parametrize("shift", [0, 9, -12])
-def test_the_ranges_follow_the_light(glove, shift):
+def test_ranges_adapt_to_the_light(glove, shift):
     everything = np.ones(len(glove.markers), bool)
     profile, found = fitted(glove, side(glove, image(glove, shift), everything))
     assert [f.range.name for f in found] == list(CLOTH)
@@ -74,8 +74,8 @@ def test_the_ranges_follow_the_light(glove, shift):
     assert clashes(profile) == ()
 
 
-def test_a_hue_that_the_detector_misses_is_found_where_it_is_expected(glove):
-    """No blue marker was matched, as after a change of light; its centres still tell its colour."""
+def test_a_hue_missed_by_the_detector_is_found_at_its_predictions(glove):
+    """No blue marker was matched, as after a change of light; its centres still show its colour."""
     others = np.array([m.hue != "blue" for m in glove.markers])
     profile, found = fitted(glove, side(glove, image(glove, 12), others))
     assert off(profile, "blue", 12) <= 2
@@ -83,7 +83,7 @@ def test_a_hue_that_the_detector_misses_is_found_where_it_is_expected(glove):
     assert next(f.patches for f in found if f.range.name == "blue") == blue
 
 
-def test_a_place_that_is_not_sure_is_not_taken(glove):
+def test_an_uncertain_prediction_is_not_used(glove):
     others = np.array([m.hue != "blue" for m in glove.markers])
     seen = side(glove, image(glove, 12), others)
     vague = dataclasses.replace(seen, cov=seen.cov * 400)
@@ -115,14 +115,14 @@ def test_dark_and_light_exposures_are_both_within_the_range(glove):
     assert found[0].patches == 2 * sum(m.hue == "red" for m in glove.markers)
 
 
-def test_old_exposures_are_forgotten(glove):
+def test_old_exposures_are_dropped(glove):
     everything = np.ones(len(glove.markers), bool)
     before, now = (side(glove, image(glove, s), everything) for s in (-10, 10))
     profile, _ = fitted(glove, before, now, now, most_exposures=2)
     assert off(profile, "green", 10) <= 2
 
 
-def test_glove_without_cloth_under_the_markers_changes_nothing(glove):
+def test_glove_without_cloth_under_the_markers_has_no_effect(glove):
     everything = np.ones(len(glove.markers), bool)
     grey = np.full((300, 660, 3), 60, np.uint8)
     profile, found = fitted(glove, side(glove, grey, everything))
@@ -134,7 +134,7 @@ def test_a_disc_outside_the_image_is_empty(uv):
     assert disc_pixels(np.zeros((300, 660, 3), np.uint8), np.array(uv), 5.0).shape == (0, 3)
 
 
-def test_a_disc_at_the_edge_is_cut_and_a_whole_one_has_its_area():
+def test_a_disc_at_the_edge_is_clipped_and_a_whole_one_has_its_area():
     image = np.zeros((50, 50, 3), np.uint8)
     whole = disc_pixels(image, np.array([25.0, 25.0]), 6.0)
     assert len(whole) == pytest.approx(np.pi * 36, rel=0.05)
@@ -143,7 +143,7 @@ def test_a_disc_at_the_edge_is_cut_and_a_whole_one_has_its_area():
     )
 
 
-def test_a_dark_camera_is_left_out(glove):
+def test_a_camera_without_images_is_ignored(glove):
     result = FrameResult.nothing(1.0, Tracking.TRACKING, len(glove.markers))
     image = np.zeros((4, 4, 3), np.uint8)
     sides = seen_sides(image, None, (Blobs.empty(), None), result)

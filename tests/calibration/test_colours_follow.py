@@ -1,4 +1,4 @@
-"""Colours follow white balance and exposure, where they serve, and stay where the light does."""
+"""Colours adapt to white balance and exposure if that helps, and are otherwise unchanged."""
 
 import dataclasses
 from functools import lru_cache
@@ -35,7 +35,7 @@ def places(glove: GloveModel) -> Array:
 
 
 def image(glove: GloveModel, gain: Array, seed: int) -> np.ndarray:
-    """Discs of the glove's hues on dark cloth, with noise, under light of this gain of BGR."""
+    """Discs of the glove's hues on dark cloth, with noise, in light of this gain of BGR."""
     out = np.full((480, 640, 3), ROOM, np.uint8)
     cv2.rectangle(out, (160, 110), (520, 370), CLOTH, -1)
     for uv, marker in zip(places(glove), glove.markers, strict=True):
@@ -54,7 +54,7 @@ def detector(profile: ColourProfile) -> Detector:
 def exposure(
     glove: GloveModel, profile: ColourProfile, t: float, gain: Array
 ) -> tuple[StereoFrame, BlobFrame, FrameResult]:
-    """A tracked image; the blobs are those that ``profile`` finds in it."""
+    """A tracked image; the blobs are those found with ``profile``."""
     pictures = [image(glove, gain, round(1e3 * t) + side) for side in (0, 1)]
     sides, match = [], []
     for picture in pictures:
@@ -83,7 +83,7 @@ def learned(glove: GloveModel) -> ColourProfile:
 
 
 def followed(glove: GloveModel, start: ColourProfile, gains: Array) -> tuple[ColourProfile, int]:
-    """Colours after images with each of the gains (n, 3), and how often they were changed."""
+    """Colours after images with each of the gains (n, 3), and the number of changes."""
     follower, changes = ColourFollower(start, glove, SIZE, FX), 0
     for k, gain in enumerate(gains):
         seen = exposure(glove, follower.profile, 10 + 1.01 * APART * k, gain)
@@ -93,15 +93,15 @@ def followed(glove: GloveModel, start: ColourProfile, gains: Array) -> tuple[Col
 
 
 def found(glove: GloveModel, profile: ColourProfile, gain: Array) -> int:
-    """Markers that a profile finds under this light."""
+    """Number of markers found with a profile in this light."""
     _, _, result = exposure(glove, profile, 99.0, gain)
     return int(np.sum(result.match_left >= 0))
 
 
-def test_colours_follow_a_warm_lamp_that_is_turned_up(
+def test_colours_adapt_to_a_warm_lamp_that_is_turned_up(
     glove: GloveModel, learned: ColourProfile
 ) -> None:
-    """Blue falls to under half and red rises by a third over 3 s."""
+    """Blue decreases to under half and red increases by a third over 3 s."""
     end = np.array([0.45, 1.0, 1.33])
     gains = end ** np.linspace(0, 1, 15)[:, None]
     profile, changes = followed(glove, learned, gains)
@@ -110,15 +110,13 @@ def test_colours_follow_a_warm_lamp_that_is_turned_up(
     assert found(glove, profile, end) == len(glove.markers)
 
 
-def test_colours_stay_while_the_light_does(glove: GloveModel, learned: ColourProfile) -> None:
+def test_colours_are_unchanged_in_constant_light(glove: GloveModel, learned: ColourProfile) -> None:
     profile, changes = followed(glove, learned, np.ones((KEPT + 2, 3)))
     assert changes == 0
     assert profile is learned
 
 
-def test_nothing_is_learned_of_a_hand_that_is_not_tracked(
-    glove: GloveModel, learned: ColourProfile
-) -> None:
+def test_nothing_is_learned_without_tracking(glove: GloveModel, learned: ColourProfile) -> None:
     follower = ColourFollower(learned, glove, SIZE, FX)
     for k in range(KEPT + 1):
         gain = np.array([1 - 0.08 * k, 1.0, 1.0])

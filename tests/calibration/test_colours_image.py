@@ -1,4 +1,4 @@
-"""Colours learned from one image of the glove alone, in other light than before."""
+"""Colours learned from one image of the glove alone, in changed light."""
 
 from dataclasses import replace
 
@@ -28,8 +28,8 @@ SIZE, FX = 0.012, 640.0
 def glove_image(
     shift: int = 0, gain: float = 1.0, seed: int = 0, noise: float = 3.0, cloth: int = 110
 ) -> np.ndarray:
-    """24 discs of four cloths on a glove of grey ``cloth`` before a grey wall, all hues turned by
-    ``shift`` as under other light."""
+    """24 discs of four cloths on a glove of grey ``cloth`` in front of a grey wall, all hues
+    shifted by ``shift`` as in other light."""
     rng = np.random.default_rng(seed)
     hsv = np.zeros((360, 480, 3), np.uint8)
     hsv[..., 2] = 110
@@ -46,7 +46,7 @@ def glove_image(
 
 @pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (6, 1.0), (-7, 0.6), (12, 1.0)])
 def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -> None:
-    """At 12 units of hue off, the colours before miss cloth."""
+    """With a shift of 12 units of hue, the previous colours miss cloth."""
     image = glove_image(shift, gain)
     fitted, found = learn_image(image, PROFILE, SIZE, FX)
     assert [f.patches for f in found] == [6, 6, 6, 6]
@@ -60,7 +60,7 @@ def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -
     assert (len(before) < 24) == (shift == 12)
 
 
-def test_a_hue_that_is_kept_is_not_told_as_found() -> None:
+def test_an_unchanged_hue_is_not_reported_as_found() -> None:
     """One patch of a hue is too few to learn it from."""
     image = glove_image()
     for k in range(1, 24, 4):  # the yellow ones but the last
@@ -71,7 +71,7 @@ def test_a_hue_that_is_kept_is_not_told_as_found() -> None:
     assert fitted.hues[1] == PROFILE.hues[1]
 
 
-def test_an_image_without_a_glove_is_refused() -> None:
+def test_an_image_without_a_glove_is_rejected() -> None:
     with raises(GlovetrackError, "colours.no_glove_seen"):
         learn_image(np.full((60, 80, 3), 128, np.uint8), PROFILE, SIZE, FX)
 
@@ -83,8 +83,8 @@ def pointed_at(image: np.ndarray) -> list[Pick]:
 
 
 @pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (25, 0.7)])
-def test_one_click_a_hue_is_as_good_as_a_fit(shift: int, gain: float) -> None:
-    """At 25 units of hue off no click can be guessed from the colours before."""
+def test_one_click_per_hue_is_as_good_as_a_fit(shift: int, gain: float) -> None:
+    """With a shift of 25 units of hue, no click can be guessed from the previous colours."""
     image = glove_image(shift, gain)
     fitted, found = learn_picked(pointed_at(image), PROFILE, SIZE, FX)
     assert [f.patches for f in found] == [6, 6, 6, 6]
@@ -92,7 +92,7 @@ def test_one_click_a_hue_is_as_good_as_a_fit(shift: int, gain: float) -> None:
     assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
 
 
-def test_one_click_a_hue_is_enough_in_noise() -> None:
+def test_one_click_per_hue_is_enough_in_noise() -> None:
     """A tenth of a dim patch's level."""
     dim = [glove_image(0, 0.6, seed, noise=8.0, cloth=30) for seed in (0, 1)]
     fitted, _ = learn_picked(pointed_at(dim[0]), PROFILE, SIZE, FX)
@@ -100,7 +100,7 @@ def test_one_click_a_hue_is_enough_in_noise() -> None:
     assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
 
 
-def test_what_shows_fewer_of_the_markers_pointed_at_is_refused() -> None:
+def test_colours_that_miss_selected_markers_are_rejected() -> None:
     poor = replace(PROFILE, hues=tuple(replace(h, value=(250, 255)) for h in PROFILE.hues))
     picks, camera = pointed_at(glove_image()), (SIZE, FX)
     with raises(GlovetrackError, "colours.learned_worse"):
@@ -108,6 +108,6 @@ def test_what_shows_fewer_of_the_markers_pointed_at_is_refused() -> None:
     _refuse_worse_picked(picks, (poor, PROFILE), camera)
 
 
-def test_a_hue_that_was_not_pointed_at_is_named() -> None:
+def test_a_hue_that_was_not_selected_is_named() -> None:
     with raises(GlovetrackError, "colours.points_missing"):
         learn_picked(pointed_at(glove_image())[:3], PROFILE, SIZE, FX)

@@ -1,4 +1,4 @@
-"""Pixels that label themselves, on drawn patches whose colours are known."""
+"""Self-labelled pixels, on drawn patches with known colours."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ BLUE, CLOTH, WALL = (200, 60, 30), (40, 40, 44), (235, 235, 235)
 
 
 def drawn(size: tuple[int, int]) -> np.ndarray:
-    """A blue ellipse ``size`` px along and across on dark cloth before a white wall."""
+    """A blue ellipse ``size`` px along and across on dark cloth in front of a white wall."""
     image = np.full((240, 320, 3), WALL, np.uint8)
     cv2.circle(image, (160, 120), 40, CLOTH, -1)
     cv2.ellipse(image, (160, 120), (size[0] // 2, size[1] // 2), 0, 0, 360, BLUE, -1)
@@ -27,28 +27,28 @@ def known(size: tuple[int, int]) -> KnownMarkers:
     return KnownMarkers(at, np.array([size], float), ("blue",), at)
 
 
-def test_a_slanted_patch_gives_its_own_colour_only() -> None:
+def test_a_slanted_patch_gives_only_its_own_colour() -> None:
     for size in ((20, 20), (20, 8), (20, 5)):
         samples = samples_of(drawn(size), known(size), ("blue",))
         assert len(samples.pixels("blue")) > 0
         assert (samples.pixels("blue") == BLUE).all()
 
 
-def test_a_patch_that_is_covered_in_part_gives_its_own_colour_only() -> None:
+def test_a_partly_occluded_patch_gives_only_its_own_colour() -> None:
     image = drawn((20, 20))
     image[:118] = np.where((image[:118] == BLUE).all(axis=-1, keepdims=True), CLOTH, image[:118])
     samples = samples_of(image, known((20, 20)), ("blue",))
     assert (samples.pixels("blue") == BLUE).all()
 
 
-def test_what_is_beside_a_patch_is_cloth_and_what_is_far_is_room() -> None:
+def test_pixels_next_to_a_patch_are_cloth_and_distant_ones_background() -> None:
     samples = samples_of(drawn((20, 20)), known((20, 20)), ("blue",))
     assert (np.concatenate(samples.cloth) == CLOTH).all()
     assert (np.concatenate(samples.room) == WALL).all()
 
 
-def test_colours_learned_of_noisy_images_find_a_patch_whole_where_noise_tears_it() -> None:
-    """The file keeps that images are to be smoothed."""
+def test_colours_learned_from_noisy_images_find_a_patch_that_noise_would_split() -> None:
+    """The file records that images must be smoothed."""
     factory = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
     dim = (drawn((20, 20)) * 0.3).astype(np.uint8)
     rng = np.random.default_rng(1)
@@ -68,5 +68,5 @@ def test_colours_learned_of_noisy_images_find_a_patch_whole_where_noise_tears_it
     assert not np.any(there < 1.0)
 
 
-def test_calm_images_are_not_smoothed() -> None:
+def test_images_without_noise_are_not_smoothed() -> None:
     assert samples_of(drawn((20, 20)), known((20, 20)), ("blue",)).noisy == [False]

@@ -1,4 +1,4 @@
-"""The eyedropper has the last word about what was learned."""
+"""The eyedropper overrides learned colours."""
 
 import numpy as np
 
@@ -28,7 +28,7 @@ def found(profile: ColourProfile) -> list[str]:
     return [profile.hue_names[k] for k in blobs.hue]
 
 
-def test_a_picked_colour_is_found_though_it_was_learned_as_the_rooms_and_can_be_left_out() -> None:
+def test_a_picked_colour_overrides_the_background_and_can_be_removed() -> None:
     room = LearnedColours.of(np.full(LEARNED_CELLS, ROOM, np.uint8))
     learned = ColourProfile("x", FACTORY.hues, learned=room)
     assert found(FACTORY) == ["blue"]
@@ -38,5 +38,5 @@ def test_a_picked_colour_is_found_though_it_was_learned_as_the_rooms_and_can_be_
     assert found(with_colour(picked, BLUE, -1)) == []
 
 
-def test_colours_without_anything_learned_stay_as_they_are() -> None:
+def test_colours_without_learned_classes_are_unchanged() -> None:
     assert with_colour(FACTORY, BLUE, 0) is FACTORY

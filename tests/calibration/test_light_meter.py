@@ -1,4 +1,4 @@
-"""What the light meter says of simulated rooms, of photographs, and of single faults."""
+"""Results of the light meter for simulated rooms, photographs, and single faults."""
 
 import sys
 from collections import Counter
@@ -30,7 +30,7 @@ ABOUT_LIGHT = {"clipped", "dark", "noisy", "warm", "cold"}
 
 
 def usual_advice(images) -> set[str]:
-    """What most of the images get said about their light."""
+    """The advice given for most of the images."""
     meter, counts, count = LightMeter(PROFILE), Counter(), 0
     for seen in images:
         counts.update({a.kind for a in meter.read(seen.image).advice})
@@ -39,7 +39,7 @@ def usual_advice(images) -> set[str]:
 
 
 @pytest.mark.parametrize("light", EXPECTED)
-def test_photographs_get_the_advice_that_their_light_needs(light: str, data_folder: Path) -> None:
+def test_photographs_get_the_advice_for_their_light(light: str, data_folder: Path) -> None:
     folder = data_folder / "desk_pictures" / light
     if not folder.is_dir():
         pytest.skip(f"no photographs at {folder}")
@@ -48,8 +48,9 @@ def test_photographs_get_the_advice_that_their_light_needs(light: str, data_fold
 
 
 @pytest.mark.parametrize("light", EXPECTED)
-def test_simulated_rooms_get_the_advice_that_their_light_needs(light: str) -> None:
-    """Lamp light changes from image to image with what of the glove is lit; so it is for most."""
+def test_simulated_rooms_get_the_advice_for_their_light(light: str) -> None:
+    """Lamp light varies between images with the lit part of the glove; so this is tested for
+    most."""
     surface, times = desk_scores.SURFACES[light], np.array([1.0, 1.3])
     images = [i for s in (2, 3, 4) for i in desk_scores.simulated(light, s, times, surface)]
     assert usual_advice(images) - {"clipped"} == EXPECTED[light]
@@ -64,7 +65,7 @@ def kinds(image) -> set[str]:
     return {a.kind for a in LightMeter(PROFILE).read(image).advice}
 
 
-def test_patches_that_are_read_are_markers_of_the_hand(led) -> None:
+def test_detected_patches_are_markers_of_the_hand(led) -> None:
     reading = LightMeter(PROFILE).read(led.image)
     gap = np.linalg.norm(reading.uv[:, None] - led.uv[None], axis=2).min(axis=1)
     assert len(reading.uv) >= 10
@@ -85,8 +86,8 @@ def test_another_white_balance_is_warm_or_cold(led) -> None:
     assert "cold" in kinds(balanced(0.7, 1.15))
 
 
-def test_markers_in_colours_that_the_profile_lacks_are_shown_as_missed(led) -> None:
-    """Turned by 14 of 180 hues three of four cloths leave their intervals of 11 to each side."""
+def test_markers_in_colours_missing_in_the_profile_are_reported_as_missed(led) -> None:
+    """Shifted by 14 of 180 hues, three of four cloths leave their intervals of 11 to each side."""
     hsv = cv2.cvtColor(led.image, cv2.COLOR_BGR2HSV)
     hsv[..., 0] = (hsv[..., 0].astype(int) + 14) % HUES
     turned = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
@@ -97,7 +98,7 @@ def test_markers_in_colours_that_the_profile_lacks_are_shown_as_missed(led) -> N
     assert any(a.notice.code == "light.markers_missed" for a in after.advice)
 
 
-def test_a_room_full_of_the_markers_colours_is_told(led) -> None:
+def test_a_background_full_of_the_markers_colours_is_reported(led) -> None:
     image = led.image.copy()
     for k in range(20):
         cv2.circle(image, (40 + 60 * k, 690), 9, (40, 4, 190), -1)
@@ -110,8 +111,8 @@ def test_a_room_full_of_the_markers_colours_is_told(led) -> None:
 
 
 def test_noise_is_not_taken_for_patches(data_folder: Path) -> None:
-    """Two of three patches that are read are markers, whole or in part; before smoothing every
-    other one was a speck of the dark."""
+    """Two of three detected patches are markers, complete or in part; without smoothing every other
+    one was a speck of dark noise."""
     folder = data_folder / "desk_pictures" / "dim"
     if not folder.is_dir():
         pytest.skip(f"no photographs at {folder}")
@@ -123,20 +124,20 @@ def test_noise_is_not_taken_for_patches(data_folder: Path) -> None:
     assert read > 20 and true > 0.66 * read
 
 
-def test_no_hand_is_asked_for_and_says_nothing_of_warmth() -> None:
+def test_without_a_hand_one_is_requested_and_warmth_is_unknown() -> None:
     reading = LightMeter(PROFILE).read(np.full((720, 1280, 3), 120, np.uint8))
     assert [a.kind for a in reading.advice] == ["hand"]
     assert np.isnan(reading.warmth)
 
 
-def test_noise_is_that_of_the_smooth_parts() -> None:
+def test_noise_is_that_of_smooth_areas() -> None:
     rng = np.random.default_rng(1)
     image = rng.normal(110, 3.0, (720, 1280, 3))
     image[:300] += rng.normal(0, 20, (300, 1280, 3))
     assert noise_of(np.clip(image, 0, 255).astype(np.uint8)) == pytest.approx(3.0, rel=0.08)
 
 
-def test_hues_that_nearly_meet_are_named() -> None:
+def test_similar_hues_are_named() -> None:
     red, orange = (40.0, 10.0, 200.0), (20.0, 55.0, 200.0)
     pixel, hue = np.array([red, red, orange, orange]), np.array([0, 0, 1, 1])
     gap = 30 * (55 - 20) / 180 + 30 * (40 - 10) / 190  # OpenCV's hue of both, 0 between them
@@ -144,7 +145,7 @@ def test_hues_that_nearly_meet_are_named() -> None:
     assert near_hues(pixel, hue, gap - 1.5) == []
 
 
-def test_any_colours_are_all_there_are_however_they_are_divided() -> None:
+def test_any_colours_include_all_hues_for_any_division() -> None:
     for first in (0, 22):
         hues = any_colours(first).hues
         assert sum(h.width + 1 for h in hues) == HUES
@@ -153,7 +154,7 @@ def test_any_colours_are_all_there_are_however_they_are_divided() -> None:
 
 
 def fitted_otherwise() -> list[ColourProfile]:
-    """Colours that other light, a slider or a wrong click has left."""
+    """Colours after other light, a slider or a wrong click."""
     turned = [
         replace(
             PROFILE,
@@ -168,7 +169,7 @@ def fitted_otherwise() -> list[ColourProfile]:
 
 
 @pytest.mark.parametrize("light", EXPECTED)
-def test_what_is_said_of_the_light_does_not_hang_on_the_colours_fitted(light: str) -> None:
+def test_the_result_does_not_depend_on_the_fitted_colours(light: str) -> None:
     images = desk_scores.simulated(light, 3, np.array([1.0]), desk_scores.SURFACES[light])
     image = next(images).image
     reading = LightMeter(PROFILE).read(image)

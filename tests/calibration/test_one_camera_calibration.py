@@ -1,4 +1,4 @@
-"""The calibration of one camera, and of two whose images differ in size."""
+"""Calibration of one camera, and of two with different image sizes."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def solution() -> Solution:
     return solve(views(16, 1), [(640, 480)])
 
 
-def test_one_camera_is_found_within_half_a_per_cent() -> None:
+def test_one_camera_is_calibrated_within_half_a_per_cent() -> None:
     s = solution()
     assert s.right is None and s.error.shape == (16, 1)
     assert s.left.K[0, 0] == pytest.approx(610.0, rel=0.005)
@@ -73,7 +73,7 @@ def test_one_camera_is_found_within_half_a_per_cent() -> None:
     assert rig_problems(Extrinsics(s.left, None, s.R, s.T)) == []
 
 
-def test_its_rig_sees_rays_where_the_lens_does() -> None:
+def test_its_rig_has_the_rays_of_the_lens() -> None:
     rig = rig_of_one(WEBCAM)
     assert rig.one_camera and rig.sides == ("left",)
     p_C = np.random.default_rng(2).uniform([-0.1, -0.1, 0.3], [0.1, 0.1, 0.6], (20, 3))
@@ -81,7 +81,7 @@ def test_its_rig_sees_rays_where_the_lens_does() -> None:
     assert rig.project(p_C) == pytest.approx(rig.left.rectify(raw), abs=4 * NOISE_PX)
 
 
-def test_fresh_views_judge_it() -> None:
+def test_new_views_verify_it() -> None:
     fresh = views(6, 77)
     good = verify(solution().rig, fresh)
     assert good.verdict()[0] == "good" and good.one_camera
@@ -90,13 +90,13 @@ def test_fresh_views_judge_it() -> None:
     assert verify(solution().rig, fresh[:2]).verdict()[0] == "waiting"
 
 
-def test_a_lens_that_cannot_be_is_refused() -> None:
+def test_an_impossible_lens_is_rejected() -> None:
     fisheye = replace(WEBCAM, D=np.array([1.5, 0, 0, 0, 0.0]))
     (problem,) = rig_problems(Extrinsics(fisheye, None, np.eye(3), np.zeros(3)))
     assert (problem.code, problem.values["lens"]) == ("stereo.distortion", "lens")
 
 
-def test_its_file_is_taken_by_everything_that_takes_a_calibration(tmp_path: Path) -> None:
+def test_its_file_is_accepted_wherever_a_calibration_is(tmp_path: Path) -> None:
     path = tmp_path / "webcam.yml"
     save_calibration(path, WEBCAM, note="16 views")
     rig = load_rig(path)
@@ -121,7 +121,7 @@ distortion_coefficients:
 """
 
 
-def test_a_file_of_ros_is_of_one_camera(tmp_path: Path) -> None:
+def test_a_ros_file_is_of_one_camera(tmp_path: Path) -> None:
     path = tmp_path / "webcam.yaml"
     path.write_text(ROS)
     rig = load_rig(path)
@@ -142,7 +142,7 @@ def test_views_of_one_camera_are_collected_and_advised() -> None:
     assert more is not None and more.code in ("stereo.cover_empty", "stereo.cover_tilt")
 
 
-def test_a_simulated_board_before_one_camera_is_found() -> None:
+def test_a_simulated_board_in_front_of_one_camera_is_found() -> None:
     camera = BoardCamera(rig_of_one(WEBCAM), SPEC, sleep=lambda _dt: None)
     camera.open()
     pair = camera.read()
@@ -160,7 +160,7 @@ R, T = so3.exp(np.array([0.01, 0.02, -0.004])), np.array([-0.055, 0.001, 0.0005]
 
 
 def test_two_images_of_different_sizes_make_a_rig(tmp_path: Path) -> None:
-    """A colour camera beside an infrared one: points come back from the pixels of both."""
+    """A colour camera and an infrared one: points are recovered from the pixels of both."""
     path = tmp_path / "depth.yml"
     save_calibration(path, WIDE, WEBCAM, R, T)
     rig = load_rig(path)
@@ -197,7 +197,7 @@ def test_the_rectified_right_image_keeps_its_own_size() -> None:
 
 @pytest.mark.data
 def test_real_chessboard_images_of_one_camera_give_its_lens(data_folder: Path) -> None:
-    """The left ones of OpenCV's samples; PROVENANCE.txt tells f 536 px and 0.41 px."""
+    """The left ones of OpenCV's samples; PROVENANCE.txt lists f 536 px and 0.41 px."""
     finder, found = BoardFinder(BoardSpec("chessboard", 10, 7, 0.025)), []
     for path in sorted((data_folder / "stereo_chessboard").glob("left*.jpg")):
         look = finder.look(cv2.imread(str(path)), None)

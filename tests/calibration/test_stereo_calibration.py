@@ -1,4 +1,4 @@
-"""A rig whose truth is known is found again from views of a board; wrong rigs are refused."""
+"""A known rig is recovered from views of a board; wrong rigs are rejected."""
 
 from __future__ import annotations
 
@@ -96,14 +96,14 @@ def truth(**changes) -> Extrinsics:
         ({"kind": "chessboard", "columns": 9, "rows": 7}, "board.symmetric"),
     ],
 )
-def test_an_impossible_board_is_refused_in_words(change, words):
+def test_an_impossible_board_is_rejected(change, words):
     with raises(ConfigError, words):
         replace(SPEC, **change)
 
 
 @pytest.mark.parametrize("kind", ["charuco", "chessboard"])
 def test_the_printed_page_has_its_corners_where_the_board_says(kind):
-    """Seen straight on, the page is the board at its scale, shifted by the margin."""
+    """Viewed head-on, the page is the board at its scale, shifted by the margin."""
     spec = replace(SPEC, kind=kind)
     page, per_metre = print_image(spec, dpi=110)
     found = BoardFinder(spec).find(page)
@@ -113,12 +113,14 @@ def test_the_printed_page_has_its_corners_where_the_board_says(kind):
     assert found.uv == pytest.approx(expected, abs=0.1)
 
 
-def test_the_default_board_fits_usual_paper():
+def test_the_default_board_fits_common_paper_sizes():
     width, height = page_size(SPEC)
     page, per_metre = print_image(SPEC)
     assert np.allclose(np.array(page.shape[::-1]) / per_metre, (width, height), atol=3e-4)
     for paper in ((0.297, 0.210), (0.2794, 0.2159)):
-        assert width < paper[0] - 0.008 and height < paper[1] - 0.008  # what printers leave white
+        assert (
+            width < paper[0] - 0.008 and height < paper[1] - 0.008
+        )  # unprintable margin of printers
 
 
 def test_the_printed_ruler_is_100_mm_long():
@@ -132,7 +134,7 @@ def test_the_printed_ruler_is_100_mm_long():
 
 
 @pytest.mark.parametrize("kind", ["charuco", "chessboard"])
-def test_corners_are_found_where_the_lens_puts_them(kind):
+def test_corners_are_found_at_their_projections(kind):
     spec = replace(SPEC, kind=kind)
     renderer, finder = BoardRenderer(RIG, spec), BoardFinder(spec)
     rng, used = np.random.default_rng(2), 0
@@ -153,7 +155,7 @@ def test_corners_are_found_where_the_lens_puts_them(kind):
     assert used == 2
 
 
-def test_what_is_wrong_with_a_image_is_said():
+def test_an_unusable_image_is_reported():
     finder = BoardFinder(SPEC)
     page = cv2.copyMakeBorder(board_image(SPEC, 30), *(40,) * 4, cv2.BORDER_CONSTANT, value=255)
     wall = np.full_like(page, 90)
@@ -197,7 +199,7 @@ def test_coverage_and_advice_follow_what_is_shown():
     assert good.area > 0.8 and advice(good) is None
 
 
-def test_tilt_is_seen_without_knowing_the_lens():
+def test_tilt_is_detected_without_knowing_the_lens():
     for degrees in (0, 20, 40):
         R_CB = so3.exp(np.array([np.deg2rad(degrees), 0, 0]))
         far = BoardPose(R_CB, np.array([-0.12, -0.08, 1.5]))
@@ -208,7 +210,7 @@ def test_tilt_is_seen_without_knowing_the_lens():
 # --- solving
 
 
-def test_the_true_rig_is_found_again():
+def test_the_true_rig_is_recovered():
     s = solution()
     assert s.dropped == ()
     assert s.rms_px == pytest.approx(NOISE_PX * np.sqrt(2), rel=0.2)
@@ -233,7 +235,7 @@ def test_a_bad_view_is_dropped_and_named():
     assert np.allclose(s.T, RIG.T, rtol=0, atol=4e-4)
 
 
-def test_too_few_views_are_refused_and_too_alike_ones_told():
+def test_too_few_views_are_rejected_and_too_similar_ones_reported():
     with raises(CalibrationError, "stereo.too_few_views"):
         solve(views(6, 1), SIZES)
     rng = np.random.default_rng(3)
@@ -255,24 +257,24 @@ def test_a_cancelled_solution_stops():
         solve(views(16, 1), SIZES, progress=progress)
 
 
-# --- what is refused
+# --- what is rejected
 
 
 def codes_of(s) -> list[str]:
-    """Of what is wrong with the solution's cameras."""
+    """The problems of the solution's cameras."""
     return [p.code for p in rig_problems(Extrinsics(s.left, s.right, s.R, s.T))]
 
 
-def test_exchanged_images_are_told_as_such():
-    """Left and right exchanged: the same views solve perfectly and must still be refused."""
+def test_exchanged_images_are_reported_as_such():
+    """Left and right exchanged: the same views solve perfectly and must still be rejected."""
     swapped = [replace(v, left=v.right, right=v.left) for v in views(12, 1)]
     s = solve(swapped, SIZES)
     assert s.rms_px < 0.3
     assert codes_of(s) == ["stereo.exchanged"]
 
 
-def test_mirrored_images_are_refused():
-    """Both images mirrored look like a rig whose cameras stand the other way round."""
+def test_mirrored_images_are_rejected():
+    """Both images mirrored look like a rig with its cameras reversed."""
 
     def flip(uv: np.ndarray) -> np.ndarray:
         return np.column_stack([WIDTH - 1 - uv[:, 0], uv[:, 1]])
@@ -303,12 +305,12 @@ def test_mirrored_images_are_refused():
         ({"T": RIG.T * np.nan}, "stereo.not_finite"),
     ],
 )
-def test_an_implausible_rig_is_refused_with_the_reason(change, code):
+def test_an_implausible_rig_is_rejected_with_the_reason(change, code):
     assert rig_problems(truth()) == []
     assert code in [p.code for p in rig_problems(truth(**change))]
 
 
-def test_a_baseline_that_is_known_is_held_against_the_result():
+def test_a_known_baseline_is_compared_with_the_result():
     assert known_baseline_problems(truth(), 0.0) == []
     assert known_baseline_problems(truth(), 0.064) == []
     (problem,) = known_baseline_problems(truth(), 0.060)
@@ -325,7 +327,7 @@ def test_the_motion_between_the_lenses_is_recovered_from_a_rectified_rig():
 # --- verification
 
 
-def test_a_good_rig_passes_on_fresh_views_and_a_bumped_one_does_not():
+def test_a_good_rig_passes_on_new_views_and_a_moved_one_does_not():
     fresh = views(6, 77)
     good = verify(solution().rig, fresh)
     assert good.verdict()[0] == "good"
@@ -340,7 +342,7 @@ def test_a_good_rig_passes_on_fresh_views_and_a_bumped_one_does_not():
     assert verify(solution().rig, fresh[:2]).verdict()[0] == "waiting"
 
 
-def test_a_wrong_size_of_squares_shows_in_the_sizes_only():
+def test_a_wrong_size_of_squares_affects_only_the_sizes():
     longer = rectified_rig(RIG.left, RIG.right, RIG.R, RIG.T * 1.05)
     found = verify(longer, views(6, 77))
     assert found.shape == pytest.approx(0.05, abs=0.005)
@@ -358,7 +360,7 @@ def test_an_error_of_one_view_is_its_distance_from_truth():
 # --- files
 
 
-def test_a_saved_calibration_comes_back_the_same(tmp_path: Path):
+def test_a_saved_calibration_is_read_unchanged(tmp_path: Path):
     path = tmp_path / "cameras" / "mine.yml"
     save_calibration(path, RIG.left, RIG.right, RIG.R, RIG.T, "16 views")
     rig = load_rig(path, ImportForm(width=1, height=1, unit=7.0))
@@ -392,7 +394,7 @@ def test_a_foreign_file_is_checked_too(tmp_path: Path, T, unit, words):
         assert rig.baseline == pytest.approx(0.063, abs=1e-4)
 
 
-def test_what_is_no_calibration_is_told(tmp_path: Path):
+def test_an_invalid_calibration_is_reported(tmp_path: Path):
     (tmp_path / "a.txt").write_text("hello")
     with raises(FileError, "stereo.unknown_file"):
         load_rig(tmp_path / "a.txt")
@@ -405,8 +407,8 @@ def test_what_is_no_calibration_is_told(tmp_path: Path):
 
 @pytest.mark.data
 def test_real_chessboard_images_give_a_plausible_rig(data_folder: Path):
-    """OpenCV's sample images, 10 by 7 squares; figures of PROVENANCE.txt: f 536/542 px,
-    baseline 3.34 squares, turned by 0.3 degrees, stereo RMS 0.45 px."""
+    """OpenCV's sample images, 10 by 7 squares; figures of PROVENANCE.txt: f 536/542 px, baseline
+    3.34 squares, rotated by 0.3 degrees, stereo RMS 0.45 px."""
     folder = data_folder / "stereo_chessboard"
     spec = BoardSpec("chessboard", 10, 7, 0.025)
     finder, found = BoardFinder(spec), []
@@ -424,6 +426,6 @@ def test_real_chessboard_images_give_a_plausible_rig(data_folder: Path):
     swapped = [replace(v, left=v.right, right=v.left) for v in found]
     w = solve(swapped, SIZES_VGA)
     assert codes_of(w) == ["stereo.exchanged"]
-    # two images judge a rig made of the six others
+    # two images verify a rig calibrated from the six others
     six = solve(found[:6], SIZES_VGA, SolveParams(least_views=6))
     assert verify(six.rig, found[6:]).rms_px < 0.5

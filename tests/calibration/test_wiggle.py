@@ -1,4 +1,4 @@
-"""The glove's set-up on simulated wearers whose mounting, biases and mistakes are known."""
+"""The glove set-up on simulated wearers with known mounting, biases and errors."""
 
 from __future__ import annotations
 
@@ -80,13 +80,13 @@ def test_steps_are_the_fingers_with_imus_and_the_hand(hand, glove):
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3, 4, 5, 6])
-def test_a_glove_as_its_file_says_is_right(hand, glove, seed):
+def test_a_glove_that_matches_its_file_is_right(hand, glove, seed):
     result = run(hand, glove, seed=seed)
     assert result.ok, result
     assert result.summary.code == "wiggle.all_right"
 
 
-def test_which_imu_moves_is_said_at_once(hand, glove):
+def test_a_moving_imu_is_reported_immediately(hand, glove):
     packets, _ = samples(hand, glove, "index", seconds=1.0)
     names = [glove.imu_names[i] for i in moving(imu_motion(packets))]
     assert names[0] == "index_intermediate" and "middle_proximal" not in names
@@ -111,7 +111,7 @@ def test_two_exchanged_imus_are_named(hand, glove, first, second):
     assert result.summary.code == "wiggle.exchanged"
 
 
-def test_an_imu_mounted_across_is_told(hand, glove):
+def test_an_imu_mounted_across_is_reported(hand, glove):
     i = glove.imu_names.index("middle_proximal")
     result = run(hand, glove, turned(i, so3.rz(np.pi / 2)))
     assert [r.state for r in result.rows].count("turned") == 1
@@ -119,7 +119,7 @@ def test_an_imu_mounted_across_is_told(hand, glove):
     assert result.rows[i].what.code == "wiggle.turned"
 
 
-def test_a_silent_and_a_loose_imu_are_told_apart(hand, glove):
+def test_a_disconnected_and_a_loose_imu_are_distinguished(hand, glove):
     i, j = glove.imu_names.index("index_proximal"), glove.imu_names.index("thumb_proximal")
     test = WiggleTest(hand, glove)
     rest, _ = samples(hand, glove, "rest")
@@ -136,7 +136,7 @@ def test_a_silent_and_a_loose_imu_are_told_apart(hand, glove):
     assert states["dorsum"] == "right"
 
 
-def test_a_step_without_motion_is_asked_for_again(hand, glove):
+def test_a_step_without_motion_is_requested_again(hand, glove):
     test = WiggleTest(hand, glove)
     rest, _ = samples(hand, glove, "rest")
     again = test.add(1, rest)
@@ -148,20 +148,20 @@ def test_a_step_without_motion_is_asked_for_again(hand, glove):
 
 
 @pytest.mark.parametrize("seed", [1, 5])
-def test_biases_and_noise_of_a_resting_hand_are_the_simulated_ones(hand, glove, seed):
+def test_biases_and_noise_at_rest_are_the_simulated_ones(hand, glove, seed):
     packets, simulator = samples(hand, glove, "rest", seed, StillParams().duration)
     pose = still_pose(packets, glove.imu_names)
     assert pose.ok, pose.trouble
     noise = np.deg2rad(simulator.params.gyro_noise_deg)
     for i, imu in enumerate(pose.imus):
-        # the walk of the bias, 0.05 °/s, is part of it
+        # the random walk of the bias, 0.05 °/s, is included
         assert imu.gyro_bias == pytest.approx(simulator.gyro_bias[i], abs=0.2 * DEGREE)
         assert imu.gyro_bias_sd < 0.05 * DEGREE
         assert imu.gyro_noise == pytest.approx(noise, rel=0.5)
         assert np.linalg.norm(imu.accel) == pytest.approx(9.81, abs=0.6)
 
 
-def test_a_moving_finger_is_refused_and_named(hand, glove):
+def test_a_moving_finger_is_rejected_and_named(hand, glove):
     rest, _ = samples(hand, glove, "rest", seconds=2.0)
     bending, _ = samples(hand, glove, "index", seconds=2.0)
     i = glove.imu_names.index("index_intermediate")
@@ -174,7 +174,7 @@ def test_a_moving_finger_is_refused_and_named(hand, glove):
     assert pose.trouble == warning("still.moved", moving=["index_intermediate"])
 
 
-def test_too_short_a_rest_and_a_silent_imu_are_told(hand, glove):
+def test_too_short_a_rest_and_a_disconnected_imu_are_reported(hand, glove):
     packets, _ = samples(hand, glove, "rest", seconds=2.0)
     short = still_pose(packets[:100], glove.imu_names).trouble
     assert short is not None and (short.code, short.values["needed_s"]) == ("still.too_short", 2.0)
@@ -186,14 +186,14 @@ def test_too_short_a_rest_and_a_silent_imu_are_told(hand, glove):
     )
 
 
-def test_an_accelerometer_that_is_off_is_told(hand, glove):
+def test_an_accelerometer_with_a_large_error_is_reported(hand, glove):
     packets, _ = samples(hand, glove, "rest", seconds=2.0)
     off = [replace(s, accel=1.15 * s.accel) for s in packets]
     found = {i.trouble.code for i in still_pose(off, glove.imu_names).imus if i.trouble}
     assert found == {"still.imu_gravity"}
 
 
-def test_the_wearer_who_plays_along_does_what_is_asked(hand, glove):
+def test_the_instructed_wearer_follows_the_instructions(hand, glove):
     wearer = InstructedWearer(hand, glove)
     stream = wearer.samples()
     first = [next(stream) for _ in range(200)]

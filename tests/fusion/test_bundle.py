@@ -39,7 +39,7 @@ def sim(hand: HandModel, glove: GloveModel) -> Simulation:
 
 @pytest.fixture(scope="module")
 def engine(sim: Simulation) -> ChainEngine:
-    """A filter that has remembered postures and solved nothing yet."""
+    """A filter with stored postures and no solution yet."""
     waiting = replace(EARLY, first_after=1e6)
     pipeline = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(waiting))
     feed(pipeline, sim.feed())
@@ -60,7 +60,7 @@ def state_of(engine: ChainEngine) -> ChainState:
 
 
 def marker_error(state: ChainState, wearer: Wearer) -> float:
-    """Mean distance (m) of markers from where the wearer's really sit, in their segment's frame."""
+    """Mean distance (m) of markers from the wearer's true ones, in their segment's frame."""
     true = np.einsum("mki,mk->mi", wearer._tangents, wearer._marker_offset)
     return float(np.linalg.norm(state.marker - true, axis=1).mean())
 
@@ -108,7 +108,7 @@ def test_markers_are_placed_better_than_by_the_filter(engine: ChainEngine, sim: 
     assert marker_error(better, sim.wearer) < 0.95 * marker_error(state, sim.wearer)
 
 
-def test_imus_stay_in_the_room_when_the_calibration_is_replaced(engine: ChainEngine) -> None:
+def test_imus_keep_their_orientation_when_the_calibration_is_replaced(engine: ChainEngine) -> None:
     state, lay = state_of(engine), engine.layout
     other = state.copy()
     other.R_IB = state.R_IB @ so3.exp(np.full((len(state.R_IB), 3), 0.05))
@@ -123,8 +123,8 @@ def test_imus_stay_in_the_room_when_the_calibration_is_replaced(engine: ChainEng
     assert np.linalg.eigvalsh(state.P).min() > -1e-12
 
 
-def test_postures_grow_more_different(engine: ChainEngine) -> None:
-    """At the limit a newcomer never makes the two most alike more alike."""
+def test_stored_postures_become_more_diverse(engine: ChainEngine) -> None:
+    """At the limit, a new posture never reduces the smallest difference."""
     params, store = replace(EARLY, keyframes=5, apart=0.05), Keyframes()
     closest = 0.0
     for frame in stored(engine):
@@ -141,13 +141,13 @@ def test_postures_grow_more_different(engine: ChainEngine) -> None:
     assert len(store.stored) == 5
 
 
-def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> None:
+def test_a_saved_state_resumes_in_the_middle_of_a_solution(sim: Simulation) -> None:
     messages = list(sim.feed())
     whole = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))
     assert isinstance(whole.engine, ChainEngine)
     coming = iter(messages)
     while work_of(whole.engine).sweep != 2:
-        feed(whole, [next(coming)])  # StopIteration: no solution was begun
+        feed(whole, [next(coming)])  # StopIteration: no solution was started
     state, rest = whole.get_state(), list(coming)
     other = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))
     other.set_state(state)
@@ -156,8 +156,8 @@ def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> N
     assert work_of(whole.engine).calibration is None, "the solution was not finished"
 
 
-def test_postures_of_something_else_teach_nothing(engine: ChainEngine, sim: Simulation) -> None:
-    """Blobs of other images under each posture: the solution is thrown away, and they with it."""
+def test_postures_of_another_hand_are_discarded(engine: ChainEngine, sim: Simulation) -> None:
+    """Blobs of other images with each posture: the solution is discarded together with them."""
     frames = stored(engine)
     mixed = [replace(a, uv=b.uv) for a, b in zip(frames, frames[1:] + frames[:1], strict=True)]
     state, work = state_of(engine), BundleWork(0.0, 0.0, 1.0, Keyframes(mixed))

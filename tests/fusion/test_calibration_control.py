@@ -1,4 +1,4 @@
-"""Resetting, freezing and keeping what the chain filter has learned."""
+"""Resetting, freezing and storing the chain filter's calibration."""
 
 import numpy as np
 import pytest
@@ -38,7 +38,7 @@ def pipeline(hand, glove, tracked):
     return out
 
 
-def test_one_segment_is_forgotten_and_the_others_are_not(pipeline):
+def test_only_the_named_segment_is_reset(pipeline):
     before = pipeline.calibration()
     row = before.segments.index("index_proximal")
     pipeline.engine.wearer.reset(["index_proximal"])
@@ -56,7 +56,7 @@ def test_one_segment_is_forgotten_and_the_others_are_not(pipeline):
             )
 
 
-def test_a_full_reset_is_the_prior_and_the_covariance_stays_one(pipeline):
+def test_a_full_reset_gives_the_prior_and_a_valid_covariance(pipeline):
     engine = pipeline.engine
     engine.wearer.reset()
     layout, state = engine.layout, engine.get_state().tracker.filter.state
@@ -67,7 +67,7 @@ def test_a_full_reset_is_the_prior_and_the_covariance_stays_one(pipeline):
     assert np.linalg.eigvalsh(state.P).min() > -1e-12
 
 
-def test_tracking_goes_on_after_a_reset_and_learns_again(hand, glove, tracked, pipeline):
+def test_tracking_continues_after_a_reset_and_learns_again(hand, glove, tracked, pipeline):
     sim, _, rest = tracked
     learned = pipeline.calibration().scale_sd.mean()
     pipeline.engine.wearer.reset()
@@ -77,7 +77,7 @@ def test_tracking_goes_on_after_a_reset_and_learns_again(hand, glove, tracked, p
     assert pipeline.calibration().scale_sd.mean() < 2 * learned
 
 
-def test_frozen_nothing_is_learned_and_the_hand_is_still_tracked(tracked, pipeline):
+def test_while_frozen_the_hand_is_tracked_and_nothing_is_learned(tracked, pipeline):
     sim, _, rest = tracked
     before = pipeline.calibration()
     pipeline.engine.wearer.freeze(True)
@@ -89,7 +89,7 @@ def test_frozen_nothing_is_learned_and_the_hand_is_still_tracked(tracked, pipeli
     assert error.mean() < 0.010
 
 
-def test_released_it_goes_on_learning_from_there(tracked, pipeline):
+def test_after_unfreezing_learning_resumes(tracked, pipeline):
     _, _, rest = tracked
     before = pipeline.calibration()
     pipeline.engine.wearer.freeze(True)
@@ -103,7 +103,7 @@ def test_released_it_goes_on_learning_from_there(tracked, pipeline):
     assert np.abs(after.scale - before.scale).max() > 0
 
 
-def test_a_frozen_state_goes_on_identically(hand, glove, tracked, pipeline):
+def test_a_frozen_state_resumes_identically(hand, glove, tracked, pipeline):
     sim, _, rest = tracked
     pipeline.engine.wearer.freeze(True)
     twin = Pipeline(hand, glove, sim.rig)
@@ -113,7 +113,7 @@ def test_a_frozen_state_goes_on_identically(hand, glove, tracked, pipeline):
     np.testing.assert_array_equal(ours[-1].keypoints, theirs[-1].keypoints)
 
 
-def test_a_profile_put_on_belongs_to_the_state(hand, glove, tracked, pipeline):
+def test_a_loaded_profile_is_part_of_the_state(hand, glove, tracked, pipeline):
     """A recording that begins before the hand is found starts with the same profile again."""
     sim, _, rest = tracked
     waiting = Pipeline(hand, glove, sim.rig)
@@ -127,7 +127,7 @@ def test_a_profile_put_on_belongs_to_the_state(hand, glove, tracked, pipeline):
     np.testing.assert_array_equal(ours[-1].keypoints, theirs[-1].keypoints)
 
 
-def test_a_profile_put_on_while_frozen_is_held(hand, glove, tracked, pipeline):
+def test_a_profile_loaded_while_frozen_is_frozen(hand, glove, tracked, pipeline):
     sim, _, rest = tracked
     profile = pipeline.engine.profile()
     other = Pipeline(hand, glove, sim.rig)
@@ -138,7 +138,7 @@ def test_a_profile_put_on_while_frozen_is_held(hand, glove, tracked, pipeline):
     np.testing.assert_array_equal(other.calibration().scale, pipeline.calibration().scale)
 
 
-def test_an_earlier_sessions_bones_stay_and_its_sensors_are_doubted(pipeline):
+def test_an_earlier_session_fixes_bones_but_not_sensors(pipeline):
     engine = pipeline.engine
     profile = engine.profile()
     renewed = control.renewed(profile, engine.layout)
@@ -160,6 +160,6 @@ def test_every_calibration_row_belongs_to_one_segment(hand, glove):
     assert control.fits(control.profile_of(initial_state(layout), layout), layout)
 
 
-def test_an_unknown_segment_is_said(pipeline):
+def test_an_unknown_segment_is_reported(pipeline):
     with raises(ConfigError, "calibration.no_segment"):
         pipeline.engine.wearer.reset(["tail"])

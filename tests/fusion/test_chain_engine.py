@@ -69,7 +69,7 @@ def tracked(sim: Simulation) -> tuple[list[Estimate], Array]:
     return run(sim)
 
 
-def test_tracks_a_person_by_itself(tracked: tuple[list[Estimate], Array]) -> None:
+def test_tracks_a_person(tracked: tuple[list[Estimate], Array]) -> None:
     """12 mm is the first goal; this person is tracked at about 4 mm."""
     estimates, error = tracked
     t = times(estimates)
@@ -78,7 +78,7 @@ def test_tracks_a_person_by_itself(tracked: tuple[list[Estimate], Array]) -> Non
     assert all(e.tracking == Tracking.TRACKING for e in estimates if e.t > 0.5)
 
 
-def test_says_what_is_measured_and_what_is_guessed(
+def test_reports_what_is_measured_and_what_is_inferred(
     sim: Simulation, tracked: tuple[list[Estimate], Array]
 ) -> None:
     last, names = tracked[0][-1], sim.glove.keypoint_names(sim.hand)
@@ -89,22 +89,24 @@ def test_says_what_is_measured_and_what_is_guessed(
     assert angle["index_dip_flexion"] == Validity.INFERRED
 
 
-def test_joints_hold_exactly(sim: Simulation, tracked: tuple[list[Estimate], Array]) -> None:
-    """Fingers stay on their hand: the distance between joints is a calibrated constant."""
+def test_joints_are_rigid(sim: Simulation, tracked: tuple[list[Estimate], Array]) -> None:
+    """The distance between joints is a calibrated constant."""
     hand = sim.hand
     pip, mcp = hand.index["index_intermediate"], hand.index["index_proximal"]
     length = [np.linalg.norm(e.segment_p[pip] - e.segment_p[mcp]) for e in tracked[0][-100:]]
     assert np.ptp(length) < 1e-3
 
 
-def test_repeats_bit_for_bit(sim: Simulation, tracked: tuple[list[Estimate], Array]) -> None:
+def test_is_reproducible_bit_for_bit(
+    sim: Simulation, tracked: tuple[list[Estimate], Array]
+) -> None:
     again, _ = run(sim)
     for a, b in zip(tracked[0], again, strict=True):
         assert np.array_equal(a.keypoints, b.keypoints, equal_nan=True)
         assert np.array_equal(a.angles, b.angles, equal_nan=True)
 
 
-def test_a_restored_state_goes_on_identically(sim: Simulation) -> None:
+def test_a_restored_state_resumes_identically(sim: Simulation) -> None:
     messages = list(sim.feed())
     half = len(messages) // 2
     first = Pipeline(sim.hand, sim.glove, sim.rig)
@@ -152,8 +154,8 @@ def test_a_broken_imu_degrades_and_recovers(
     assert error[t > 7].mean() < 0.010
 
 
-def test_a_silent_glove_is_followed_by_the_cameras_alone(sim: Simulation) -> None:
-    """Fingers that moved meanwhile come back slowly: the test asks for the hand's place at once."""
+def test_a_glove_without_packets_is_tracked_by_the_cameras_alone(sim: Simulation) -> None:
+    """Fingers that moved meanwhile converge slowly: only the hand's position is tested at once."""
     estimates, error = run(sim, edit=broken(lambda s: None))
     t = times(estimates)
     assert error[t > 5.7, 3].max() < 0.012
@@ -169,7 +171,7 @@ def test_one_camera_covered(sim: Simulation) -> None:
     assert error[times(estimates) > 4].mean() < 0.010
 
 
-def test_out_of_view_is_said_and_the_hand_is_found_again(sim: Simulation) -> None:
+def test_a_hand_out_of_view_is_lost_and_found_again(sim: Simulation) -> None:
     def edit(m: Message) -> Message | None:
         return None if isinstance(m, BlobFrame) and 3 < m.t < 6 else m
 
@@ -216,10 +218,10 @@ def sim_length(sim: Simulation) -> float:
     return float(np.linalg.norm(np.diff(flat[chain], axis=0), axis=1).sum())
 
 
-def test_markers_on_the_tips_help(
+def test_markers_on_the_fingertips_help(
     hand: HandModel, distal_glove: GloveModel, glove: GloveModel
 ) -> None:
-    """What the synergy guesses, a marker on the distal segment measures."""
+    """A marker on the distal segment measures what would be inferred by the synergy."""
     with_tips = simulation(hand, distal_glove, 0, 12.0)
     without = simulation(hand, glove, 0, 12.0)
     means = []
@@ -229,8 +231,8 @@ def test_markers_on_the_tips_help(
     assert means[0] < 0.9 * means[1]
 
 
-def test_images_that_come_late_are_waited_for(sim: Simulation) -> None:
-    """A slow machine delivers 200 ms late; the filter must not run away from its images."""
+def test_late_images_are_waited_for(sim: Simulation) -> None:
+    """An overloaded computer delivers images 200 ms late; the filter must not get ahead of them."""
     late = sorted(
         (
             dataclasses.replace(m, t_arrival=m.t_arrival + 0.2) if isinstance(m, BlobFrame) else m

@@ -49,7 +49,7 @@ def numeric(
 
 
 def packets(n: int, rate: float) -> tuple[ImuSample, ImuSample, ImuSample]:
-    """Three packets; ``rate`` rad/s sets how fast the hand turns."""
+    """Three packets; ``rate`` rad/s is the rotation of the hand."""
     rng = np.random.default_rng(6)
     out = []
     for k in range(3):
@@ -91,12 +91,13 @@ def test_transition(layout: ChainLayout) -> None:
     )
     sensed = np.setdiff1d(np.arange(len(Phi)), driven)
     assert np.allclose(Phi[sensed], expected[sensed], atol=3e-5)
-    # how a synergy's flexion turns with orientation is neglected: of the size of rate times dt
+    # the change of a synergy's flexion with orientation is neglected: of the order rate times dt
     assert np.allclose(Phi[driven], expected[driven], atol=4e-3)
 
 
 def test_anatomy_near_a_natural_posture(layout: ChainLayout) -> None:
-    """Axis rows are exact; flexion rows hold for small twist, as the constraints keep it."""
+    """Axis rows are exact; flexion rows are valid for small twist, as enforced by the
+    constraints."""
     state = random_state(layout, 0.02)
     constraints = Constraints(layout, ConstraintParams())
     H, _, _ = constraints.rows(state)

@@ -1,4 +1,4 @@
-"""The filter's code and docs/chain.md speak of the same equations."""
+"""The filter's code and docs/chain.md refer to the same equations."""
 
 import re
 from pathlib import Path
@@ -30,5 +30,5 @@ def test_equations_of_the_page_are_numbered_in_order() -> None:
     assert numbers == list(range(1, len(numbers) + 1))
 
 
-def test_code_names_every_equation_but_the_notation_and_no_other() -> None:
+def test_code_refers_to_every_equation_except_the_notation() -> None:
     assert named_in_code() == set(numbered_in_page()) - {1}

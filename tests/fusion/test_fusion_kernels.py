@@ -1,4 +1,4 @@
-"""Compiled and vectorised stages of the filters beside their plain twins."""
+"""Compiled and vectorised stages of the filters against their plain twins."""
 
 import numpy as np
 import pytest
@@ -32,7 +32,7 @@ NOISE = PixelNoise(0.002, 0.7, 3.0)
 
 
 def plain_rows(H: Array, HP: Array, A: Array, residual: Array) -> tuple[Array, ...]:
-    """The stacked rows as the formulas read; noise as a list of blocks on the diagonal."""
+    """The stacked rows as in the formulas; noise as a list of blocks on the diagonal."""
     out_H, out_HP, out_r, blocks = [], [], [], []
     for k in range(len(H)):
         sides = [c for c in range(2) if np.isfinite(residual[c, k, 0])]
@@ -56,7 +56,7 @@ def plain_rows(H: Array, HP: Array, A: Array, residual: Array) -> tuple[Array, .
 
 
 def test_pixel_rows_are_the_plain_ones() -> None:
-    """Markers of both cameras, of one, of none, and one far away that loses weight."""
+    """Markers of both cameras, of one, of none, and a distant one with reduced weight."""
     rng = np.random.default_rng(8)
     n, size = 9, 30
     H, A = rng.normal(size=(n, 3, size)), 900 * rng.normal(size=(2, n, 2, 3))
@@ -88,7 +88,7 @@ def test_no_match_gives_no_rows() -> None:
 def test_validity_and_sd_follow_the_tree(
     hand: HandModel, glove: GloveModel, tracking: Tracking, seed: int
 ) -> None:
-    """Segment by segment and keypoint by keypoint, as the rules read."""
+    """Segment by segment and keypoint by keypoint, as in the rules."""
     layout = ChainLayout(hand, glove)
     rng = np.random.default_rng(seed)
     sensed = rng.integers(0, 2, len(layout.active))
@@ -123,7 +123,8 @@ def test_validity_and_sd_follow_the_tree(
 
 
 def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int) -> float:
-    """Of the end of ``segment``, at a joint of the segment that the keypoint moves with."""
+    """Whether the keypoint is at the end of ``segment``, at a joint of the segment it moves
+    with."""
     reach, row = 0.0, segment
     knuckle = row == 0 and moves_with not in layout.row_of
     variance = BASE_SD**2 if knuckle else 0.0
@@ -137,8 +138,8 @@ def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int) -> float:
     return float(np.sqrt(sd[layout.row_of[row]] ** 2 + variance))
 
 
-def test_an_inferred_finger_is_never_sure(hand: HandModel, glove: GloveModel) -> None:
-    """The little finger's tip of the seven-IMU glove: centimetres, however sure the dorsum is."""
+def test_an_inferred_finger_is_never_certain(hand: HandModel, glove: GloveModel) -> None:
+    """The little finger's tip of the seven-IMU glove: centimetres, however accurate the dorsum."""
     layout = ChainLayout(hand, glove)
     s = initial_state(layout)
     a = len(layout.active)
@@ -151,13 +152,13 @@ def test_an_inferred_finger_is_never_sure(hand: HandModel, glove: GloveModel) ->
     assert sd["index_dip"] == pytest.approx(1e-3)
 
 
-def test_update_refuses_an_impossible_innovation() -> None:
-    """A covariance that is none must not pass for an update."""
+def test_update_rejects_an_indefinite_innovation_covariance() -> None:
+    """An invalid covariance must not be used for an update."""
     with pytest.raises(np.linalg.LinAlgError, match="not positive definite"):
         update(np.eye(3), np.eye(3), np.ones(3), np.diag([1.0, 1.0, -2.0]))
 
 
-def test_rows_of_few_entries_are_multiplied_like_any_others() -> None:
+def test_sparse_rows_are_multiplied_like_dense_ones() -> None:
     rng = np.random.default_rng(9)
     H = np.where(rng.random((12, 40)) < 0.2, rng.normal(size=(12, 40)), 0.0)
     P = rng.normal(size=(40, 33))
@@ -179,8 +180,8 @@ def test_pixel_jacobians_are_the_projections_own() -> None:
 
 
 def test_sd_of_the_ends_is_the_trace(hand: HandModel, glove: GloveModel) -> None:
-    """Of the estimated segments by their Jacobians; of those that follow a joint by the Jacobians
-    that guided poses are learned with, what is not known of the bend counting `ONE_WAY` times."""
+    """For estimated segments by their Jacobians; for driven ones by the Jacobians used for guided
+    poses, with the uncertainty of the bend multiplied by `ONE_WAY`."""
     layout, rng = ChainLayout(hand, glove), np.random.default_rng(12)
     distal = DistalSegments(layout, SynergyParams())
     state, sure = initial_state(layout), EndDeviations(layout, distal)
@@ -202,11 +203,12 @@ def test_sd_of_the_ends_is_the_trace(hand: HandModel, glove: GloveModel) -> None
         posture = np.outer(bend, bend) * distal.posture_sd[k] ** 2
         known = np.trace(row.H @ state.P @ row.H.T)
         unknown = np.trace(row.H_own @ own.P @ row.H_own.T + posture)
-        # The Jacobian of the bend is made of differences: 1e-5 rad apart, to some 1e-7.
+        # The Jacobian of the bend is a difference quotient with a step of 1e-5 rad: accurate to
+        # 1e-7.
         assert sd[len(H) + k] == pytest.approx(np.sqrt((known + ONE_WAY * unknown) / 3), rel=1e-5)
 
 
-def test_joined_measurements_stand_side_by_side() -> None:
+def test_joined_measurements_are_block_diagonal() -> None:
     rng = np.random.default_rng(13)
     root = rng.normal(size=(9, 9))
     P, H_1, H_2 = root @ root.T, rng.normal(size=(4, 9)), rng.normal(size=(3, 9))
@@ -221,7 +223,7 @@ def test_joined_measurements_stand_side_by_side() -> None:
     assert np.allclose(alone[0], H @ P) and np.allclose(alone[1], H @ P @ H.T)
 
 
-def test_details_of_a_image_are_the_plain_ones() -> None:
+def test_details_of_an_image_are_the_plain_ones() -> None:
     """Residuals, sources, covariances and counts, marker by marker."""
     rng = np.random.default_rng(14)
     m, blobs = 6, 5
@@ -244,7 +246,7 @@ def test_details_of_a_image_are_the_plain_ones() -> None:
     assert np.array_equal(visible, prior.max(axis=0)) and stereo == 3
 
 
-def test_a_segment_is_sensed_by_any_imu_or_marker_of_its() -> None:
+def test_a_segment_is_sensed_by_any_of_its_imus_or_markers() -> None:
     rng = np.random.default_rng(15)
     felt, seen = rng.uniform(0.0, 1.0, 4), rng.uniform(0.0, 1.0, 9)
     felt[1] = seen[2] = -np.inf

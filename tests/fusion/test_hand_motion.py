@@ -14,8 +14,8 @@ from tracker.messages import Array, Estimate, ImuSample, Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
-SETTLED, DURATION = 2.0, 4.5  # s; the wearer moves from the first on
-STEP = 1e-3  # s: true values are differentiated over twice as much
+SETTLED, DURATION = 2.0, 4.5  # s; the wearer moves from the start
+STEP = 1e-3  # s: true values are differentiated over twice this step
 
 
 @pytest.fixture(scope="module")
@@ -53,10 +53,10 @@ def rms(values: Array) -> float:
     ("engine", "linear_most", "angular_most"),
     [("chain", 0.012, 0.06), ("vist", 0.02, 0.08), ("switching", 0.05, 0.3), ("inertial", 0, 0.1)],
 )
-def test_velocities_are_those_of_the_hand_and_as_sure_as_they_say(
+def test_velocities_match_the_hand_within_their_standard_deviations(
     sim: Simulation, engine: str, linear_most: float, angular_most: float
 ) -> None:
-    """The hand moves with 0.1 m/s and its fingers turn with 1 rad/s (root mean squares)."""
+    """The hand moves at 0.1 m/s and its fingers rotate at 1 rad/s (RMS)."""
     estimates = tracked(sim, engine)
     motions = [e.motion for e in estimates if e.motion is not None]
     assert len(motions) == len(estimates) > 100
@@ -73,7 +73,7 @@ def test_velocities_are_those_of_the_hand_and_as_sure_as_they_say(
         assert error < 3 * rms(column("angular_sd", k))
     for name in ("wrist", "index_tip", "ring_tip"):
         k = names.index(name)
-        if engine == "inertial":  # nowhere, so at no speed
+        if engine == "inertial":  # without a position, no velocity
             assert np.isnan(column("linear", k)).all() and np.isnan(column("linear_sd", k)).all()
         else:
             error = rms(column("linear", k) - linear[:, k])
@@ -89,7 +89,7 @@ def test_velocities_are_those_of_the_hand_and_as_sure_as_they_say(
         assert error < 4 * rms(column("angle_sd", j))
 
 
-def test_what_no_imu_senses_is_less_sure(sim: Simulation) -> None:
+def test_unsensed_parts_are_less_certain(sim: Simulation) -> None:
     motion = tracked(sim, "chain")[-1].motion
     assert isinstance(motion, Motion)
     names = sim.glove.keypoint_names(sim.hand)
@@ -99,8 +99,8 @@ def test_what_no_imu_senses_is_less_sure(sim: Simulation) -> None:
     assert linear["little_tip"] > linear["little_mcp"] > 0
 
 
-def test_a_silent_imu_leaves_a_finger_to_its_parent(sim: Simulation) -> None:
-    """The middle finger's first IMU fails: it turns with the dorsum, and that is unsure."""
+def test_a_finger_with_an_invalid_imu_moves_with_its_parent(sim: Simulation) -> None:
+    """The middle finger's first IMU fails: it rotates with the dorsum, with a large sd."""
     pipeline, j = (
         Pipeline(sim.hand, sim.glove, sim.rig),
         sim.glove.imu_names.index("middle_proximal"),

@@ -1,4 +1,4 @@
-"""How far the heading may have drifted is said, and grows as long as no image holds it."""
+"""The standard deviation of the heading is reported, and grows while no image corrects it."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from tracker.simulation.scenario import Simulation
 
 
 def heading(R: np.ndarray) -> float:
-    """rad about the vertical that is left of a rotation (3, 3)."""
+    """rad about the vertical in a rotation (3, 3)."""
     return float(np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1]))
 
 
-def test_without_images_the_heading_is_off_by_what_is_said(
+def test_without_images_the_heading_error_matches_its_sd(
     hand: HandModel, glove: GloveModel
 ) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 3, duration=12.0), 3)
@@ -34,10 +34,10 @@ def test_without_images_the_heading_is_off_by_what_is_said(
     drift = np.unwrap(off) - off[0]
     assert sds[-1] > sds[0]
     assert np.mean(np.abs(drift) < 3 * np.array(sds)) > 0.95
-    assert np.abs(drift).max() > 0.2 * sds[-1]  # and not ten times too unsure
+    assert np.abs(drift).max() > 0.2 * sds[-1]  # and not ten times too large
 
 
-def test_an_image_holds_it(hand: HandModel, glove: GloveModel) -> None:
+def test_an_image_corrects_it(hand: HandModel, glove: GloveModel) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 3, duration=4.0), 3, fps=20)
     pipeline, sds = Pipeline(hand, glove, sim.rig), []
     engine = pipeline.engine
@@ -46,7 +46,7 @@ def test_an_image_holds_it(hand: HandModel, glove: GloveModel) -> None:
         if isinstance(message, ImuSample):
             pipeline.feed_imu(message)
             sds.append(engine.heading_sd)
-        elif message.t < 2.0:  # then the camera is gone
+        elif message.t < 2.0:  # then the camera is removed
             pipeline.feed_frame(message)
     held, gone = sds[190], sds[-1]
     assert 1.1 * held < gone < np.deg2rad(10.0)

@@ -1,4 +1,4 @@
-"""The hybrids of the 2020 paper on the real glove: no finger marker is used."""
+"""The hybrids of the 2020 paper on the real glove: finger markers are not used."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def sim(hand: HandModel, glove: GloveModel) -> Simulation:
 
 
 @pytest.mark.parametrize("engine", ["switching", "madgwick"])
-def test_follows_the_fingers_by_their_imus(sim: Simulation, engine: str) -> None:
+def test_follows_the_fingers_by_their_imus_alone(sim: Simulation, engine: str) -> None:
     """Mounting and bias are not estimated here, so a few centimetres at the tips are expected."""
     pipeline = Pipeline(sim.hand, sim.glove, sim.rig, Settings(engine=engine))
     estimates = feed(pipeline, sim.feed())
@@ -35,7 +35,7 @@ def test_follows_the_fingers_by_their_imus(sim: Simulation, engine: str) -> None
     assert state["middle_pip_flexion"] == Validity.MEASURED
 
 
-def test_goes_on_identically_from_a_saved_state(sim: Simulation) -> None:
+def test_resumes_identically_from_a_saved_state(sim: Simulation) -> None:
     messages = list(sim.feed())
     first = Pipeline(sim.hand, sim.glove, sim.rig, Settings(engine="switching"))
     feed(first, messages[:300])
@@ -45,6 +45,6 @@ def test_goes_on_identically_from_a_saved_state(sim: Simulation) -> None:
     assert all(np.array_equal(x.keypoints, y.keypoints) for x, y in zip(a, b, strict=True))
 
 
-def test_an_unknown_engine_is_refused_in_words(sim: Simulation) -> None:
+def test_an_unknown_engine_is_rejected(sim: Simulation) -> None:
     with raises(ConfigError, "part.unknown"):
         Pipeline(sim.hand, sim.glove, sim.rig, Settings(engine="magic"))

@@ -1,4 +1,4 @@
-"""The short memory of packets."""
+"""The buffer of recent packets."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ def packet(t: float, value: float = 0.0, n: int = 2, valid: bool = True) -> ImuS
     )
 
 
-def test_interpolates_between_packets_and_keeps_their_doubt() -> None:
+def test_interpolates_between_packets_and_their_validity() -> None:
     buffer = ImuBuffer(2)
     buffer.add(packet(1.0, 0.0))
     buffer.add(packet(1.1, 10.0, valid=False))
@@ -23,14 +23,14 @@ def test_interpolates_between_packets_and_keeps_their_doubt() -> None:
     assert not middle.valid.any()
 
 
-def test_refuses_a_packet_from_the_past_and_forgets_old_ones() -> None:
+def test_rejects_an_old_packet_and_drops_expired_ones() -> None:
     buffer = ImuBuffer(2, span=0.5)
     assert all(buffer.add(packet(0.1 * k)) for k in range(20))
     assert not buffer.add(packet(1.0))
     assert len(buffer) == 6 and [s.t for s in buffer][-2:] == pytest.approx([1.8, 1.9])
 
 
-def test_health_finds_stuck_and_unfinite_sensors() -> None:
+def test_health_finds_stuck_and_non_finite_sensors() -> None:
     health, rng = ImuHealth(3), np.random.default_rng(0)
     for k in range(STUCK_AFTER + 2):
         accel, gyro = rng.normal(size=(3, 3)), rng.normal(size=(3, 3))

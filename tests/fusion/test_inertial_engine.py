@@ -1,4 +1,4 @@
-"""A glove without a camera: the hand turns and bends by its IMUs, and claims no place."""
+"""A glove without a camera: orientation and posture from its IMUs, no position."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -37,10 +37,10 @@ def estimates(sim: Simulation) -> list[Estimate]:
     return [pipeline.feed_imu(sample) for sample in sim.imu_samples()]
 
 
-def test_the_hand_turns_and_bends_as_it_truly_does(
+def test_orientation_and_posture_match_the_true_hand(
     sim: Simulation, estimates: list[Estimate]
 ) -> None:
-    """Within the mounting of the IMUs, 7.5° by which the wearer differs and no IMU can tell."""
+    """Within the IMU mounting error, 7.5° for this wearer, which no IMU can measure."""
     tilt, angles = [], []
     for e in estimates[100::10]:
         true = sim.truth(e.t)
@@ -53,7 +53,7 @@ def test_the_hand_turns_and_bends_as_it_truly_does(
     assert np.rad2deg(np.mean(angles)) < 6.0
 
 
-def test_no_place_is_claimed(estimates: list[Estimate]) -> None:
+def test_no_position_is_reported(estimates: list[Estimate]) -> None:
     begun = [e for e in estimates if e.tracking != Tracking.SEARCHING]
     assert begun[0].t - estimates[0].t < 0.5
     for e in begun:
@@ -74,7 +74,7 @@ def test_segments_are_relative_to_the_imu_of_the_root(
     assert np.ptp(reach) < 1e-6
 
 
-def test_after_a_silence_it_starts_from_gravity_again(sim: Simulation) -> None:
+def test_after_an_interruption_it_starts_from_gravity_again(sim: Simulation) -> None:
     pipeline = Pipeline(sim.hand, sim.glove, None, INERTIAL)
     samples = list(sim.imu_samples())
     for sample in [*samples[:200], *samples[500:505]]:
@@ -86,7 +86,7 @@ def test_after_a_silence_it_starts_from_gravity_again(sim: Simulation) -> None:
     assert e.tracking == Tracking.LOST and up @ true_up > np.cos(np.deg2rad(15))
 
 
-def test_images_change_nothing_and_each_has_its_empty_result(
+def test_images_have_no_effect_and_empty_results(
     sim: Simulation, estimates: list[Estimate]
 ) -> None:
     pipeline = Pipeline(sim.hand, sim.glove, None, INERTIAL)
@@ -107,14 +107,14 @@ def test_images_change_nothing_and_each_has_its_empty_result(
     assert all((r.match_left == -1).all() for r in found)
 
 
-def test_an_engine_that_needs_the_camera_says_so(sim: Simulation) -> None:
+def test_an_engine_that_needs_the_camera_reports_it(sim: Simulation) -> None:
     with raises(ConfigError, "engine.needs_camera"):
         Pipeline(sim.hand, sim.glove, None)
 
 
 @pytest.fixture
 def recorded(tmp_path: Path) -> Path:
-    """A glove alone, recorded while it is shown."""
+    """A glove alone, recorded live."""
     path = tmp_path / "glove.mcap"
     sim, info = build(SimulateOptions(seed=5, duration=3.0, fps=30, images=False))
     info = replace(info, rig=None, engine="inertial", settings_text=to_toml(INERTIAL))

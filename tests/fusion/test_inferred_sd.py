@@ -1,4 +1,4 @@
-"""Standard deviations of inferred points: what nothing measures is as uncertain as it claims."""
+"""Standard deviations of inferred points: errors of unmeasured points match their claimed sd."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Spans = list[tuple[float, float]]
 
 def bursts(sim: Simulation, seed: int) -> list[Message]:
     """Images are dropped for 0.2 to 1.6 s at a time and half of the others arrive up to 0.4 s late;
-    packets are withheld for 0.1 to 1 s at a time and then arrive together."""
+    packets are delayed by 0.1 to 1 s at a time and then arrive together."""
     rng = np.random.default_rng(1000 + seed)
     dropped = _spans(rng, sim.duration, (0.2, 1.6), (0.4, 1.5))
     withheld = _spans(rng, sim.duration, (0.1, 1.0), (0.8, 3.0))
@@ -94,7 +94,7 @@ def test_inferred_points_are_within_3_sd_under_overload(
 @pytest.mark.data
 @pytest.mark.parametrize("engine", ["chain", "vist", "switching"])
 def test_inferred_points_of_an_overloaded_recording(data_folder: Path, engine: str) -> None:
-    """In 3 s of it the wearer points with two fingers: ring and little finger do not follow."""
+    """For 3 s the wearer points with two fingers: ring and little finger do not follow."""
     path = data_folder / "overload" / "session.mcap"
     if not path.exists():
         pytest.skip(f"there is no {os.fspath(path)}")
@@ -108,10 +108,10 @@ def test_inferred_points_of_an_overloaded_recording(data_folder: Path, engine: s
 
 
 @pytest.mark.parametrize("fist", ["sensed fingers", "others"])
-def test_a_digit_without_sensors_may_be_where_its_joints_let_it_be(
+def test_a_digit_without_sensors_may_be_anywhere_its_joints_allow(
     hand: HandModel, glove: GloveModel, fist: str
 ) -> None:
-    """Two fingers are straight and the others closed, or the other way round."""
+    """Two fingers are straight and the others closed, or vice versa."""
     layout = ChainLayout(hand, glove)
     closed = ("index", "middle") if fist == "sensed fingers" else ("ring", "little")
     bends = {f"{f}_{j}_flexion": v for f in closed for j, v in (("mcp", 80), ("pip", 90))}
@@ -137,7 +137,7 @@ def test_a_digit_without_sensors_may_be_where_its_joints_let_it_be(
 def test_a_hand_that_moved_without_packets_is_doubted_until_it_is_seen(
     hand: HandModel, glove: GloveModel
 ) -> None:
-    """Packets are lost for 0.3 s and images for 0.7 s: then IMUs alone say where the hand is."""
+    """Packets are lost for 0.3 s and images for 0.7 s: then only IMUs determine the position."""
     sim = Simulation(hand, glove, RandomPostures(hand, 4, duration=4.5), 4, fps=30)
     pipeline, shown = Pipeline(hand, glove, sim.rig), []
     for m in sim.feed():
@@ -155,8 +155,8 @@ def test_a_hand_that_moved_without_packets_is_doubted_until_it_is_seen(
     assert max(e.keypoint_sd[body].max() for e in again) < MEASURED_SD / 2
 
 
-def test_what_damping_took_away_is_known(hand: HandModel, glove: GloveModel) -> None:
-    """`vist`: the undamped path is the damped one and what was held back."""
+def test_the_effect_of_damping_is_known(hand: HandModel, glove: GloveModel) -> None:
+    """`vist`: the undamped trajectory is the damped one plus ``held_back``."""
     layout, rng = VistLayout(hand, glove), np.random.default_rng(3)
     n = len(glove.imus)
     damped, free = blank_state(layout), blank_state(layout)

@@ -1,4 +1,4 @@
-"""Packets and images that come late, rarely and in bunches, as on a machine that is too slow."""
+"""Packets and images that arrive late and in bursts, as on an overloaded computer."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ Message = ImuSample | BlobFrame
 
 
 def starved(sim: Simulation, seed: int, images_s: float = 0.1) -> list[Message]:
-    """The simulator's messages as threads that are seldom let run would pass them on.
+    """The simulator's messages as delivered by threads that are rarely scheduled.
 
-    Each of the two threads wakes at instants of its own, up to 0.3 s apart and once 1.2 s, and then
-    passes on all that has come; images are at least ``images_s`` apart.
+    Each of the two threads wakes at its own times, up to 0.3 s apart and once 1.2 s, and then
+    delivers everything that has arrived; images are at least ``images_s`` apart.
     """
     rng = np.random.default_rng(seed)
     wakes = {kind: _wakes(rng, sim.duration) for kind in (ImuSample, BlobFrame)}
@@ -73,7 +73,7 @@ def rows(glove: GloveModel, hand: HandModel) -> list[int]:
 def judged(
     estimates: list[Estimate], truth: list[np.ndarray], keys: list[int]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Errors (n, 4) m, NaN where nothing is shown; claimed sd (n, 4) m; whether it is measured."""
+    """Errors (n, 4) m, NaN where lost; claimed sd (n, 4) m; whether it is measured."""
     error = np.array(
         [
             np.linalg.norm(e.keypoints[keys] - p[keys], axis=1)
@@ -86,7 +86,7 @@ def judged(
 
 
 def longest(wrong: np.ndarray, t: np.ndarray) -> float:
-    """s of the longest stretch in which any column of wrong (n, 4) is true without a break."""
+    """s, the longest interval in which any column of wrong (n, 4) is true without interruption."""
     run, most = 0.0, 0.0
     for (before, now), bad in zip(pairwise(t), wrong[1:].any(axis=1), strict=True):
         run = run + now - before if bad else 0.0
@@ -95,7 +95,7 @@ def longest(wrong: np.ndarray, t: np.ndarray) -> float:
 
 
 @pytest.mark.parametrize("seed", [2, 3])
-def test_a_starved_machine_costs_images_and_not_truth(
+def test_an_overloaded_computer_loses_images_but_not_accuracy(
     hand: HandModel, glove: GloveModel, seed: int
 ) -> None:
     """Within 3 sd (in 99 % of instants over wearers); never 50 mm measured for 0.1 s."""
@@ -105,10 +105,10 @@ def test_a_starved_machine_costs_images_and_not_truth(
     truth = [x.keypoints for x in sim.truths(t)]
     error, sd, measured = judged(estimates, truth, rows(glove, hand))
     shown = np.isfinite(error)
-    assert shown.mean() > 0.5  # so that the next lines say something
+    assert shown.mean() > 0.5  # so that the following assertions are meaningful
     honest = error <= 3 * sd
     for key, name in enumerate(KEYPOINTS):
-        # Of one wearer: what is wrong of an end joint lasts as long as a posture.
+        # For one wearer: the error of an end joint persists as long as a posture.
         assert honest[shown[:, key], key].mean() >= 0.96, name
     assert honest[shown].mean() >= 0.98
     assert longest(measured & (error > 0.05), t) <= 0.1
@@ -117,7 +117,8 @@ def test_a_starved_machine_costs_images_and_not_truth(
 def test_late_packets_lead_to_the_state_of_those_in_order(
     hand: HandModel, glove: GloveModel
 ) -> None:
-    """Images were used without packets, and then the packets came: as if they had been there."""
+    """Images were used without packets, which arrived later: the result is as if they were on
+    time."""
     sim = Simulation(hand, glove, RandomPostures(hand, 5, duration=5.0), 5, fps=30)
     plain = list(sim.feed())
     bunch = max(m.t_arrival for m in plain if isinstance(m, ImuSample) and m.t < 2.8)
@@ -132,18 +133,18 @@ def test_late_packets_lead_to_the_state_of_those_in_order(
     a, b = in_order[-1], out_of_order[-1]
     assert b.tracking == Tracking.TRACKING
     assert a.t == b.t
-    # The same images met the same packets; only where the way was cut into intervals differs.
+    # The same images with the same packets; only the division into intervals differs.
     assert np.abs(a.keypoints - b.keypoints).max() < 5e-4
 
 
 @pytest.mark.parametrize("stall", [4.0, 1.0])
-def test_packets_that_come_seconds_late_are_no_lie(
+def test_packets_that_arrive_seconds_late_cause_no_false_measurement(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch, stall: float
 ) -> None:
-    """Whether or not there is a way back to before the images that were used without them.
+    """With or without a saved state from before the images that were used without them.
 
-    4 s: there is one. 1 s with a way back of 0.5 s: what is shown of the packets' instants is what
-    the hand was later, which is said to be inferred."""
+    4 s: there is one. 1 s with a limit of 0.5 s: the output for the packets' times is that of a
+    later time, and is reported as inferred."""
     if stall == 1.0:
         monkeypatch.setattr(timeline, "LONGEST_AHEAD", 0.5)
     sim = Simulation(hand, glove, RandomPostures(hand, 7, duration=3.5 + stall), 7, fps=30)
@@ -152,20 +153,20 @@ def test_packets_that_come_seconds_late_are_no_lie(
         if isinstance(m, ImuSample) and 2.0 < m.t_arrival < 3.0 + stall
         else m
         for m in sim.feed()
-        # the port kept a second of packets, those after it were lost
+        # the port buffered one second of packets, later ones were lost
         if not (isinstance(m, ImuSample) and 3.0 < m.t_arrival < 3.0 + stall)
     ]
     estimates = feed(Pipeline(hand, glove, sim.rig), sorted(late, key=lambda m: m.t_arrival))
     truth = [x.keypoints for x in sim.truths(np.array([e.t for e in estimates]))]
     error, sd, measured = judged(estimates, truth, rows(glove, hand))
     stale = np.array([2.0 < e.t < 3.0 for e in estimates])
-    assert np.any(error[stale] > 0.02) == (stall == 1.0)  # what is tested does happen
+    assert np.any(error[stale] > 0.02) == (stall == 1.0)  # the tested case occurs
     assert not np.any(measured & (error > 0.05))
     assert np.mean((error <= 3 * sd)[stale]) >= 0.98
 
 
 @pytest.mark.parametrize("engine", ["chain", "vist"])
-def test_what_is_carried_on_says_how_unsure_it_is(
+def test_the_sd_of_a_propagated_state_grows(
     hand: HandModel, glove: GloveModel, engine: str
 ) -> None:
     """Without images for 0.6 s the claimed sd grows; nothing stays measured with a large one."""
@@ -183,8 +184,8 @@ def test_what_is_carried_on_says_how_unsure_it_is(
 
 
 @pytest.mark.data
-def test_the_demo_of_an_overbooked_machine(data_folder: Path) -> None:
-    """Recorded live: images up to 1.2 s late, packets in bunches up to 1.5 s late, none lost."""
+def test_the_demo_of_an_overloaded_computer(data_folder: Path) -> None:
+    """Recorded live: images up to 1.2 s late, packets in bursts up to 1.5 s late, none lost."""
     path = data_folder / "overload" / "session.mcap"
     if not path.exists():
         pytest.skip(f"there is no {os.fspath(path)}")

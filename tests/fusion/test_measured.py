@@ -1,4 +1,4 @@
-"""A hand that was measured with a ruler."""
+"""A hand measured with a ruler."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 
 
-def test_the_length_is_the_rulers_and_as_sure(hand: HandModel, glove: GloveModel) -> None:
+def test_the_length_and_its_sd_are_those_of_the_ruler(hand: HandModel, glove: GloveModel) -> None:
     layout = ChainLayout(hand, glove)
     gain, n = length_gain(layout), layout.n_dynamic
     profile = measured_profile(layout, 0.170)
@@ -26,12 +26,12 @@ def test_the_length_is_the_rulers_and_as_sure(hand: HandModel, glove: GloveModel
     after = float(gain @ profile.P[lengths, lengths] @ gain) ** 0.5
     assert gain @ profile.scale[:, 0] == pytest.approx(0.170, abs=RULER_SD / 2)
     assert after == pytest.approx(1 / np.hypot(1 / before, 1 / RULER_SD), rel=1e-6)
-    # girths follow as far as long hands are broad ones: the regression on the length
+    # girths follow by their correlation with lengths: the regression on the length
     p, length = PriorParams(), float(gain.sum())
     expected = p.alike * p.common_length * p.common_girth * length / (before**2 + RULER_SD**2)
     assert profile.scale[:, 1] == pytest.approx(1 + expected * (0.170 - length), rel=1e-9)
 
 
-def test_no_hand_is_a_metre_long(hand: HandModel, glove: GloveModel) -> None:
+def test_a_hand_of_a_metre_is_rejected(hand: HandModel, glove: GloveModel) -> None:
     with raises(ConfigError, "calibration.hand_length"):
         measured_profile(ChainLayout(hand, glove), 0.018)

@@ -1,4 +1,4 @@
-"""One lens: the hand is found and followed, and its distance is said to be unsure."""
+"""One camera: the hand is found and tracked, with an uncertain distance."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ def test_a_known_pattern_is_placed(depth: float) -> None:
     rng = np.random.default_rng(4)
     markers, hue = pattern(rng, 14)
     place = np.array([0.05, -0.03, depth])
-    p = markers[:11] + place  # three are hidden
+    p = markers[:11] + place  # three are occluded
     seen = p[:, :2] / p[:, 2:] + rng.normal(0, 0.3 / 640, (11, 2))
-    seen = np.concatenate([seen, rng.uniform(-0.5, 0.5, (4, 2))])  # four are strangers
+    seen = np.concatenate([seen, rng.uniform(-0.5, 0.5, (4, 2))])  # four belong to no marker
     hues = np.concatenate([hue[:11], [0, 1, 2, 3]])
     depths = np.geomspace(0.2, 0.75, 8)
     found, score, support = best_position(seen, hues, markers, hue, np.ones(14), depths, 0.012)
@@ -41,7 +41,7 @@ def test_a_known_pattern_is_placed(depth: float) -> None:
 def run(
     sim: Simulation, blind: str, until: float = np.inf
 ) -> tuple[Pipeline, list[Estimate], list[float]]:
-    """All estimates, and their mean errors (m); a side is blind until an instant."""
+    """All estimates, and their mean errors (m); a side is blind until a given time."""
     pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
     rows = [pipeline.keypoint_names.index(k) for k in TIPS]
     shown, errors = [], []
@@ -63,7 +63,7 @@ def simulation(hand: HandModel, glove: GloveModel, seed: int, duration: float) -
 
 
 @pytest.mark.parametrize("blind", ["right", "left"])
-def test_one_lens_tracks_and_says_how_unsure_it_is(hand, glove, blind: str) -> None:
+def test_one_camera_tracks_and_reports_its_uncertainty(hand, glove, blind: str) -> None:
     sim = simulation(hand, glove, 4, 6.0)
     pipeline, shown, errors = run(sim, blind)
     late = shown[10:]
@@ -76,17 +76,17 @@ def test_one_lens_tracks_and_says_how_unsure_it_is(hand, glove, blind: str) -> N
     found = pipeline.calibration()
     assert found.hand_length_sd == pytest.approx(0.05 * found.hand_length, rel=0.01)
     assert abs(found.hand_length - sim.wearer.hand_length) < 3 * found.hand_length_sd
-    assert np.nanmin(found.scale_sd) >= 0.05  # not what the filter holds fast
+    assert np.nanmin(found.scale_sd) >= 0.05  # not the value that the filter fixes
 
 
 def sd_of_sensed_digits(glove, hand, estimate) -> float:
-    """m, mean over keypoints; ring and little finger are inferred whatever the cameras see."""
+    """m, mean over keypoints; ring and little finger are inferred in any case."""
     names = glove.keypoint_names(hand)
     rows = [k for k, name in enumerate(names) if not name.startswith(("ring", "little"))]
     return float(np.nanmean(estimate.keypoint_sd[rows]))
 
 
-def test_the_second_lens_makes_it_sure(hand, glove) -> None:
+def test_the_second_camera_removes_the_uncertainty(hand, glove) -> None:
     pipeline, shown, errors = run(simulation(hand, glove, 4, 8.0), "right", until=3.0)
     assert sd_of_sensed_digits(glove, hand, shown[25]) > 0.008
     assert sd_of_sensed_digits(glove, hand, shown[-1]) < 0.006
@@ -95,7 +95,7 @@ def test_the_second_lens_makes_it_sure(hand, glove) -> None:
     assert pipeline.calibration().hand_length_sd > 0.0005
 
 
-def test_an_empty_room_starts_nothing(hand, glove) -> None:
+def test_a_scene_without_a_hand_starts_nothing(hand, glove) -> None:
     sim = simulation(hand, glove, 4, 2.0)
     pipeline, rng = Pipeline(hand, glove, sim.rig), np.random.default_rng(3)
     for message in sim.feed():
@@ -111,8 +111,8 @@ def test_an_empty_room_starts_nothing(hand, glove) -> None:
 def measured_after(
     hand: HandModel, glove: GloveModel, seed: int, start: float, fps: float = 10.0
 ) -> list[float]:
-    """Of a hand first seen at ``start`` (s): the largest error (m) of what is called measured, of
-    each packet within 1.5 s."""
+    """For a hand first seen at ``start`` (s): the largest error (m) of any point called measured,
+    for each packet within 1.5 s."""
     sim = Simulation(hand, glove, RandomPostures(hand, seed, duration=9.0), seed, fps=fps)
     pipeline, worst = Pipeline(hand, glove, sim.rig), []
     for message in sim.feed():
@@ -131,23 +131,26 @@ def measured_after(
     return worst
 
 
-def test_a_start_in_few_images_is_not_measured_before_it_is_right(hand, glove) -> None:
-    """At ten images a second markers took their neighbours' blobs: 8 cm wrong, said to be sure."""
+def test_a_start_in_few_images_is_not_measured_before_it_is_correct(hand, glove) -> None:
+    """At ten images per second markers matched their neighbours' blobs: 8 cm wrong, with a small
+    sd."""
     worst = measured_after(hand, glove, 2, 3.1)
     assert len(worst) > 30
     assert max(worst) < 0.05
 
 
-def test_a_hand_at_a_few_of_its_blobs_is_not_measured_while_most_are_nobodys(hand, glove) -> None:
-    """A start that was found turned the wrong way is at 5 of 15 blobs by chance, image by image,
-    and 11 cm wrong."""
+def test_a_hand_with_few_matches_is_not_measured_while_most_blobs_are_unmatched(
+    hand, glove
+) -> None:
+    """A start with the wrong heading matches 5 of 15 blobs by chance in each image, and is 11 cm
+    wrong."""
     assert max(measured_after(hand, glove, 12, 5.2), default=0.0) < 0.05
 
 
-def test_a_small_hand_taken_for_one_farther_away_is_not_measured_beyond_5_cm(hand, glove) -> None:
-    """A stranger's that is 8 % shorter than the file's, 42 cm away, with what a start adds to that:
-    it was called measured and 6 cm wrong for 0.9 s; another, 10 % shorter, for 1.7 s. Nearer, the
-    same share of the distance is less.
+def test_a_small_hand_mistaken_for_a_distant_one_is_not_measured_beyond_5_cm(hand, glove) -> None:
+    """A hand 8 % shorter than the file's, 42 cm away, plus the error of a start: it was called
+    measured and 6 cm wrong for 0.9 s; another, 10 % shorter, for 1.7 s. At a smaller distance the
+    error is smaller.
     """
     assert max(measured_after(hand, glove, 9, 2.8), default=0.0) < 0.05
     assert max(measured_after(hand, glove, 57, 3.1, fps=30.0), default=0.0) < 0.05

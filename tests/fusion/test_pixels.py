@@ -1,4 +1,4 @@
-"""What is expected of markers and learned from them, compiled, beside the plain formulas."""
+"""Predicted markers and their update, compiled, against the plain formulas."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Case = tuple[ChainLayout, ChainState, Prediction]
 
 @pytest.fixture(scope="module")
 def case(hand: HandModel, glove: GloveModel) -> Case:
-    """A bent hand of another size before the camera, with a covariance full of correlations."""
+    """A bent hand of another size in front of the camera, with a fully correlated covariance."""
     layout, rng = ChainLayout(hand, glove), np.random.default_rng(21)
     state = initial_state(layout)
     state.p = RIG.pose.p_GC + 0.35 * RIG.pose.R_GC[:, 2]
@@ -45,7 +45,7 @@ def case(hand: HandModel, glove: GloveModel) -> Case:
 
 
 def test_expected_markers_are_the_plain_products(case: Case) -> None:
-    """Where they stand, their Jacobians, H P, and their covariance in G and in pixels."""
+    """Their positions, Jacobians, H P, and covariance in G and in pixels."""
     layout, state, e = case
     p_C = (marker_positions(state, layout) - RIG.pose.p_GC) @ RIG.pose.R_GC
     for c in range(2):
@@ -64,7 +64,7 @@ def test_expected_markers_are_the_plain_products(case: Case) -> None:
 
 
 def blobs(case: Case, seed: int) -> tuple[SeenBlobs, ...]:
-    """Most expected markers some pixels off, shuffled, and some blobs that are none."""
+    """Most predicted markers displaced by some pixels, shuffled, plus unrelated blobs."""
     layout, _, e = case
     rng, out = np.random.default_rng(seed), []
     for c in range(2):
@@ -77,8 +77,8 @@ def blobs(case: Case, seed: int) -> tuple[SeenBlobs, ...]:
 
 
 def test_matches_are_those_of_the_assignment(case: Case) -> None:
-    """Image by image, with a price of no match that grows with the covariance; but for blobs that
-    would suit another digit's marker as well."""
+    """Image by image, with a cost of no match that grows with the covariance; except for blobs that
+    would fit another digit's marker equally well."""
     layout, _, e = case
     seen = blobs(case, 1)
     match = PixelModel(layout, RIG, NOISE).match(e, seen)
@@ -100,7 +100,7 @@ def test_matches_are_those_of_the_assignment(case: Case) -> None:
 def distances(
     e: Prediction, c: int, uv: Array, i: int, found: IntArray, digit: IntArray, layout: ChainLayout
 ) -> list[float]:
-    """Of a blob from the marker that got it, and from those of other digits that got none."""
+    """Distances of a blob from its assigned marker, and from unmatched markers of other digits."""
     hue = layout.glove.marker_hue[e.rows]
     free = (found < 0) & (hue == hue[i]) & (digit != digit[i]) & (e.prior[c, e.rows] >= 0.01)
     out = []
@@ -110,9 +110,9 @@ def distances(
     return out
 
 
-def test_a_blob_between_two_fingers_is_nobodys(case: Case) -> None:
-    """Two markers of a hue on neighbouring fingers, and one blob in the middle between them; near
-    either of them it is that one's."""
+def test_a_blob_between_two_fingers_is_not_assigned(case: Case) -> None:
+    """Two markers of a hue on neighbouring fingers, and one blob midway between them; closer to
+    either of them it is assigned to that one."""
     layout, _, e = case
     of_digit, hue = digit_of(layout)[layout.marker_segment], layout.glove.marker_hue
     pairs = [
@@ -140,8 +140,8 @@ def some_matched(case: Case) -> IntArray:
     return match
 
 
-def test_three_rows_of_a_marker_say_what_its_four_pixels_say(case: Case) -> None:
-    """The same correction and covariance as of all pixels, one marker far off included."""
+def test_three_rows_of_a_marker_are_equivalent_to_its_four_pixels(case: Case) -> None:
+    """The same correction and covariance as with all pixels, including an outlier."""
     _, state, e = case
     match, rng = some_matched(case), np.random.default_rng(5)
     n = int(match.max()) + 1
@@ -162,7 +162,7 @@ def test_three_rows_of_a_marker_say_what_its_four_pixels_say(case: Case) -> None
     assert np.abs(P - P_whole).max() < 1e-8 * np.abs(P_whole).max()
 
 
-def test_nothing_matched_gives_no_rows(case: Case) -> None:
+def test_no_matches_give_no_rows(case: Case) -> None:
     _, _, e = case
     none, nothing = np.full((2, e.uv.shape[1]), -1), np.zeros((0, 2))
     got = point_rows(e, none, nothing, nothing, NOISE.pixel)
@@ -177,8 +177,8 @@ def test_a_tally_counts_markers(case: Case) -> None:
     assert tally.expected == pytest.approx(e.prior.max(axis=0).sum())
 
 
-def test_only_blobs_of_the_gloves_hues_count() -> None:
-    """Those of another hue, of none, or without a place are left out."""
+def test_only_blobs_of_the_gloves_hues_are_used() -> None:
+    """Those of another hue, without a hue, or without a position are ignored."""
     rng = np.random.default_rng(6)
     uv, hue = rng.normal(size=(12, 2)), rng.integers(0, 4, 12)
     uv[3, 1], uv[5, 0], hue[7], hue[8] = np.nan, np.inf, 4, -1

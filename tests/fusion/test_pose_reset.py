@@ -1,4 +1,4 @@
-"""A pose reset aligns a hand that has drifted with the pose that the wearer holds."""
+"""A pose reset aligns a hand that has drifted with the pose held by the wearer."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from tracker.simulation.smooth import rng_for
 
 INERTIAL = Settings(engine="inertial")
 DRIFTS, HELD, RESET = (4.0, 14.0), 15.0, 18.0
-"""s: the heading drifts in a span, the hand is held flat from an instant on, and reset."""
+"""s: the heading drifts in an interval, the hand is held flat from a given time on, and reset."""
 RATE = np.deg2rad(4.0)  # rad/s of the drift
 
 
@@ -54,7 +54,7 @@ def wearer(hand: HandModel, glove: GloveModel) -> Simulation:
 
 @pytest.fixture(scope="module")
 def drifting(wearer: Simulation) -> list[ImuSample]:
-    """Packets of a glove whose gyroscopes drift about the vertical for a while."""
+    """Packets of a glove whose gyroscopes drift about the vertical for some time."""
     everything = np.ones(len(wearer.glove.imus))
     return [_drifting(sample, wearer, everything) for sample in wearer.imu_samples()]
 
@@ -87,7 +87,7 @@ def _run(pipeline: Pipeline, samples: list[ImuSample], reset: bool) -> dict[floa
     return out
 
 
-def test_a_heading_that_has_drifted_is_straight_ahead_again(
+def test_a_drifted_heading_is_reset_to_straight_ahead(
     wearer: Simulation, drifting: list[ImuSample]
 ) -> None:
     pipeline = Pipeline(wearer.hand, wearer.glove, None, INERTIAL)
@@ -103,7 +103,9 @@ def test_a_heading_that_has_drifted_is_straight_ahead_again(
     assert (reported.code, reported.values["side"]) == ("pose_reset.done_heading", "right")
 
 
-def test_tilt_and_the_size_of_the_hand_stay(wearer: Simulation, drifting: list[ImuSample]) -> None:
+def test_tilt_and_the_size_of_the_hand_are_unchanged(
+    wearer: Simulation, drifting: list[ImuSample]
+) -> None:
     samples = [s for s in drifting if s.t < RESET + 0.2]
     runs = [Pipeline(wearer.hand, wearer.glove, None, INERTIAL) for _ in range(2)]
     plain, reset = (
@@ -150,7 +152,7 @@ def test_rows_are_the_derivative_of_the_bends(layout: ChainLayout) -> None:
     assert not np.delete(H, columns, axis=1).any()
 
 
-def test_a_finger_that_has_drifted_is_straight_again(hand: HandModel, glove: GloveModel) -> None:
+def test_a_drifted_finger_is_straightened(hand: HandModel, glove: GloveModel) -> None:
     sim = held_flat(hand, glove, seed=4)
     index = np.array([imu.segment.startswith("index") for imu in glove.imus])
     samples = [_drifting(s, sim, 2.5 * index) for s in sim.imu_samples() if s.t < RESET]
@@ -167,14 +169,14 @@ def test_a_finger_that_has_drifted_is_straight_again(hand: HandModel, glove: Glo
 
 
 def _bent(pipeline: Pipeline) -> float:
-    """rad by which a joint of the filter's state differs from straight, at most."""
+    """rad, maximum deviation of a joint of the filter's state from straight."""
     engine = pipeline.engine
     assert isinstance(engine, ChainEngine)
     state = engine.get_state().tracker.filter.state
     return float(np.linalg.norm(bends(state, engine.layout), axis=1).max())
 
 
-def test_a_bent_or_upright_hand_is_refused_in_words(
+def test_a_bent_or_vertical_hand_is_rejected(
     wearer: Simulation, hand: HandModel, glove: GloveModel
 ) -> None:
     pipeline = Pipeline(hand, glove, None, INERTIAL)
@@ -201,7 +203,7 @@ def test_a_bent_or_upright_hand_is_refused_in_words(
         assert np.array_equal(stored.R_GB, R_GB), "nothing is changed"
 
 
-def test_an_engine_without_it_says_so(wearer: Simulation) -> None:
+def test_an_engine_without_it_reports_it(wearer: Simulation) -> None:
     pipeline = Pipeline(wearer.hand, wearer.glove, wearer.rig, Settings(engine="vist"))
     pipeline.feed_event(reset_event(0.0))
     (reported,) = pipeline.drain_notices()
@@ -225,7 +227,7 @@ def test_a_recorded_reset_is_tracked_again_bit_for_bit(
             recorder.write(pipeline.feed_imu(sample))
     track(path, again, TrackOptions(with_sensors=True))
     assert compare(path, again)["identical"]
-    track(again, once_more)  # what tracking has written holds the reset, too
+    track(again, once_more)  # the output of tracking contains the reset as well
     assert compare(path, once_more)["identical"]
     with SessionReader(again) as reader:
         kinds = [m.kind for m in reader.messages((Event,)) if isinstance(m, Event)]

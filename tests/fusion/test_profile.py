@@ -1,4 +1,4 @@
-"""What was learned of a wearer, given to another run."""
+"""A learned wearer profile used in another run."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 
 
-def test_a_known_wearer_starts_better(hand: HandModel, glove: GloveModel) -> None:
+def test_a_known_wearer_starts_more_accurately(hand: HandModel, glove: GloveModel) -> None:
     sim = simulation(hand, glove, 7, 12.0)
     messages = list(sim.feed())
     first = Pipeline(hand, glove, sim.rig)

@@ -1,5 +1,5 @@
-"""A wearer's profile on disk: the same when read, what belongs to the glove's fit left out, refused
-in words when it is another's."""
+"""A wearer profile as a file: identical when read, without the fit of the glove, and rejected for
+another hand or glove."""
 
 import dataclasses
 import tomllib
@@ -28,7 +28,7 @@ def engine(hand: HandModel, glove: GloveModel) -> ChainEngine:
 
 @pytest.fixture
 def wearer(engine: ChainEngine) -> WearerFile:
-    """What an engine knows before it has seen anything, with every array made distinct."""
+    """The initial profile of an engine, with every element made distinct."""
     rng = np.random.default_rng(3)
     profile = engine.profile()
     changed = {
@@ -54,7 +54,7 @@ def test_what_belongs_to_the_wearer_reads_back_bit_for_bit(wearer, tmp_path):
     assert not list(tmp_path.rglob("*.tmp"))
 
 
-def test_what_belongs_to_one_putting_on_is_as_of_anybody(wearer, engine, tmp_path):
+def test_parameters_of_one_donning_are_reset_to_the_prior(wearer, engine, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
     read, anybody = read_wearer(tmp_path / "anna.toml", wearer.layout).profile, engine.profile()
     for name in ("bg", "R_IB", "ba", "marker"):
@@ -64,7 +64,7 @@ def test_what_belongs_to_one_putting_on_is_as_of_anybody(wearer, engine, tmp_pat
     np.testing.assert_array_equal(read.P[np.ix_(fit, fit)], anybody.P[np.ix_(fit, fit)])
 
 
-def test_foreign_tools_read_it(wearer, tmp_path):
+def test_other_programs_can_read_it(wearer, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
     table = tomllib.loads((tmp_path / "anna.toml").read_text())
     assert table["bones"]["dorsum"]["length"] == wearer.profile.scale[0, 0]
@@ -75,7 +75,7 @@ def test_foreign_tools_read_it(wearer, tmp_path):
     }
 
 
-def test_an_engine_goes_on_with_it(wearer, engine, tmp_path):
+def test_an_engine_continues_with_it(wearer, engine, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
     engine.put_on(read_wearer(tmp_path / "anna.toml", engine.layout).profile)
     np.testing.assert_array_equal(engine.profile().scale, wearer.profile.scale)
@@ -84,14 +84,14 @@ def test_an_engine_goes_on_with_it(wearer, engine, tmp_path):
     assert engine.profile().synergies is None
 
 
-def test_the_profile_of_another_glove_is_refused(wearer, hand, distal_glove, tmp_path):
+def test_the_profile_of_another_glove_is_rejected(wearer, hand, distal_glove, tmp_path):
     write_wearer(tmp_path / "anna.toml", wearer)
     with raises(FileError, "wearer.other_hand"):
         read_wearer(tmp_path / "anna.toml", ChainLayout(hand, distal_glove))
 
 
 @pytest.mark.parametrize("damage", ["cut", "text", "nan", "missing", "no covariance"])
-def test_a_damaged_profile_is_said(wearer, tmp_path, damage):
+def test_a_damaged_profile_is_reported(wearer, tmp_path, damage):
     path = tmp_path / "anna.toml"
     write_wearer(path, wearer)
     text = path.read_text()
@@ -108,7 +108,7 @@ def test_a_damaged_profile_is_said(wearer, tmp_path, damage):
     assert caught.value.notice.values["file"] == "anna.toml"
 
 
-def test_a_profile_that_cannot_be_written_is_said(wearer, tmp_path):
+def test_a_profile_that_cannot_be_written_is_reported(wearer, tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(FileError):
         write_wearer(tmp_path / "file" / "anna.toml", wearer)

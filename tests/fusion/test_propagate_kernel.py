@@ -1,4 +1,4 @@
-"""The compiled motion of the chain beside what its formulas say."""
+"""The compiled propagation of the chain against its formulas."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def packet(layout: ChainLayout, t: float, seed: int, silent: tuple[int, ...] = (
 
 
 def turn_noise(layout: ChainLayout, R_GB: Array, valid: Array, sd: tuple[float, ...]) -> Array:
-    """L L^T with L as the rule reads: own noise, and the parent's for what has no IMU."""
+    """L L^T with L as in the rule: own noise, and the parent's for a segment without an IMU."""
     n = len(layout.active)
     L = np.zeros((3 * n, 3 * n))
     for i in range(n):
@@ -58,7 +58,7 @@ def turn_noise(layout: ChainLayout, R_GB: Array, valid: Array, sd: tuple[float, 
 def test_covariance_moves_as_the_dense_product(
     layout: ChainLayout, silent: tuple[int, ...]
 ) -> None:
-    """Phi P Phi^T + Q, with any IMU silent; markers as unsure as slip makes them, less and more."""
+    """Phi P Phi^T + Q, with any IMU invalid; marker variances above and below the slip limit."""
     rng, dt, n = np.random.default_rng(2), 0.01, layout.blocks.size
     state, sample = a_state(layout), packet(layout, 0.0, 3, silent)
     A = rng.normal(size=(n, n))
@@ -85,7 +85,7 @@ def test_covariance_moves_as_the_dense_product(
 
 
 def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
-    """(N,) variances as the parameters name them, block by block; those of markers are 0 here."""
+    """(N,) variances as in the parameters, block by block; those of markers are 0 here."""
     noise, imus = ChainParams().noise, 3 * len(layout.glove.imus)
     accel = noise.accel if felt else noise.free_accel
     blocks = [
@@ -102,8 +102,8 @@ def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
     return np.concatenate([np.full(count, value) for count, value in blocks])
 
 
-def test_carrying_is_propagating_without_covariance(layout: ChainLayout) -> None:
-    """Through eight packets, a gap of silence and a piece of an interval."""
+def test_carrying_is_propagation_without_covariance(layout: ChainLayout) -> None:
+    """Through eight packets, an interruption and a part of an interval."""
     buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
     for k, t in enumerate([1.0, 1.01, 1.02, 1.03, 1.5, 1.51, 1.52, 1.53]):
         buffer.add(packet(layout, t, k, (k % 7,)))
@@ -116,8 +116,8 @@ def test_carrying_is_propagating_without_covariance(layout: ChainLayout) -> None
     assert one.t == other.t == 1.525
 
 
-def test_a_way_in_parts_is_the_whole_way(layout: ChainLayout) -> None:
-    """Covariance included, bit for bit, and damped from where no image has come for too long."""
+def test_propagation_in_parts_equals_propagation_at_once(layout: ChainLayout) -> None:
+    """Including covariance, bit for bit, and damped once no image has arrived for too long."""
     buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
     for k in range(7):
         buffer.add(packet(layout, 1.0 + 0.01 * k, k, (k % 3,)))
@@ -129,7 +129,7 @@ def test_a_way_in_parts_is_the_whole_way(layout: ChainLayout) -> None:
     for name in ("p", "v", "R_GB", "P"):
         assert np.array_equal(getattr(whole, name), getattr(parts, name)), name
     propagate(free, layout, ChainParams(), way)
-    gone = way.stop[-1] - way.start[3]  # the first three intervals begin before 1.025
+    gone = way.stop[-1] - way.start[3]  # the first three intervals start before 1.025
     assert parts.t == whole.t == 1.055
     assert np.abs(whole.v - free.v).max() > 0.5 * gone * np.abs(free.v).max()
 
@@ -151,7 +151,7 @@ def test_intervals_are_cut_at_packets_with_interpolated_means(layout: ChainLayou
 
 
 def test_a_full_table_moves_to_its_front(layout: ChainLayout) -> None:
-    """Packets still in the span are not lost when the memory's table is full."""
+    """Packets within the span are not lost when the buffer is full."""
     buffer = ImuBuffer(len(layout.glove.imus), span=0.05)
     for k in range(1500):
         buffer.add(packet(layout, 0.01 * k, k))
@@ -161,7 +161,7 @@ def test_a_full_table_moves_to_its_front(layout: ChainLayout) -> None:
 
 
 def test_a_root_without_imu_slows_down(layout: ChainLayout) -> None:
-    """Its velocity dies away; it does not fall."""
+    """Its velocity decays; it does not fall."""
     v = np.array([1.0, 0.0, 0.0])
     hand, nothing = Dynamic(np.zeros(3), v, np.eye(3)[None]), np.zeros((1, 3))
     _, slower, _ = move_nominal(hand, SensedMotion(nothing, np.zeros(3), False), 0.5, False)

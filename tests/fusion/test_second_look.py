@@ -1,4 +1,4 @@
-"""Digits that stand where their markers are not are put right; chance is told from support."""
+"""Misplaced digits are moved to their markers; chance matches are distinguished from support."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ INDEX = 1
 
 
 class Posed(NamedTuple):
-    """A hand in a posture, its digits, and points at all of its markers, seen from above."""
+    """A hand in a posture, its digits, and points at all of its markers, viewed from above."""
 
     state: ChainState
     digits: DigitSearch
@@ -44,7 +44,7 @@ def posed(hand: HandModel, layout: ChainLayout) -> Posed:
 
 
 def turned(posed: Posed, layout: ChainLayout, digit: int, angle: float) -> ChainState:
-    """The same hand with a digit turned about G's z by ``angle`` rad."""
+    """The same hand with a digit rotated about G's z by ``angle`` rad."""
     out = posed.state.copy()
     rows = np.flatnonzero(digit_of(layout) == digit)
     out.R_GB[rows] = so3.rz(angle) @ out.R_GB[rows]
@@ -56,13 +56,13 @@ def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
     return ChainLayout(hand, glove)
 
 
-def test_a_digit_that_stands_right_stays(hand: HandModel, layout: ChainLayout) -> None:
+def test_a_correct_digit_is_unchanged(hand: HandModel, layout: ChainLayout) -> None:
     right = posed(hand, layout)
     for digit in range(right.digits.count):
         assert right.digits.other(right.state, digit, right.points) is None
 
 
-def test_a_finger_aside_is_put_where_its_markers_are(hand: HandModel, layout: ChainLayout) -> None:
+def test_a_misplaced_finger_is_moved_to_its_markers(hand: HandModel, layout: ChainLayout) -> None:
     """Off by 20°, which moves its end by 3 cm; the grid's steps leave a third of that."""
     right = posed(hand, layout)
     wrong = turned(right, layout, INDEX, np.deg2rad(20.0))
@@ -93,19 +93,15 @@ def test_support_counts_markers_and_fades_with_distance(
     assert right.digits.support(right.state, INDEX, nothing) == 0.0
 
 
-def test_without_points_or_with_fewer_than_it_has_nothing_else_is_tried(
-    hand: HandModel, layout: ChainLayout
-) -> None:
+def test_without_additional_points_nothing_is_tried(hand: HandModel, layout: ChainLayout) -> None:
     right = posed(hand, layout)
     wrong = turned(right, layout, INDEX, np.deg2rad(20.0))
     far = replace(right.points, p_G=right.points.p_G + 1.0)
     assert right.digits.other(wrong, INDEX, far) is None
 
 
-def test_points_that_are_all_somebodys_are_not_searched(
-    hand: HandModel, layout: ChainLayout
-) -> None:
-    """A digit moves to markers that nothing explains, of which one is enough to look."""
+def test_points_that_are_all_matched_are_not_searched(hand: HandModel, layout: ChainLayout) -> None:
+    """A digit moves to unmatched points, of which a single one triggers the search."""
     right = posed(hand, layout)
     wrong = turned(right, layout, INDEX, np.deg2rad(20.0))
     known = replace(right.points, fresh=np.zeros(len(right.points.hue), bool))
@@ -118,8 +114,8 @@ def evidence(matched: int, chance: float = 0.0, crowd: float = 0.0) -> Evidence:
     return Evidence(matched, 20.0, chance, crowd, np.array([4.0, 1.0, 0.0]), np.array([4.0] * 3))
 
 
-def test_a_crowd_of_blobs_must_be_outdone() -> None:
-    """Among few blobs any match counts; among many only what chance does not give: 3 sd more."""
+def test_matches_must_exceed_chance_among_many_blobs() -> None:
+    """Among few blobs any match counts; among many only those beyond chance: 3 sd more."""
     assert evidence(3).is_credible
     assert not evidence(9, chance=4.0, crowd=3.0).is_credible  # 4 + 3 * 2 > 9
     assert evidence(11, chance=4.0, crowd=3.0).is_credible
@@ -127,7 +123,7 @@ def test_a_crowd_of_blobs_must_be_outdone() -> None:
     assert evidence(9).is_start and not evidence(9, crowd=3.0).is_start
 
 
-def test_digits_are_judged_by_their_own_markers() -> None:
+def test_digits_are_evaluated_by_their_own_markers() -> None:
     seen = evidence(10)
     assert seen.supported.tolist() == [0]
     assert seen.unsupported.tolist() == [1, 2]

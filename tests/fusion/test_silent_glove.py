@@ -1,4 +1,4 @@
-"""A glove that is unplugged while its hand stays in sight."""
+"""A glove that is unplugged while its hand remains in view."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
 
-def test_images_alone_follow_a_hand_and_measure_nothing(hand: HandModel, glove: GloveModel) -> None:
-    """They go on for as long as they can; how fingers bend between a few blobs is a guess."""
+def test_images_alone_track_a_hand_but_measure_nothing(hand: HandModel, glove: GloveModel) -> None:
+    """Tracking continues as long as possible; the posture between a few blobs is a guess."""
     sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=4.5), 2, fps=20)
     pipeline, before, after, back = Pipeline(hand, glove, sim.rig), [], [], []
     for message in sim.feed():

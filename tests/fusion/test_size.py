@@ -1,4 +1,4 @@
-"""How sure a profile is of the hand's size: one camera does not make it surer."""
+"""The size uncertainty in a profile, which one camera does not reduce."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from tracker.messages import BlobFrame, Estimate, ImuSample
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
-STRANGER, KNOWN = 0.05, 0.015  # shares that a size is unsure by
+STRANGER, KNOWN = 0.05, 0.015  # relative uncertainties of a size
 
 
 def one_camera(
     sim: Simulation, known: WearerProfile | None = None, put_on_at: float = 0.0
 ) -> tuple[ChainEngine, list[Estimate], list[float]]:
-    """What is estimated at every tenth packet, and mean errors (m)."""
+    """Estimates at every tenth packet, and mean errors (m)."""
     pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
     engine = pipeline.engine
     assert isinstance(engine, ChainEngine)
@@ -51,7 +51,7 @@ def simulation(hand: HandModel, glove: GloveModel, seed: int, duration: float) -
     return Simulation(hand, glove, RandomPostures(hand, seed, duration=duration), seed, fps=20)
 
 
-def test_what_is_added_is_common_to_all_sizes(hand: HandModel, glove: GloveModel) -> None:
+def test_the_added_uncertainty_is_common_to_all_sizes(hand: HandModel, glove: GloveModel) -> None:
     layout = ChainLayout(hand, glove)
     ruler = measured_profile(layout, 0.19)
     assert size_sd(ruler, layout) == pytest.approx(0.002 / 0.19, rel=0.02)
@@ -60,11 +60,11 @@ def test_what_is_added_is_common_to_all_sizes(hand: HandModel, glove: GloveModel
     added = unsure.P - ruler.P
     assert np.linalg.matrix_rank(added, tol=1e-9) == 1
     assert np.linalg.eigvalsh(added).min() > -1e-12
-    assert with_min_size_sd(unsure, layout, KNOWN) is unsure  # never made surer
+    assert with_min_size_sd(unsure, layout, KNOWN) is unsure  # never reduced
 
 
-def test_a_strangers_profile_of_one_camera_is_a_strangers_later(hand, glove, tmp_path) -> None:
-    """Its bones were taken as the file says: it must not count as known to 1.5 % the next day."""
+def test_a_profile_learned_with_one_camera_keeps_the_size_uncertain(hand, glove, tmp_path) -> None:
+    """Its bones were assumed as in the file: they must not count as known to 1.5 % the next day."""
     engine, _, _ = one_camera(simulation(hand, glove, 4, 5.0))
     path = tmp_path / "anna.toml"
     write_wearer(path, WearerFile(engine.layout, engine.profile(), engine.calibration()))
@@ -72,14 +72,14 @@ def test_a_strangers_profile_of_one_camera_is_a_strangers_later(hand, glove, tmp
     assert size_sd(stored.profile, engine.layout) == pytest.approx(STRANGER, rel=1e-6)
     assert stored.calibration.hand_length_sd > 0.045 * stored.calibration.hand_length
     _, again, _ = one_camera(simulation(hand, glove, 4, 3.0), stored.profile)
-    # 5 % of the distance over three axes, as the first day
+    # 5 % of the distance over three axes, as on the first day
     assert np.nanmean(again[-1].keypoint_sd) > 0.008
     engine.wearer.put_on(stored.profile)
-    engine.wearer.reset(["index_proximal"])  # the state beside it takes the size for granted
+    engine.wearer.reset(["index_proximal"])  # the state assumes the size
     assert engine.wearer.calibration.known_size_sd > 0.045
 
 
-def test_a_ruler_is_remembered_in_the_profile(hand, glove) -> None:
+def test_a_ruler_measurement_is_stored_in_the_profile(hand, glove) -> None:
     sim = simulation(hand, glove, 4, 5.0)
     layout = ChainLayout(hand, glove)
     ruler = measured_profile(layout, sim.wearer.hand_length)
@@ -87,7 +87,7 @@ def test_a_ruler_is_remembered_in_the_profile(hand, glove) -> None:
     assert 0.005 < size_sd(engine.profile(), layout) <= KNOWN * (1 + 1e-9)
 
 
-def test_two_cameras_know_the_size(hand, glove) -> None:
+def test_two_cameras_measure_the_size(hand, glove) -> None:
     sim = simulation(hand, glove, 4, 5.0)
     pipeline = Pipeline(hand, glove, sim.rig)
     for message in sim.feed():
@@ -99,9 +99,9 @@ def test_two_cameras_know_the_size(hand, glove) -> None:
     assert size_sd(pipeline.engine.profile(), pipeline.engine.layout) < KNOWN
 
 
-def test_a_ruler_in_the_middle_puts_the_hand_where_it_is(hand, glove) -> None:
-    """A tenth smaller than the file's, it is at another distance than it was taken to be; with a
-    distance held for sure it stayed 11 mm off."""
+def test_a_ruler_measurement_during_tracking_corrects_the_distance(hand, glove) -> None:
+    """A tenth smaller than the file's, its distance was wrong; with a fixed distance it remained 11
+    mm off."""
     sim = simulation(hand, glove, 21, 9.0)
     ruler = measured_profile(ChainLayout(hand, glove), sim.wearer.hand_length)
     _, shown, errors = one_camera(sim, ruler, 4.0)

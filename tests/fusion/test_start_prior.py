@@ -1,4 +1,4 @@
-"""What is taken for likely of the pose of a hand of which nothing was seen before."""
+"""The prior pose of a hand that was not seen before."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from tracker.fusion.kalman import update
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 
-PERIOD, WRONG = 0.1, 0.02  # s between two images, and m by which the first shows the hand wrongly
+PERIOD, WRONG = 0.1, 0.02  # s between two images, and m of error in the first
 
 
 @pytest.fixture(scope="module")
@@ -18,7 +18,7 @@ def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
     return ChainLayout(hand, glove)
 
 
-def test_a_hand_shown_at_a_start_is_slower_than_one_that_comes_back(layout: ChainLayout) -> None:
+def test_a_hand_at_a_start_is_slower_than_one_that_returns(layout: ChainLayout) -> None:
     prior = ChainParams().prior
     shown = initial_covariance(layout, prior)
     back = shown.copy()
@@ -28,11 +28,12 @@ def test_a_hand_shown_at_a_start_is_slower_than_one_that_comes_back(layout: Chai
     assert np.all(shown[v, v] > 0.2**2)  # as fast as hands are shown to a camera
 
 
-def test_a_second_image_that_shows_a_start_was_wrong_sends_the_hand_off_less(
+def test_a_correction_by_the_second_image_is_less_mistaken_for_velocity(
     layout: ChainLayout,
 ) -> None:
-    """Two places (sd as large as the error) that differ by 2 cm: with a velocity that is free all
-    of it is speed, and within the next period the hand is 2 cm off the other way."""
+    """Two positions (sd as large as the error) that differ by 2 cm: with an unconstrained velocity
+    the whole difference is taken for velocity, and in the next period the hand is 2 cm off in the
+    other direction."""
     prior = ChainParams().prior
     speeds = []
     for free in (False, True):

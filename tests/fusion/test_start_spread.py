@@ -1,4 +1,4 @@
-"""Fingers that are spread otherwise than expected stand where their markers are."""
+"""Fingers with an unexpected spread are rotated to their markers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
 
 
 def lateral(layout: ChainLayout, degrees: dict[int, float]) -> ChainState:
-    """A flat hand whose digits are turned about the palm's normal, G's z, by ``degrees``."""
+    """A flat hand whose digits are rotated about the palm's normal, G's z, by ``degrees``."""
     state = initial_state(layout)
     for digit, angle in degrees.items():
         rows = np.flatnonzero(digit_of(layout) == digit)
@@ -37,8 +37,8 @@ def seen(state: ChainState, layout: ChainLayout) -> StereoPoints:
     return StereoPoints(p_G, layout.glove.marker_hue, np.array([0.05, 0.0, 0.5]))
 
 
-def test_fingers_stand_where_their_markers_are(layout: ChainLayout) -> None:
-    """12° to the side, the middle finger's end is 2 cm away; turns of 5° leave 2.5° at most."""
+def test_fingers_are_rotated_to_their_markers(layout: ChainLayout) -> None:
+    """12° to the side, the middle finger's end is 2 cm away; steps of 5° leave 2.5° at most."""
     true, flat = lateral(layout, {INDEX: -12.0, MIDDLE: 12.0}), lateral(layout, {})
     R = spread(flat, layout, seen(true, layout))
     turned = np.flatnonzero(np.isin(digit_of(layout), (INDEX, MIDDLE)))
@@ -48,14 +48,14 @@ def test_fingers_stand_where_their_markers_are(layout: ChainLayout) -> None:
     assert np.rad2deg(np.linalg.norm(off, axis=1)).max() < 2.6
 
 
-def test_fingers_that_stand_right_stay(layout: ChainLayout) -> None:
+def test_correct_fingers_are_unchanged(layout: ChainLayout) -> None:
     flat = lateral(layout, {})
     np.testing.assert_array_equal(spread(flat, layout, seen(flat, layout)), flat.R_GB)
 
 
-def test_one_stray_point_turns_nothing(layout: ChainLayout) -> None:
-    """A thing in a marker's colour where a turned finger would have it is half a marker's worth at
-    most, once the others are where they should be."""
+def test_one_stray_point_has_no_effect(layout: ChainLayout) -> None:
+    """An object of a marker's colour where a rotated finger would have it counts at most half a
+    marker, once the others are correct."""
     flat = lateral(layout, {})
     points = seen(flat, layout)
     stray = marker_positions(lateral(layout, {INDEX: 15.0}), layout)

@@ -1,4 +1,4 @@
-"""End joints that nothing senses, by outlines of fingertips that bend otherwise than expected."""
+"""Unsensed end joints, measured by outlines of fingertips that deviate from the synergy."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ from tracker.messages import Array, BlobFrame, Blobs, CameraPose
 from tracker.vision.rig import StereoRig, ideal_rig
 
 ABOVE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.array([0.09, 0.0, 0.42]))
-BENT = np.deg2rad(20.0)  # further than the synergy says
+BENT = np.deg2rad(20.0)  # beyond the synergy
 
 
 @pytest.fixture
@@ -33,7 +33,7 @@ def rig() -> StereoRig:
 
 @pytest.fixture
 def flat(layout: ChainLayout) -> ChainState:
-    """A hand whose thumb is seen from its side, and whose place is known to a millimetre."""
+    """A hand with the thumb in side view, and its position known to a millimetre."""
     state = initial_state(layout)
     state.P = 1e-6 * np.eye(len(state.P))
     return state

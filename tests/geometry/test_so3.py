@@ -1,4 +1,4 @@
-"""Rotations against SciPy and by their laws."""
+"""Rotations against SciPy and their identities."""
 
 import numpy as np
 import pytest
@@ -48,7 +48,7 @@ def test_joint_angles_of_a_joint_without_twist() -> None:
 
 
 def test_joint_angles_do_not_jump_at_a_right_angle() -> None:
-    """A finger that closes with 6° of twist no axis stands for: Euler angles turn right round."""
+    """A finger that closes with 6° of unmodelled twist: Euler angles jump by half a turn."""
     flexion = np.deg2rad(np.linspace(60, 115, 111))
     R = np.array([so3.rz(0.1) @ so3.ry(f) @ so3.rx(0.1) for f in flexion])
     found = so3.joint_angles(R, True, False)

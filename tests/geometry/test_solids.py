@@ -1,4 +1,4 @@
-"""Lines of sight and rays against what sampling and minimising say of capsules and boxes."""
+"""Lines of sight and rays against sampling and minimisation on capsules and boxes."""
 
 import numpy as np
 import pytest
@@ -41,7 +41,7 @@ def test_box_cut_agrees_with_dense_sampling() -> None:
             assert sight_cuts_box(tuple(a), tuple(b), *CORNERS) == bool(inside.any())
 
 
-def test_parallel_line_beside_a_capsule() -> None:
+def test_parallel_line_next_to_a_capsule() -> None:
     a, b = np.array([-0.1, 0.02, 0.0]), np.array([0.2, 0.02, 0.0])
     assert not sight_cuts_capsule(tuple(a), tuple(b), 0.05, 0.019)
     assert sight_cuts_capsule(tuple(a), tuple(b), 0.05, 0.021)
@@ -53,7 +53,7 @@ def on_capsule(p: np.ndarray, length: float) -> float:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_a_ray_enters_and_leaves_a_capsule_on_its_surface_or_misses_as_sight_does(seed) -> None:
+def test_a_ray_intersects_a_capsule_on_its_surface_or_misses_like_a_line_of_sight(seed) -> None:
     rng, met = np.random.default_rng(seed), 0
     for _ in range(200):
         o, d = rng.normal(0, 0.05, 3) - [0, 0, 0.5], np.append(rng.normal(0, 0.1, 2), 1.0)
@@ -70,7 +70,7 @@ def test_a_ray_enters_and_leaves_a_capsule_on_its_surface_or_misses_as_sight_doe
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_a_ray_enters_and_leaves_a_box_on_its_faces_or_misses_as_sight_does(seed) -> None:
+def test_a_ray_intersects_a_box_on_its_faces_or_misses_like_a_line_of_sight(seed) -> None:
     rng, met = np.random.default_rng(seed), 0
     half = (0.04, 0.03, 0.012)
     for _ in range(200):

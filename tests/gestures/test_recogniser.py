@@ -1,4 +1,4 @@
-"""Gestures of hands whose shape is given, and of simulated people."""
+"""Gestures of hands with a given shape, and of simulated people."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def lasting(shape: dict[str, float], start: float, seconds: float) -> list[Estim
 
 
 @pytest.mark.parametrize("name", SHAPES)
-def test_a_shape_is_told_by_its_name_once(name: str) -> None:
+def test_a_shape_is_recognised_once(name: str) -> None:
     assert phases(lasting(SHAPES[name], 0.0, 1.0)) == [(name, True)]
 
 
@@ -68,19 +68,19 @@ def test_it_begins_within_40_ms(name: str) -> None:
     assert begun == [pytest.approx(0.03)]
 
 
-def test_where_the_hand_is_turned_does_not_count() -> None:
+def test_the_hands_orientation_has_no_effect() -> None:
     turn = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
     frames = [replace(shown(SHAPES["thumb_up"], turn=turn), t=0.01 * i) for i in range(20)]
     assert phases(frames) == [("thumb_up", True)]
 
 
-def test_one_posture_ends_as_the_next_begins() -> None:
+def test_one_posture_ends_when_the_next_begins() -> None:
     frames = lasting(SHAPES["fist"], 0.0, 0.5) + lasting(SHAPES["thumb_up"], 0.5, 0.5)
     assert phases(frames) == [("fist", True), ("fist", False), ("thumb_up", True)]
 
 
-def test_a_value_that_trembles_about_the_threshold_begins_once() -> None:
-    """Hysteresis: 5 degrees up and down about where a fist begins."""
+def test_a_value_that_fluctuates_about_the_threshold_begins_once() -> None:
+    """Hysteresis: 5 degrees above and below the begin of a fist."""
     frames = []
     for i in range(200):
         mcp = 62.0 + 5.0 * (-1) ** (i // 5)
@@ -88,13 +88,13 @@ def test_a_value_that_trembles_about_the_threshold_begins_once() -> None:
     assert sum(begins for name, begins in phases(frames) if name == "fist") <= 1
 
 
-def test_a_single_estimate_that_is_off_tells_nothing() -> None:
+def test_a_single_outlier_is_ignored() -> None:
     frames = lasting(bent(35, 30, *FINGERS), 0.0, 1.0)
     frames[50] = shown(SHAPES["fist"], t=frames[50].t)
     assert phases(frames) == phases(lasting(bent(35, 30, *FINGERS), 0.0, 1.0))
 
 
-def test_a_lost_hand_shows_nothing() -> None:
+def test_a_lost_hand_has_no_gestures() -> None:
     lost = [
         replace(
             e,
@@ -110,7 +110,7 @@ def test_a_lost_hand_shows_nothing() -> None:
 
 
 def inferred(frames: list[Estimate], *fingers: str) -> list[Estimate]:
-    """The same, but no sensor tells these fingers' angles."""
+    """The same, but these fingers' angles are not measured."""
     state = frames[0].angle_state.copy()
     for i, name in enumerate(HAND.joint_names):
         if name.startswith(fingers):
@@ -118,8 +118,8 @@ def inferred(frames: list[Estimate], *fingers: str) -> list[Estimate]:
     return [replace(e, angle_state=state) for e in frames]
 
 
-def test_a_half_open_hand_is_an_open_palm_where_all_fingers_are_measured_alone() -> None:
-    """Beside two straight fingers the others may be bent: to tell it of these takes more."""
+def test_a_half_open_hand_is_an_open_palm_only_if_all_fingers_are_measured() -> None:
+    """Next to two straight fingers the others may be bent: the threshold for them is higher."""
     half, flat = (lasting(bent(angle, 0, *FINGERS), 0.0, 0.5) for angle in (45.0, 5.0))
     assert phases(half) == phases(flat) == [("open_palm", True)]
     assert phases(inferred(half, "ring", "little")) == []
@@ -127,8 +127,8 @@ def test_a_half_open_hand_is_an_open_palm_where_all_fingers_are_measured_alone()
     assert phases(inferred(lasting(SHAPES["fist"], 0, 0.5), "ring", "little")) == [("fist", True)]
 
 
-def test_a_grasp_that_is_passed_by_is_told_where_all_fingers_are_measured_alone() -> None:
-    """0.12 s of it on the way: less than 0.15 s, which it has to last beside inferred fingers."""
+def test_a_transient_grasp_is_recognised_only_if_all_fingers_are_measured() -> None:
+    """It lasts 0.12 s: less than the 0.15 s required with inferred fingers."""
     way = bent(40, 25, *FINGERS) | {"thumb_cmc_flexion": 22.0}  # a value of 0.84
     brief, long = (lasting(way, 0.0, s) + lasting({}, s, 0.1) for s in (0.12, 0.2))
     assert ("grasp", True) in phases(brief)
@@ -136,11 +136,11 @@ def test_a_grasp_that_is_passed_by_is_told_where_all_fingers_are_measured_alone(
     assert ("grasp", True) in phases(inferred(long, "ring", "little"))
     plain = lasting(
         bent(50, 30, *FINGERS) | {"thumb_cmc_flexion": 22.0}, 0.0, 0.1
-    )  # a value of 1: 0.06 s will do
+    )  # a value of 1: 0.06 s is sufficient
     assert ("grasp", True) in phases(inferred(plain, "ring", "little"))
 
 
-def test_a_posture_of_which_nothing_is_measured_does_not_begin() -> None:
+def test_a_posture_without_measurements_does_not_begin() -> None:
     for name in ("open_palm", "fist"):
         frames = lasting(SHAPES[name], 0.0, 0.5)
         assert phases(inferred(frames, *FINGERS)) == []
@@ -149,13 +149,13 @@ def test_a_posture_of_which_nothing_is_measured_does_not_begin() -> None:
         ]
 
 
-def test_a_hand_that_is_searched_for_shows_nothing() -> None:
+def test_a_hand_being_searched_for_has_no_gestures() -> None:
     searching = [replace(e, tracking=Tracking.SEARCHING) for e in lasting(SHAPES["fist"], 0, 1)]
     assert phases(searching) == []
 
 
-def test_a_pinch_that_is_not_known_well_does_not_begin() -> None:
-    """A gap of two points whose places are known to 2 cm is no gap."""
+def test_an_uncertain_pinch_does_not_begin() -> None:
+    """The gap of two points whose positions are known to 2 cm is meaningless."""
     sure = shown({})
     thumb, index = NAMES.index("thumb_tip"), NAMES.index("index_tip")
     keypoints = sure.keypoints.copy()
@@ -173,7 +173,7 @@ def test_a_pinch_that_is_not_known_well_does_not_begin() -> None:
 
 
 POINTING = [Key(0.0, "point", (0.17, 0.0, 0.1)), Key(0.6, "point", (0.17, 0.0, 0.1))]
-WAYS = {  # where the pointing finger goes, and in how many s
+WAYS = {  # where the pointing finger moves, and in how many s
     "ahead": ((0.24, 0.0, 0.1), 0.4, True),
     "aside": ((0.17, 0.07, 0.1), 0.4, False),
     "slowly ahead": ((0.24, 0.0, 0.1), 2.0, False),
@@ -182,7 +182,7 @@ WAYS = {  # where the pointing finger goes, and in how many s
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_a_poke_is_a_pointing_finger_that_is_thrust_ahead(way: str) -> None:
+def test_a_poke_is_a_forward_thrust_of_a_pointing_finger(way: str) -> None:
     there, seconds, pokes = WAYS[way]
     after = [Key(0.6 + seconds, "point", there), Key(1.4 + seconds, "point", there)]
     found = phases(estimates([*POINTING, *after]))
@@ -190,7 +190,7 @@ def test_a_poke_is_a_pointing_finger_that_is_thrust_ahead(way: str) -> None:
     assert found == expected
 
 
-def test_an_open_hand_that_is_thrust_ahead_pokes_nothing() -> None:
+def test_a_forward_thrust_of_an_open_hand_is_no_poke() -> None:
     keys = [Key(k.t, "open_palm", k.palm) for k in POINTING]
     assert phases(estimates([*keys, Key(1.0, "open_palm", (0.24, 0.0, 0.1))])) == [
         ("open_palm", True)
@@ -206,15 +206,15 @@ def pinching(finger: str) -> Estimate:
 
 
 @pytest.mark.parametrize("finger", FINGERS)
-def test_the_finger_whose_pad_is_nearest_pinches(finger: str) -> None:
+def test_the_finger_with_the_nearest_pad_pinches(finger: str) -> None:
     """Its neighbours bend with it, and are near enough for pinches of their own."""
     frames = [replace(pinching(finger), t=0.01 * i) for i in range(20)]
     found = {name for name, begins in phases(frames) if begins and name.startswith("pinch_")}
     assert found == {f"pinch_{finger}"}
 
 
-def test_a_pinch_of_a_finger_that_is_only_inferred_is_told_less_surely() -> None:
-    """Its neighbour's tip may be as near: the odds are those of the claimed deviations."""
+def test_a_pinch_of_an_inferred_finger_has_lower_confidence() -> None:
+    """Its neighbour's tip may be as near: the odds follow from the standard deviations."""
     recogniser = GestureRecogniser(HAND, NAMES)
     inferred = np.array([n.startswith(("ring", "little")) for n in NAMES])
     sure = {}
@@ -227,8 +227,8 @@ def test_a_pinch_of_a_finger_that_is_only_inferred_is_told_less_surely() -> None
     assert 0.5 < sure[0.010] < 0.95
 
 
-def test_simulated_people_are_understood() -> None:
-    """On the true hand the rules leave nothing: each held gesture right, none false in 20 s."""
+def test_gestures_of_simulated_people_are_recognised() -> None:
+    """On the true hand the rules make no error: each held gesture correct, none false in 20 s."""
     wearer = score(4, free=20.0, on_truth=True)
     assert min(h.right for h in wearer.held) >= 0.98
     assert {h.gesture for h in wearer.held} >= {"fist", "thumb_up", *PINCHES}
@@ -236,7 +236,7 @@ def test_simulated_people_are_understood() -> None:
     assert wearer.false_starts.total() == 0
 
 
-def test_events_say_what_sessions_hold() -> None:
+def test_events_have_the_form_of_sessions() -> None:
     recogniser = GestureRecogniser(HAND, NAMES)
     (phase,) = [p for e in lasting(SHAPES["fist"], 0.0, 0.2) for p in recogniser.feed(e)]
     event = gesture_event(phase, recogniser.side)

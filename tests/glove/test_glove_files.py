@@ -19,7 +19,7 @@ def test_the_papers_glove(glove: GloveModel) -> None:
     assert np.allclose(glove.marker_size, 0.012)
 
 
-def test_markers_lie_on_the_surface(hand: HandModel, glove: GloveModel) -> None:
+def test_markers_are_on_the_surface(hand: HandModel, glove: GloveModel) -> None:
     for m in glove.markers:
         segment = hand.segments[hand.index[m.segment]]
         depth = m.position @ m.normal
@@ -39,7 +39,7 @@ def test_markers_lie_on_the_surface(hand: HandModel, glove: GloveModel) -> None:
         ("[keypoints.dorsum]", "[keypoints.wrist]", "which the skeleton has"),
     ],
 )
-def test_a_wrong_file_is_refused_in_words(hand: HandModel, old: str, new: str, words: str) -> None:
+def test_an_invalid_file_is_rejected(hand: HandModel, old: str, new: str, words: str) -> None:
     assert old in TEXT
     with pytest.raises(FileError, match=words):
         parse_glove(TEXT.replace(old, new, 1), hand, "glove.toml")

@@ -1,4 +1,4 @@
-"""Orders and axes of other hand software, on hands whose pose is known."""
+"""Orders and axes of other hand software, on hands with known poses."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def side(name: str) -> HandModel:
     return load_hand(RESOURCES / "hands" / f"reference-{name}.toml")
 
 
-def test_mediapipe_counts_four_landmarks_a_finger_from_the_wrist_on() -> None:
+def test_mediapipe_has_four_landmarks_per_finger_after_the_wrist() -> None:
     hand = side("right")
     points, _ = posed(hand, 0.0, np.eye(3))
     found = to_mediapipe(points, hand.keypoint_names)
@@ -50,7 +50,7 @@ def test_mediapipe_counts_four_landmarks_a_finger_from_the_wrist_on() -> None:
     assert all((np.diff(reach[k : k + 4]) > 0).all() for k in (1, 5, 9, 13, 17)), "root to tip"
 
 
-def test_mano_counts_index_middle_little_ring_thumb_then_tips() -> None:
+def test_mano_orders_index_middle_little_ring_thumb_then_tips() -> None:
     hand = side("right")
     points, _ = posed(hand, 0.0, np.eye(3))
     found = to_mano(points, hand.keypoint_names)
@@ -85,8 +85,9 @@ def test_in_the_operator_frame_a_fist_bends_to_x_and_a_flat_hand_points_along_z(
 
 
 @pytest.mark.parametrize("name", ["right", "left"])
-def test_the_operator_frame_is_that_which_dex_retargeting_fits(name: str) -> None:
-    """Its recipe written down anew; our knuckles lie within 1 mm of the dorsum's plane: 3°."""
+def test_the_operator_frame_is_that_fitted_by_dex_retargeting(name: str) -> None:
+    """An independent implementation of its recipe; our knuckles are within 1 mm of the dorsum's
+    plane: 3°."""
     hand = side(name)
     R = Rotation.from_euler("xyz", [-0.9, 0.3, 1.2]).as_matrix()
     points, q = posed(hand, 0.5, R)
@@ -105,7 +106,7 @@ def test_the_operator_frame_is_that_which_dex_retargeting_fits(name: str) -> Non
     assert_allclose(ours, theirs, atol=np.sin(np.deg2rad(3.0)) * reach.max())
 
 
-def test_many_instants_at_once() -> None:
+def test_many_times_at_once() -> None:
     hand = side("left")
     poses = [posed(hand, a, Rotation.random(rng=k).as_matrix()) for k, a in enumerate((0.1, 0.6))]
     points, q = (np.array(x) for x in zip(*poses, strict=True))

@@ -1,4 +1,4 @@
-"""Hand files: what they hold, and one clear error for what they must not hold."""
+"""Hand files: their contents, and one clear error for each invalid one."""
 
 import numpy as np
 import pytest
@@ -46,7 +46,7 @@ def test_reference_hand_has_the_names_of_the_conventions(hand: HandModel) -> Non
         ("[joints.index_pip]", "[joints.index_pip]\ngrip = 1", "grip is not a key"),
     ],
 )
-def test_a_wrong_file_is_refused_in_words(old: str, new: str, words: str) -> None:
+def test_an_invalid_file_is_rejected(old: str, new: str, words: str) -> None:
     assert old in TEXT
     with pytest.raises(FileError, match=words) as error:
         parse_hand(TEXT.replace(old, new, 1), "my-hand.toml")
@@ -71,7 +71,7 @@ def test_the_left_hand_mirrors_the_right(hand: HandModel) -> None:
     assert np.allclose(left_points, right_points * mirror, atol=1e-9)
 
 
-def test_what_a_file_does_not_say_of_its_joints_is_as_usual(hand: HandModel) -> None:
+def test_joint_properties_missing_in_a_file_have_defaults(hand: HandModel) -> None:
     joints = {j.name: j for j in hand.joints}
     assert [n for n, j in joints.items() if j.stiff] == ["thumb_mcp"]
     assert joints["thumb_cmc"].fist < joints["index_mcp"].fist == joints["little_dip"].fist
@@ -81,7 +81,7 @@ def test_what_a_file_does_not_say_of_its_joints_is_as_usual(hand: HandModel) -> 
     assert hand.segment_names[hand.root] == "dorsum"
 
 
-def test_a_file_may_say_which_joints_are_stiff_and_how_they_bend_in_a_fist() -> None:
+def test_a_file_may_define_stiff_joints_and_their_flexion_in_a_fist() -> None:
     text = TEXT.replace("[joints.index_mcp]", '[joints.index_mcp]\nstiff = ["abduction"]', 1)
     text = text.replace("[joints.thumb_mcp]", "[joints.thumb_mcp]\nstiff = []\nfist = 0.7", 1)
     joints = {j.name: j for j in parse_hand(text).joints}

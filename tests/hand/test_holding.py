@@ -1,4 +1,4 @@
-"""How a guided pose is held: by an estimate alone."""
+"""Evaluation of a held guided pose from an estimate alone."""
 
 import dataclasses
 
@@ -48,7 +48,7 @@ def test_a_fist_is_a_fist_and_not_flat(hand):
     assert not how_held(POSES["flat"], shown(hand, fist()), hand).is_held
 
 
-def test_the_joint_that_is_most_off_is_named_with_a_word(hand):
+def test_the_joint_with_the_largest_deviation_is_named_with_an_instruction(hand):
     bent = {"index_pip_flexion": 0.9, "middle_pip_flexion": 0.5}
     held = how_held(POSES["flat"], shown(hand, bent), hand)
     assert (held.is_held, held.joint) == (False, "index_pip")
@@ -66,7 +66,7 @@ def test_fingertips_apart_are_not_a_pinch(hand):
 
 
 def pinching(hand: HandModel, finger: str, apart: float, tracking: Tracking) -> Estimate:
-    """A straight hand whose thumb's end segment was moved to ``apart`` m before a fingertip."""
+    """A straight hand whose thumb's end segment was moved to ``apart`` m from a fingertip."""
     estimate = shown(hand, {})
     thumb, other = (hand.index[CHAINS[d][-1]] for d in ("thumb", finger))
     R, p = estimate.segment_R, estimate.segment_p.copy()
@@ -75,8 +75,8 @@ def pinching(hand: HandModel, finger: str, apart: float, tracking: Tracking) -> 
     return dataclasses.replace(estimate, segment_p=p, tracking=tracking)
 
 
-def test_tips_that_touch_are_told_from_those_that_do_not(hand):
-    """Of 8 pinches of 4 simulated people the tracker has axes' ends 15 to 31 mm apart, of their
+def test_touching_tips_are_distinguished_from_separate_ones(hand):
+    """For 8 pinches of 4 simulated people the tracked axes' ends are 15 to 31 mm apart, for their
     other poses 46 and more; without a camera 17 to 45 mm."""
     for apart, tracking, is_held in (
         (0.031, Tracking.TRACKING, True),
@@ -87,31 +87,31 @@ def test_tips_that_touch_are_told_from_those_that_do_not(hand):
         assert held.is_held == is_held
 
 
-def test_the_thumb_on_another_finger_is_not_on_the_one_asked_for(hand):
+def test_the_thumb_on_another_finger_is_not_accepted(hand):
     beside = pinching(hand, "middle", 0.015, Tracking.TRACKING)
     assert how_held(POSES["pinch_middle"], beside, hand).is_held
     held = how_held(POSES["pinch_index"], beside, hand)
     assert (held.is_held, held.joint) == (False, "index")
 
 
-def test_what_nothing_measures_is_not_held_against_the_wearer(hand):
+def test_unmeasured_joints_do_not_count_against_the_wearer(hand):
     guessed = shown(hand, fist(), measured=False)
     states = guessed.angle_state.copy()
     states[hand.angle_index["thumb_cmc_flexion"]] = int(Validity.MEASURED)
     guessed = dataclasses.replace(guessed, angle_state=states)
     for pose in ("flat", *(f"pinch_{f}" for f in FINGERS)):
         held = how_held(POSES[pose], guessed, hand)
-        assert held.is_held and held.joint  # and says that it was not judged
+        assert held.is_held and held.joint  # and reports that it was not evaluated
 
 
-def test_a_hand_that_is_no_more_than_a_guess_holds_nothing(hand):
-    """The glove was unplugged: what is shown stands still, and its images may go on."""
+def test_a_guessed_hand_holds_no_pose(hand):
+    """The glove was unplugged: the last pose is displayed, and its images may continue."""
     for pose in POSES:
         held = how_held(POSES[pose], shown(hand, {}, measured=False), hand)
         assert (held.is_held, held.joint) == (False, NOTHING_ARRIVES)
 
 
-def test_a_hand_that_is_not_there_holds_nothing(hand):
+def test_a_missing_hand_holds_no_pose(hand):
     estimate = shown(hand, {})
     object.__setattr__(estimate, "tracking", Tracking.SEARCHING)
     assert not how_held(POSES["flat"], estimate, hand).is_held

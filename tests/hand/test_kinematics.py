@@ -1,4 +1,4 @@
-"""Forward kinematics by its laws."""
+"""Invariants of forward kinematics."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ def random_angles(hand: HandModel, seed: int) -> np.ndarray:
     return low + np.random.default_rng(seed).random(len(low)) * (high - low)
 
 
-def test_bones_keep_their_length(hand: HandModel) -> None:
+def test_bone_lengths_are_constant(hand: HandModel) -> None:
     _, p = hand.forward(random_angles(hand, 9), np.eye(3), np.zeros(3))
     for name in ("index_intermediate", "middle_distal", "thumb_proximal"):
         i = hand.index[name]
@@ -28,7 +28,7 @@ def test_flexion_bends_to_the_palm(hand: HandModel) -> None:
     assert tip[2] - mcp[2] < -0.08 and abs(tip[0] - mcp[0]) < 1e-9
 
 
-def test_synergies_chain_and_keep_to_the_limits(hand: HandModel) -> None:
+def test_synergies_are_chained_and_limited(hand: HandModel) -> None:
     angles = np.zeros(len(hand.joint_names))
     known = np.zeros(len(angles), bool)
     pip = hand.angle_index["middle_pip_flexion"]

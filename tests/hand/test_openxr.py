@@ -1,4 +1,4 @@
-"""OpenXR's joints against the words of its specification."""
+"""OpenXR's joints against the text of its specification."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def converted(side: str = "right", R_GB: np.ndarray | None = None, lost: str = "
 
 
 def axes(xr: OpenXrHand, joint: str) -> np.ndarray:
-    """Columns: the joint's axes in OpenXR's world, by an independent library."""
+    """Columns: the joint's axes in OpenXR's world, computed by an independent library."""
     return Rotation.from_quat(xr.orientation[JOINTS.index(joint)]).as_matrix()
 
 
@@ -61,7 +61,7 @@ def test_there_are_26_joints_in_the_order_of_the_header() -> None:
 
 
 @pytest.mark.parametrize("side", ["right", "left"])
-def test_minus_z_leads_from_each_joint_to_the_next(side: str) -> None:
+def test_minus_z_points_from_each_joint_to_the_next(side: str) -> None:
     xr = converted(side, Rotation.from_euler("xyz", [0.3, -0.8, 1.9]).as_matrix())
     for chain in CHAINS:
         for a, b in pairwise(chain):
@@ -100,7 +100,7 @@ def test_palm_and_metacarpals_are_inferred_and_between_wrist_and_knuckles() -> N
     assert_allclose(xr.position[0], middle, atol=1e-12)
 
 
-def test_lost_is_nan_without_flags_and_takes_what_hangs_on_it() -> None:
+def test_lost_joints_are_nan_without_flags_and_so_are_dependent_ones() -> None:
     xr = converted(lost="middle_mcp")
     for joint in ("middle_proximal", "middle_metacarpal", "palm"):
         i = JOINTS.index(joint)
@@ -127,7 +127,7 @@ def test_a_radius_is_half_the_fingers_thickness_at_the_joint() -> None:
         assert xr.radius[JOINTS.index(joint)] == thickness[segment] / 2, joint
 
 
-def test_many_instants_at_once_are_the_same_as_one_by_one() -> None:
+def test_many_times_at_once_equal_single_ones() -> None:
     hand = load_hand(RESOURCES / "hands" / "reference-left.toml")
     rng = np.random.default_rng(8)
     found = [

@@ -1,4 +1,4 @@
-"""The skin made of a hand's file: a closed surface that follows its joints."""
+"""The skin built from a hand file: a closed surface that follows its joints."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ def mesh_of(points: np.ndarray, skin: Skin) -> trimesh.Trimesh:
 
 
 def random_pose(hand: HandModel, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Angles anywhere within nine tenths of their limits."""
+    """Random angles within nine tenths of their limits."""
     low, high = 0.9 * hand.angle_limits.T
     angles = low + np.random.default_rng(seed).random(len(low)) * (high - low)
     return hand.forward(angles, np.eye(3), np.zeros(3))
 
 
-def test_the_skin_is_one_closed_surface_with_its_outside_out(made: Made) -> None:
+def test_the_skin_is_one_closed_surface_oriented_outward(made: Made) -> None:
     _, _, skin = made
     mesh = mesh_of(skin.points, skin)
     assert mesh.is_watertight and mesh.is_winding_consistent and mesh.body_count == 1
@@ -55,7 +55,7 @@ def test_the_skin_is_one_closed_surface_with_its_outside_out(made: Made) -> None
     assert mesh.euler_number == 2
 
 
-def test_normals_point_out_of_it(made: Made) -> None:
+def test_normals_point_outward(made: Made) -> None:
     _, _, skin = made
     np.testing.assert_allclose(np.linalg.norm(skin.normals, axis=1), 1.0)
     by_faces = mesh_of(skin.points, skin).vertex_normals
@@ -63,7 +63,7 @@ def test_normals_point_out_of_it(made: Made) -> None:
     assert np.median((by_faces * skin.normals).sum(axis=1)) > 0.98
 
 
-def test_the_bind_pose_gives_the_skin_back(made: Made) -> None:
+def test_the_bind_pose_is_reproduced(made: Made) -> None:
     hand, _, skin = made
     pose = hand.forward(bind_angles(hand), np.eye(3), np.zeros(3))
     points, normals = posed(rest_of(skin, hand), *pose)
@@ -71,7 +71,7 @@ def test_the_bind_pose_gives_the_skin_back(made: Made) -> None:
     np.testing.assert_allclose(normals, skin.normals, atol=1e-12)
 
 
-def test_fingers_are_as_long_and_as_thick_as_the_file_says(made: Made) -> None:
+def test_fingers_have_the_length_and_thickness_of_the_file(made: Made) -> None:
     hand, _, skin = made
     for name in ("thumb", "index", "middle", "ring", "little"):
         i = hand.index[f"{name}_distal"]
@@ -83,12 +83,12 @@ def test_fingers_are_as_long_and_as_thick_as_the_file_says(made: Made) -> None:
         local = (skin.points - skin.bind_p[i]) @ skin.bind_R[i]
         own = (skin.bones[:, 0] == i) & (np.abs(local[:, 0] / hand.segments[i].length - 0.5) < 0.1)
         girth = np.linalg.norm(local[own, 1:], axis=1)
-        # the taper to thinner neighbours, and markers that pull the cloth to them
+        # the taper to thinner neighbours, and markers that deform the cloth
         assert girth.mean() == pytest.approx(hand.segments[i].radius + FABRIC, rel=0.06)
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_markers_lie_on_it_in_any_pose(made: Made, seed: int) -> None:
+def test_markers_are_on_the_skin_in_any_pose(made: Made, seed: int) -> None:
     hand, glove, skin = made
     R, p = random_pose(hand, seed)
     points, _ = posed(rest_of(skin, hand), R, p)
@@ -98,7 +98,7 @@ def test_markers_lie_on_it_in_any_pose(made: Made, seed: int) -> None:
     assert away.max() < 5e-4
 
 
-def test_far_from_joints_it_is_rigid_and_shares_sum_to_one(made: Made) -> None:
+def test_far_from_joints_it_is_rigid_and_weights_sum_to_one(made: Made) -> None:
     hand, _, skin = made
     np.testing.assert_allclose(skin.shares.sum(axis=1), 1.0)
     assert skin.shares.min() >= 0.0
@@ -115,7 +115,7 @@ def test_far_from_joints_it_is_rigid_and_shares_sum_to_one(made: Made) -> None:
         np.testing.assert_allclose(normals[own], turned, atol=1e-9)
 
 
-def test_a_bent_finger_keeps_its_girth_over_the_joint(made: Made) -> None:
+def test_a_bent_finger_keeps_its_thickness_at_the_joint(made: Made) -> None:
     """A blend of matrices would leave cos(45°) of it at a joint bent by 90°."""
     hand, _, skin = made
     angles = bind_angles(hand)
@@ -144,7 +144,7 @@ def test_a_larger_wearer_has_a_larger_skin(made: Made) -> None:
     assert moved[skin.points[:, 0] < 0.03].max() < 1e-12
 
 
-def test_left_and_right_mirror_each_other() -> None:
+def test_left_and_right_are_mirror_images() -> None:
     points = []
     for side in ("right", "left"):
         hand = load_hand(RESOURCES / f"hands/reference-{side}.toml")

@@ -1,4 +1,4 @@
-"""What was compiled on one computer is taken on all: no constant depends on the processor."""
+"""A library compiled on one computer is valid on all: no constant depends on the processor."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ for name in sorted(exported()):
 
 
 def fingerprints(blas: str, without: str = "") -> list[str]:
-    """As a computer with these instructions has them: of BLAS, and ``without`` some of NumPy's."""
+    """The environment of a computer with these instructions: of BLAS, and ``without`` some of
+    NumPy's."""
     computer = {"OPENBLAS_CORETYPE": blas, "NPY_DISABLE_CPU_FEATURES": without}
     result = subprocess.run(
         [sys.executable, "-c", FINGERPRINTS],

@@ -1,7 +1,8 @@
-"""numba's ahead-of-time compiler still is as `tracker.kernels.aot` wants it.
+"""numba's ahead-of-time compiler still meets the requirements of `tracker.kernels.aot`.
 
-If only this fails after an upgrade of numba, then numba.pycc has changed or gone: see
-tracker/kernels/README.md, and keep numba below that version in pyproject.toml until `aot` follows.
+If only this fails after an upgrade of numba, numba.pycc has changed or was removed: see
+tracker/kernels/README.md, and pin numba below that version in pyproject.toml until `aot` is
+updated.
 """
 
 import builtins
@@ -28,7 +29,7 @@ def doubled(x):
 
 
 def rounded(x):
-    """Nothing, and a double with fast-math, which may put 1 and -1 together."""
+    """Nothing, and a double with fast-math, which may reassociate 1 and -1."""
     return (x + 1.0) - 1.0
 
 
@@ -89,7 +90,7 @@ def test_each_function_keeps_its_own_options(compiled):
         compiled.python_division(1.0, 0.0)
 
 
-def test_arrays_tuples_and_errors_come_out(compiled):
+def test_arrays_tuples_and_errors_are_returned(compiled):
     total, twice = compiled.lengths(np.arange(3.0))
     assert total == 6.0 and np.array_equal(twice, [0.0, 1.0, 2.0, 0.0, 1.0, 2.0])
     with pytest.raises(ValueError, match="nothing to sum"):
@@ -97,7 +98,7 @@ def test_arrays_tuples_and_errors_come_out(compiled):
 
 
 def turns_during(call):
-    """When another thread had its turns, and how long the call kept a processor, both in s."""
+    """When another thread ran, and how long the call used a processor, both in s."""
     turns, is_over = [time.perf_counter()], threading.Event()
 
     def tick():
@@ -115,18 +116,18 @@ def turns_during(call):
 
 
 def test_other_threads_run_meanwhile(compiled):
-    turns, _kept = turns_during(lambda: compiled.busy(20_000_000))  # some tenths of a second
+    turns, _kept = turns_during(lambda: compiled.busy(20_000_000))  # a few tenths of a second
     assert len(turns) > 10
 
 
-def test_other_threads_wait_where_it_keeps_the_lock(compiled):
-    """Nobody has a turn for at least as long as it computed, however busy the machine is."""
+def test_other_threads_wait_while_the_gil_is_held(compiled):
+    """No other thread runs for at least as long as it computed, on any loaded computer."""
     turns, held_s = turns_during(lambda: compiled.undisturbed(20_000_000))
     assert np.diff(turns).max() > 0.9 * held_s
 
 
-def test_what_is_pickled_is_made_once(compiled, monkeypatch):
-    """Arrays come out without an import each: in a process with Qt that is PySide's, in Python."""
+def test_pickled_objects_are_created_once(compiled, monkeypatch):
+    """Returning arrays needs no import each time: in a process with Qt, PySide's hook is Python."""
     x = np.arange(3.0)
     compiled.lengths(x)
     asked, real = [], builtins.__import__

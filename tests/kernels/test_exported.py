@@ -1,4 +1,4 @@
-"""Kernels that Python calls get an entry; every kernel of the product says its types."""
+"""Kernels that Python calls get an entry; every kernel of the product declares its types."""
 
 import importlib
 import textwrap
@@ -54,17 +54,17 @@ def test_kernels_are_found_by_their_decorator(tmp_path):
     assert kernels(tmp_path) == [f"tracker.small.{name}" for name in ("_door", "inner", "outer")]
 
 
-def test_a_kernel_is_exported_if_something_other_than_a_kernel_names_it(tmp_path):
+def test_a_kernel_is_exported_if_it_is_used_outside_of_kernels(tmp_path):
     write(tmp_path, {"tracker/small.py": SOURCES["tracker/small.py"]})
     assert exported(tmp_path) == ["tracker.small._door"]
     write(tmp_path, {"app/nobody.py": SOURCES["app/nobody.py"]})
-    assert exported(tmp_path) == ["tracker.small._door"]  # to import it is not to call it
+    assert exported(tmp_path) == ["tracker.small._door"]  # importing is not calling
     write(tmp_path, SOURCES)
     assert exported(tmp_path) == kernels(tmp_path)
 
 
 @pytest.mark.parametrize("name", kernels())
-def test_every_kernel_says_its_types(name):
+def test_every_kernel_declares_its_types(name):
     module, _, function = name.rpartition(".")
     signature(getattr(importlib.import_module(module), function).py_func)
 
@@ -77,9 +77,9 @@ def has_a_class_of_ours(annotation) -> bool:
     )
 
 
-def test_what_python_calls_returns_no_named_tuple():
-    """Its class would be looked for by the module's name in this tree, which a wheel has under
-    another one: the compiled call would end the process."""
+def test_kernels_called_by_python_return_no_named_tuple():
+    """Its class would be imported by the module's name in this tree, which differs in a wheel: the
+    compiled call would crash the process."""
     for name in exported():
         module, _, function = name.rpartition(".")
         made = getattr(importlib.import_module(module), function)

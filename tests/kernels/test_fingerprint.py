@@ -1,4 +1,5 @@
-"""A kernel's fingerprint changes with what its compiled code depends on, and with nothing else."""
+"""A kernel's fingerprint depends on everything that affects its compiled code, and on nothing
+else."""
 
 import sys
 import types
@@ -73,7 +74,7 @@ def test_changes_with_options():
     "old, new",
     [("What it does.", "Said otherwise."), ("@kernel", "# a remark\n\n@kernel")],
 )
-def test_does_not_change_with_words(old, new):
+def test_does_not_change_with_docstrings(old, new):
     assert made(SOURCE.replace(old, new)) == made(SOURCE)
 
 
@@ -95,6 +96,6 @@ def test_a_kernel_that_calls_itself_has_one():
     assert made(recursive) == made(recursive) != made(SOURCE)
 
 
-def test_a_global_that_may_change_unseen_is_refused():
+def test_a_mutable_global_is_rejected():
     with pytest.raises(TypeError, match="list"):
         made(SOURCE.replace("SCALE = 2.0", "SCALE = [2.0]"))

@@ -1,4 +1,4 @@
-"""Kernels of images, compared with their twins on images that Python can walk through."""
+"""Kernels for images, against their twins on images small enough for Python."""
 
 import numpy as np
 import pytest
@@ -23,20 +23,20 @@ def profile():
 
 @pytest.fixture
 def frame(compare_large, hand, glove):
-    """Images of the simulated hand in a rig of few pixels."""
+    """Images of the simulated hand with a rig of few pixels."""
     rig = ideal_rig(*SIZE, hfov_deg=60.0, vfov_deg=46.0)
     simulation = Simulation(hand, glove, RandomPostures(hand, 4, duration=2.0), 4, rig=rig)
     index, t, arrival = next(iter(simulation.exposures()))
     return simulation.renderer.frame(t, arrival, index)
 
 
-def test_images_are_drawn_as_python_draws_them(frame):
+def test_images_are_drawn_as_by_python(frame):
     for image in (frame.left, frame.right):
         assert image.shape == (SIZE[1], SIZE[0], 3)
         assert image.std() > 5.0  # there is a hand
 
 
-def test_blobs_are_found_as_python_finds_them(profile, frame):
+def test_blobs_are_found_as_by_python(profile, frame):
     detector = Detector(profile, fx=140.0)
     image = frame.left.copy()
     found, rejected = detector.detect(image)
@@ -47,7 +47,7 @@ def test_blobs_are_found_as_python_finds_them(profile, frame):
 
 
 @pytest.mark.usefixtures("compare_large")
-def test_a_region_is_filled_as_python_fills_it(profile):
+def test_a_region_is_filled_as_by_python(profile):
     table, image = hue_table(profile), np.full((30, 40, 3), 110, np.uint8)
     image[8:20, 10:31] = (40, 40, 215)
     visited, runs = np.zeros((30, 40), np.uint8), run_buffer(40)

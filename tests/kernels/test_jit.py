@@ -1,4 +1,4 @@
-"""What numba compiled is kept on the disk, and does no harm when it is out of date."""
+"""numba's disk cache, which is harmless when it is out of date."""
 
 import importlib
 import os
@@ -22,9 +22,9 @@ def total(pair):
 
 
 def imported(folder, name: str):
-    """The module of `SOURCE` in ``folder`` whose named tuple is called ``name``, newly read.
+    """The module of `SOURCE` in ``folder`` with a named tuple called ``name``, reloaded.
 
-    Its file has the same size and time whatever the name: by these numba knows a source again.
+    Its file has the same size and time for any name: numba identifies sources by these.
     """
     path = folder / "kept_kernels.py"
     path.write_text(SOURCE.format(name=name))
@@ -43,19 +43,19 @@ def folder(tmp_path, monkeypatch):
 
 
 def called(module, name: str):
-    """The kernel after one call; its result has to be right."""
+    """The kernel after one call, with a checked result."""
     made = compiled(module.total, {})
     assert made(getattr(module, name)(1.0, 2.0)) == 3.0
     return made.stats
 
 
-def test_a_second_process_finds_what_the_first_compiled(folder) -> None:
+def test_a_second_process_uses_the_compilation_of_the_first(folder) -> None:
     module = imported(folder, "Pair")
     assert sum(called(module, "Pair").cache_misses.values()) == 1
     assert sum(called(module, "Pair").cache_hits.values()) == 1
 
 
-def test_a_renamed_tuple_has_its_kernels_compiled_anew(folder) -> None:
+def test_kernels_of_a_renamed_tuple_are_recompiled(folder) -> None:
     called(imported(folder, "Pair"), "Pair")
     module = imported(folder, "Duet")
     assert sum(called(module, "Duet").cache_misses.values()) == 1

@@ -22,7 +22,7 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def test_what_was_compiled_from_the_same_comes_back(here: Path) -> None:
+def test_parts_compiled_from_the_same_source_are_fetched(here: Path) -> None:
     module = here / f"_compiled_part{SUFFIX}"
     module.write_bytes(b"machine code")
     cache.store("made of this", "_compiled_part")
@@ -32,7 +32,7 @@ def test_what_was_compiled_from_the_same_comes_back(here: Path) -> None:
     assert not cache.fetch("made of something else", "_compiled_part")
 
 
-def test_no_more_folders_than_are_wanted(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_more_folders_than_the_limit(here: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "AT_MOST", 2)
     (here / f"_m{SUFFIX}").write_bytes(b"")
     root = Path(os.environ[cache.FOLDER])
@@ -55,7 +55,7 @@ def test_without_a_folder_nothing_is_cached(here: Path, monkeypatch: pytest.Monk
     assert not cache.fetch("x", "_m")
 
 
-def test_a_cache_that_cannot_be_written_stops_nothing(
+def test_an_unwritable_cache_is_ignored(
     here: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "file").write_text("no folder")

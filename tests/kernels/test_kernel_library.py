@@ -1,4 +1,4 @@
-"""The library of compiled kernels: what runs for which types, and what runs in place of it."""
+"""The library of compiled kernels: dispatch by types, and the fallback."""
 
 import sys
 import threading
@@ -38,7 +38,7 @@ def total(x: Vector, k: int = 1) -> float:
 
 
 def library_with(function):
-    """A library in which ``function`` stands for what `total` was compiled to."""
+    """A library in which ``function`` is the compiled code of `total`."""
     symbols = types.SimpleNamespace(k0=function)
     name, made_of = f"{total.__module__}.{total.__qualname__}", fingerprint(total, {})
     return Library(dispatch.Kernel, [(symbols, f"# by hand\nk0 {made_of} {name} f8[1C] i8\n")])
@@ -70,7 +70,7 @@ STRANGERS = [
 
 
 @pytest.mark.parametrize("words", VALUES)
-def test_a_function_runs_for_its_own_types_and_no_others(words):
+def test_a_function_runs_for_its_own_types_only(words):
     made = taking(words)
     for value in VALUES[words]:
         assert made(value) == "compiled"
@@ -91,12 +91,12 @@ def test_a_function_runs_for_its_own_types_and_no_others(words):
         ("i8", [1, True, np.int64(1), np.int16(1), np.uint32(1)], [1.0, np.uint64(1), 2**63]),
     ],
 )
-def test_an_integer_is_a_float_and_a_bool_an_integer_as_in_python(words, fitting, others):
+def test_integers_and_bools_are_converted_as_in_python(words, fitting, others):
     assert all(taking(words).finds(value) for value in fitting)
     assert not any(taking(words).finds(value) for value in others)
 
 
-def test_a_read_only_array_goes_only_where_nothing_is_written():
+def test_a_read_only_array_is_accepted_only_where_nothing_is_written():
     frozen = np.zeros(3)
     frozen.setflags(write=False)
     assert taking("f8[1C]").finds(frozen)
@@ -135,7 +135,7 @@ WORDS = [
 
 
 @pytest.mark.parametrize("words", WORDS)
-def test_words_that_are_none(words):
+def test_unknown_arguments(words):
     with pytest.raises(ValueError, match="no types"):
         dispatch.Kernel(None).add(words, total)
 
@@ -147,7 +147,7 @@ def test_arguments_by_name():
         made(other=1)
 
 
-def test_other_types_are_compiled_by_numba_and_the_log_says_which(caplog):
+def test_other_types_are_compiled_by_numba_and_logged(caplog):
     caplog.set_level("DEBUG", logger="tracker.kernels")
     made = library_with(lambda x, k: "compiled").kernel(total, {})
     assert made(np.ones((2, 2)).T[::2], 2) == 4.0
@@ -155,19 +155,19 @@ def test_other_types_are_compiled_by_numba_and_the_log_says_which(caplog):
     assert made(np.ones(2), 2) == "compiled"
 
 
-def test_a_library_of_another_source_is_left_alone():
+def test_a_library_of_another_source_is_ignored():
     made = library_with(lambda x, k: "old").kernel(total, {"fastmath": True})
     assert made(np.ones(2), 2) == 4.0
 
 
-def test_without_numba_python_itself_runs_and_the_log_says_so(monkeypatch, caplog):
+def test_without_numba_python_runs_and_the_log_reports_it(monkeypatch, caplog):
     monkeypatch.setitem(sys.modules, "tracker.kernels.jit", None)
     made = Library(dispatch.Kernel, []).kernel(total, {})
     assert made(np.ones(3), 2) == 6.0
     assert "runs uncompiled" in caplog.text
 
 
-def test_threads_may_call_a_kernel_for_the_first_time_together(monkeypatch):
+def test_threads_may_call_a_kernel_for_the_first_time_concurrently(monkeypatch):
     made = library_with(lambda x, k: "compiled").kernel(total, {})
     fill, together = Library._fill, threading.Barrier(2)
 
@@ -183,7 +183,7 @@ def test_threads_may_call_a_kernel_for_the_first_time_together(monkeypatch):
         assert made(np.ones(2), 2) == other.result() == "compiled"
 
 
-def test_a_failure_inside_comes_out():
+def test_an_exception_inside_is_raised():
     def fails(x, k):
         raise ZeroDivisionError("as the kernel said")
 
@@ -199,28 +199,26 @@ def test_numba_can_call_a_kernel_of_the_library():
     assert njit(lambda x: made(x, 3))(np.ones(2)) == 6.0
 
 
-def test_no_library_is_no_failure(monkeypatch, tmp_path):
+def test_a_missing_library_is_not_an_error(monkeypatch, tmp_path):
     monkeypatch.setattr(parts, "HERE", tmp_path)
     assert load() is None
 
 
-def test_a_library_of_an_older_source_is_no_failure(monkeypatch):
-    """A checkout that was moved on, without `make`: the program ended at its start."""
+def test_an_outdated_library_is_not_an_error(monkeypatch):
+    """An updated checkout without `make`: the program crashed at start."""
     assert load() is not None
     monkeypatch.delattr(dispatch, "runs_wide")
     assert load() is None
 
 
-def test_a_table_without_its_module_is_no_failure(monkeypatch, tmp_path):
+def test_a_table_without_its_module_is_not_an_error(monkeypatch, tmp_path):
     monkeypatch.setattr(parts, "HERE", tmp_path)
     parts.table_of("tracker_lost").write_text("# by hand\n", "utf-8")
     assert parts.built() == ["tracker_lost"]
     assert load() is None
 
 
-def test_a_part_is_made_anew_when_its_table_would_be_another_or_its_module_is_gone(
-    monkeypatch, tmp_path
-):
+def test_a_part_is_rebuilt_if_its_table_changes_or_its_module_is_missing(monkeypatch, tmp_path):
     monkeypatch.setattr(parts, "HERE", tmp_path)
     module = tmp_path / f"_compiled_tracker_vision{EXTENSION_SUFFIXES[0]}"
     assert not parts.is_built("tracker_vision", "as made")
@@ -231,7 +229,7 @@ def test_a_part_is_made_anew_when_its_table_would_be_another_or_its_module_is_go
     assert not parts.is_built("tracker_vision", "as it would be")
 
 
-def test_parts_that_are_no_more_are_removed(monkeypatch, tmp_path):
+def test_obsolete_parts_are_removed(monkeypatch, tmp_path):
     monkeypatch.setattr(parts, "HERE", tmp_path)
     names = ["_compiled_app_widgets.so", "_compiled_tracker_old.so", "_compiled_tracker_old.txt"]
     for name in [*names, "_compiled.so", "_dispatch.so", "library.py"]:
@@ -241,7 +239,7 @@ def test_parts_that_are_no_more_are_removed(monkeypatch, tmp_path):
     assert left == ["_compiled_app_widgets.so", "_dispatch.so", "library.py"]
 
 
-def test_the_decorator_keeps_name_and_words():
+def test_the_decorator_keeps_name_and_docstring():
     @kernel(error_model="numpy")
     def half(x: float) -> float:
         """Half of x."""
@@ -251,9 +249,9 @@ def test_the_decorator_keeps_name_and_words():
     assert half(3.0) == 1.5
 
 
-def test_a_library_knows_whether_it_was_compiled_from_the_source_of_today():
+def test_a_library_detects_whether_it_is_up_to_date():
     library = library_with(lambda x, k: 0.0)
-    assert library.is_current()  # none of its kernels was made yet
+    assert library.is_current()  # none of its kernels was created yet
     library.kernel(total, {})
     assert library.is_current()
     library.kernel(total, {"fastmath": True})

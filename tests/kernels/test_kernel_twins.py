@@ -1,4 +1,4 @@
-"""The comparison of kernels with their twins finds what differs."""
+"""The comparison of kernels with their twins detects differences."""
 
 from types import SimpleNamespace
 from typing import NamedTuple
@@ -24,13 +24,13 @@ def scaled(x: Vector, out: Written[Vector]) -> float:
 
 
 def secretly(x: Vector, out: Vector) -> float:
-    """Writes into what it does not say."""
+    """Writes to an argument not declared as written."""
     out[:] = x
     return 0.0
 
 
 class Kernel(SimpleNamespace):
-    """A function as some compiler made it."""
+    """A function as compiled by some compiler."""
 
     def __call__(self, *args):
         return self.compiled(*args)
@@ -51,16 +51,16 @@ def compare(monkeypatch, tmp_path):
     return compare
 
 
-def test_what_agrees_is_noted(compare):
+def test_agreement_is_recorded(compare):
     assert compare(scaled) == (6.0, f"{__name__}.scaled\n")
 
 
-def test_another_result_is_an_error(compare):
+def test_a_different_result_is_an_error(compare):
     with pytest.raises(AssertionError, match="scaled.*result"):
         compare(lambda x, out: scaled(x, out) + 1e-6)
 
 
-def test_something_else_written_is_an_error(compare):
+def test_a_different_output_argument_is_an_error(compare):
     def wrong(x, out):
         result = scaled(x, out)
         out[:] = 0.0
@@ -70,12 +70,12 @@ def test_something_else_written_is_an_error(compare):
         compare(wrong)
 
 
-def test_writing_into_what_is_not_said_to_be_written_is_an_error(compare):
+def test_writing_to_an_undeclared_argument_is_an_error(compare):
     with pytest.raises(ValueError, match="read-only"):
         compare(secretly, source=secretly)
 
 
-def test_members_of_tuples_are_written_only_where_it_is_said():
+def test_members_of_tuples_are_written_only_where_declared():
     class State(NamedTuple):
         x: Vector
         P: Written[Vector]
@@ -118,7 +118,7 @@ def trusting(x: Vector, out: Written[Vector]) -> float:
     return INNER_SECRET(x, out)
 
 
-def test_so_it_is_in_the_kernels_that_a_kernel_calls(compare):
+def test_so_do_kernels_called_by_a_kernel(compare):
     with pytest.raises(ValueError, match="read-only"):
         compare(lambda x, out: 0.0, source=trusting)
 

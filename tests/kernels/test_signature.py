@@ -1,4 +1,4 @@
-"""A kernel's signature is what its annotations say; numba is the oracle of what they mean."""
+"""A kernel's signature is derived from its annotations; numba is the reference."""
 
 import importlib
 from typing import Annotated, NamedTuple
@@ -52,7 +52,7 @@ CASES = [
 
 
 @pytest.mark.parametrize(("annotation", "expected", "value"), CASES, ids=[c[1] for c in CASES])
-def test_an_annotation_is_a_word_and_numbas_type_of_its_values(annotation, expected, value):
+def test_an_annotation_has_a_word_and_numbas_type_of_its_values(annotation, expected, value):
     assert word(annotation) == expected
     assert numba_type(annotation) == typeof(value)
 
@@ -76,7 +76,7 @@ VAGUE = [
 
 
 @pytest.mark.parametrize("annotation", VAGUE, ids=str)
-def test_an_annotation_that_does_not_say_its_type_is_an_error_that_names_it(annotation):
+def test_an_annotation_without_a_type_is_an_error_that_names_it(annotation):
     def function(x: float, y) -> None: ...
 
     with pytest.raises(SignatureError, match=r"function: 'y' has no annotation"):
@@ -86,14 +86,14 @@ def test_an_annotation_that_does_not_say_its_type_is_an_error_that_names_it(anno
         signature(function)
 
 
-def test_a_name_that_is_not_there_when_the_program_runs_is_an_error():
+def test_a_name_missing_at_run_time_is_an_error():
     def function(x: "Nowhere") -> None: ...  # noqa: F821
 
     with pytest.raises(SignatureError, match="Nowhere"):
         signature(function)
 
 
-def test_a_kernel_that_python_calls_returns_no_named_tuple():
+def test_a_kernel_called_by_python_returns_no_named_tuple():
     """In a wheel the compiled function would crash: its class has another name there."""
 
     def function() -> Untyped: ...

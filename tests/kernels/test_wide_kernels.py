@@ -1,5 +1,5 @@
-"""Kernels of images are compiled twice, and a processor that can takes the wide ones: with the same
-results, or what is found in a session's images would depend on the computer that searches them."""
+"""Kernels for images are compiled twice, and capable processors use the wide ones: with identical
+results, or detections would depend on the computer."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def entries(part: str) -> dict[str, Callable[..., Any]]:
     return {name: getattr(module, symbol) for symbol, _, name, *_ in lines}
 
 
-def test_only_processors_that_can_take_wide_parts_and_these_count(monkeypatch) -> None:
+def test_wide_parts_are_used_only_on_capable_processors(monkeypatch) -> None:
     built = ["app_widgets", "app_widgets_wide", "tracker_vision", "tracker_vision_wide"]
     monkeypatch.setattr(parts, "built", lambda: built)
     plain = SimpleNamespace(runs_wide=lambda: False)
@@ -53,8 +53,8 @@ def test_only_processors_that_can_take_wide_parts_and_these_count(monkeypatch) -
     assert [parts.is_wide(part) for part in able] == [False, False, True, True]
 
 
-def test_a_wide_kernel_is_no_other_to_the_library() -> None:
-    """Both are made of the same source."""
+def test_a_wide_kernel_has_the_same_source() -> None:
+    """Both are compiled from the same source."""
     for part in filter(parts.is_wide, parts.built()):
         names = part, part.removesuffix(parts.WIDE)
         tables = [parts.table_of(name).read_text("utf-8").splitlines()[1:] for name in names]
@@ -65,7 +65,8 @@ def test_a_wide_kernel_is_no_other_to_the_library() -> None:
 
 @pytest.fixture(scope="module")
 def calls() -> dict[str, tuple[Any, ...]]:
-    """Arguments of wide kernels as an image is drawn and searched, before they are written to."""
+    """Arguments of wide kernels recorded while an image is drawn and searched, before
+    modification."""
     found: dict[str, tuple[Any, ...]] = {}
 
     def noting(kernel: Any) -> Callable[..., Any]:
@@ -85,7 +86,7 @@ def calls() -> dict[str, tuple[Any, ...]]:
 
 
 @pytest.mark.parametrize("part", ["tracker_simulation", "tracker_vision"])
-def test_wide_kernels_give_the_same(calls: dict[str, tuple[Any, ...]], part: str) -> None:
+def test_wide_kernels_give_the_same_results(calls: dict[str, tuple[Any, ...]], part: str) -> None:
     if part + parts.WIDE not in parts.built() or not dispatch.runs_wide():
         pytest.skip("this processor runs no wide parts")
     plain, wide = entries(part), entries(part + parts.WIDE)
@@ -98,9 +99,9 @@ def test_wide_kernels_give_the_same(calls: dict[str, tuple[Any, ...]], part: str
 
 
 def assert_same(one: Any, other: Any, is_exact: bool) -> None:
-    """``is_exact``: without fast-math, to the same bits. With it sums may be rounded otherwise:
-    single precision has 6e-8, some ten sums are made, and where two solids are as near the other
-    one may be seen."""
+    """``is_exact``: without fast-math, bit-identical. With it sums may be rounded differently:
+    single precision has 6e-8, about ten terms are summed, and of two solids at the same depth the
+    other may be visible."""
     if isinstance(one, tuple):
         for a, b in zip(one, other, strict=True):
             assert_same(a, b, is_exact)

@@ -1,4 +1,4 @@
-"""Recall and false blobs of one detector on images, ours and path-traced photographs alike."""
+"""Recall and false blobs of one detector on our images and path-traced photographs."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ SURFACES = {"window": "wood", "lamp": "wood", "led": "laminate", "dim": "wood"}
 
 @dataclass(frozen=True, eq=False)
 class SeenImage:
-    """An image, and of its markers that are seen at all: where (m, 2) px, hue's name (m,), and
-    whether a detector should find it (m,)."""
+    """An image, and its visible markers: position (m, 2) px, hue's name (m,), and whether a
+    detector should find it (m,)."""
 
     image: NDArray[np.uint8]
     uv: Array
@@ -65,7 +65,7 @@ class Score:
 
 
 def score(images: Iterator[SeenImage]) -> Score:
-    """Of the factory colours and the shapes alone: a limit of contrast hides what images hold."""
+    """For the factory colours and shapes alone: a contrast limit would hide differences."""
     profile = load_profile(FOLDER / "colours" / "fabric-default.toml")
     profile = replace(profile, shape=replace(profile.shape, contrast=0.0))
     detector, out = Detector(profile, fx=640.0), Score()
@@ -102,7 +102,7 @@ def photographs(folder: Path) -> Iterator[SeenImage]:
 
 
 def simulated(light: str, seed: int, times: Array, surface: str = "") -> Iterator[SeenImage]:
-    """Our own images of a hand as far away as the photographs' is."""
+    """Our own images of a hand at the photographs' distance."""
     hand = load_hand(FOLDER / "hands" / "reference-right.toml")
     glove = load_glove(FOLDER / "gloves" / "vist-small.toml", hand)
     pose = default_pose()

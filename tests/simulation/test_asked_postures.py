@@ -1,4 +1,4 @@
-"""A simulated wearer takes the postures that he is asked for as smoothly as he moves."""
+"""A simulated wearer assumes requested postures as smoothly as the own motion."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ def asked(hand: HandModel, t: float) -> PostureRequest:
     return PostureRequest(t, tuple(posture(hand, FIST).tolist()))
 
 
-def test_until_something_is_asked_it_is_the_wearers_own_motion_to_the_bit(hand):
+def test_before_a_request_the_motion_is_unchanged_bit_for_bit(hand):
     t = np.linspace(0.0, 10.0, 300)
     own, led = RandomPostures(hand, 1, duration=20.0), motion(hand, 1)
     led.ask(asked(hand, 10.0))
@@ -50,9 +50,10 @@ def test_the_posture_is_reached_and_left_again(hand):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_it_goes_there_and_back_without_a_jump(hand, seed):
-    """No faster than the wearer moves by himself, but for a turn by 180° within `MOVE`: a minimum
-    jerk has 1.9 times the mean rate, a blend of quaternions 1.6 times that; 20 rad/s in all."""
+def test_transitions_are_smooth(hand, seed):
+    """No faster than the wearer's own motion, except for a rotation by 180° within `MOVE`: a
+    minimum jerk has 1.9 times the mean rate, a blend of quaternions 1.6 times that; 20 rad/s in
+    total."""
     led = motion(hand, seed)
     for k in range(5):
         led.ask(asked(hand, 2.0 + 3.0 * k))
@@ -67,8 +68,8 @@ def test_it_goes_there_and_back_without_a_jump(hand, seed):
     assert np.linalg.norm(np.diff(speed, axis=0), axis=1).max() / step < 30.0  # m/s²
 
 
-def test_the_same_instants_give_the_same_hand_however_they_are_asked_for(hand):
-    """Packets are made a second at a time, images one by one."""
+def test_the_motion_is_independent_of_the_order_of_evaluation(hand):
+    """Packets are generated one second at a time, images one by one."""
     led = motion(hand, 3)
     led.ask(asked(hand, 4.0))
     led.ask(PostureRequest(6.0))
@@ -79,7 +80,7 @@ def test_the_same_instants_give_the_same_hand_however_they_are_asked_for(hand):
             np.testing.assert_allclose(a[k], b[0], atol=1e-12)
 
 
-def test_a_recording_knows_by_an_event_what_was_asked_for(hand, glove: GloveModel):
+def test_a_request_is_recorded_as_an_event(hand, glove: GloveModel):
     there = asked(hand, 4.25)
     assert request_in(request_event(there, "fist", 3.0)) == there
     assert request_in(Event(3.0, "device", "The camera is there.")) is None

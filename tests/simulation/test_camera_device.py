@@ -1,4 +1,4 @@
-"""The simulated camera as a device of its own."""
+"""The simulated camera as a separate device."""
 
 import time
 
@@ -19,7 +19,7 @@ SPEC = DemoSpec(
 
 
 @pytest.mark.parametrize("drawn", [0, 4], ids=["drawn in time", "drawn before"])
-def test_images_come_in_time_and_are_those_of_the_simulation(drawn: int) -> None:
+def test_images_arrive_on_time_and_are_those_of_the_simulation(drawn: int) -> None:
     camera = SimulatedCamera(SPEC, drawn=drawn)
     try:
         assert camera.wait_ready(60.0)
@@ -49,7 +49,7 @@ def test_images_come_in_time_and_are_those_of_the_simulation(drawn: int) -> None
         assert np.array_equal(frame.left, left) and np.array_equal(frame.right, right)
 
 
-def test_a_camera_whose_process_dies_says_so() -> None:
+def test_a_camera_whose_process_dies_reports_it() -> None:
     camera = SimulatedCamera(SPEC)
     camera._process.kill()
     camera.begin(0.0)

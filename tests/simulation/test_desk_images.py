@@ -1,4 +1,4 @@
-"""Images over a desk: as hard as path-traced photographs, the same every time, and quick."""
+"""Images over a desk: as difficult as path-traced photographs, reproducible and fast."""
 
 import dataclasses
 from pathlib import Path
@@ -37,11 +37,12 @@ def over_a_desk(hand: HandModel, glove: GloveModel, seed: int = 1) -> SimulatedS
 
 
 @pytest.mark.parametrize("light", LIGHTS)
-def test_own_images_are_as_hard_as_photographs(light: str, data_folder: Path) -> None:
-    """Factory colours miss as many markers and find as much else in both, within a third.
+def test_own_images_are_as_difficult_as_photographs(light: str, data_folder: Path) -> None:
+    """The factory colours miss as many markers and find as many false blobs in both, within a
+    third.
 
-    The share missed is compared with 1.5 points to spare: of the few hundred markers of the own
-    images a percent more or less is chance, and so is half of a desk's false blobs near the hand.
+    The missed share is compared with a margin of 1.5 points: for a few hundred markers one percent
+    is chance, and so is half of a desk's false blobs near the hand.
     """
     folder = data_folder / "desk_pictures" / light
     if not folder.is_dir():
@@ -56,9 +57,7 @@ def test_own_images_are_as_hard_as_photographs(light: str, data_folder: Path) ->
     assert abs(false - theirs.false_blobs) < THIRD * theirs.false_blobs, detail
 
 
-def test_images_are_reproducible_and_every_one_has_its_own_noise(
-    hand: HandModel, glove: GloveModel
-) -> None:
+def test_images_are_reproducible_with_independent_noise(hand: HandModel, glove: GloveModel) -> None:
     scene = over_a_desk(hand, glove)
     once, again = (DeskRenderer(scene, DeskParams("lamp")) for _ in range(2))
     for ours, theirs in zip(once.pair(1.0), again.pair(1.0), strict=True):
@@ -68,7 +67,7 @@ def test_images_are_reproducible_and_every_one_has_its_own_noise(
 
 @pytest.mark.usefixtures("compare_large")
 def test_small_images_are_those_of_plain_python(hand: HandModel, glove: GloveModel) -> None:
-    """A few thousand pixels: grain, noise and shadow are tables that cost a twin nothing."""
+    """A few thousand pixels: texture, noise and shadow are tables, which are fast in a twin."""
     still = Still(np.zeros(len(hand.joint_names)), np.eye(3), np.array([0.10, 0.0, 0.05]))
     scene = SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(64, 48), seed=1)
     left, right = DeskRenderer(scene, DeskParams("lamp", jpeg_quality=0)).pair(1.0)
@@ -76,8 +75,8 @@ def test_small_images_are_those_of_plain_python(hand: HandModel, glove: GloveMod
     assert left.std() > 5
 
 
-def test_markers_show_where_they_are(hand: HandModel, glove: GloveModel) -> None:
-    """In LED light each visible patch has more of its own colour at its middle than the cloth."""
+def test_markers_are_visible_at_their_positions(hand: HandModel, glove: GloveModel) -> None:
+    """In LED light each visible patch has more of its own colour at its centre than the cloth."""
     scene = over_a_desk(hand, glove)
     for right, image in enumerate(DeskRenderer(scene, DeskParams("led")).pair(1.0)):
         saturation = cv2.cvtColor(image, cv2.COLOR_BGR2HSV)[..., 1]
@@ -88,17 +87,19 @@ def test_markers_show_where_they_are(hand: HandModel, glove: GloveModel) -> None
             assert saturation[v - 1 : v + 2, u - 1 : u + 2].mean() > 160
 
 
-def test_a_hand_throws_its_shadow_away_from_the_lamp(hand: HandModel, glove: GloveModel) -> None:
+def test_a_hands_shadow_points_away_from_the_lamp(hand: HandModel, glove: GloveModel) -> None:
     scene = over_a_desk(hand, glove)
     renderer = DeskRenderer(scene, DeskParams("lamp", jpeg_quality=0))
     shadow, corners = renderer._shadow(scene.instant(1.0))
     hidden = np.argwhere(shadow.soft > 0.5).mean(axis=0)
-    assert np.all(np.abs(hidden - len(shadow.soft) / 2) < 25)  # the hand itself, seen from the lamp
+    assert np.all(
+        np.abs(hidden - len(shadow.soft) / 2) < 25
+    )  # the hand itself, viewed from the lamp
     away = corners.mean(axis=0) - shadow.origin
     assert away @ (renderer._lights.place - shadow.origin) < 0
 
 
-def test_what_lies_behind_a_ball_is_dark_and_its_face_is_lit() -> None:
+def test_points_behind_a_ball_are_dark_and_its_front_is_lit() -> None:
     """A ball of 2 cm between the lamp above and a point 6 cm below it."""
     centre, lamp = np.array([[0.0, 0.0, 0.4]]), np.array([0.0, 0.0, -1.0])
     ball = capsules(centre, centre, np.array([0.02]), np.array([0]), np.zeros(3))
@@ -112,7 +113,7 @@ def test_what_lies_behind_a_ball_is_dark_and_its_face_is_lit() -> None:
     assert lit(0.04, 0.46) == 1.0
 
 
-def test_light_falls_with_the_square_of_the_distance_and_the_cosine() -> None:
+def test_light_decreases_with_the_squared_distance_and_the_cosine() -> None:
     place, up = REFERENCE + np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, 1.0])
     assert strength(place, REFERENCE, up) == pytest.approx(1.0)
     assert strength(place, REFERENCE - [0, 0, 1.0], up) == pytest.approx(0.25)
@@ -120,7 +121,7 @@ def test_light_falls_with_the_square_of_the_distance_and_the_cosine() -> None:
     assert aside == pytest.approx(0.5 * np.cos(np.pi / 4))
 
 
-def test_noise_is_that_of_light_and_of_darkness() -> None:
+def test_noise_has_the_variance_of_light_and_darkness() -> None:
     """Variance a x + b² in linear light: standard deviations within 3 % over 512² pixels."""
     curve = np.round(255 * np.clip(np.linspace(0, 2, 4096), 0, 1)).astype(np.uint8)
     shot, dark = np.full(3, 4e-3, np.float32), np.full(3, 4e-4, np.float32)
@@ -132,8 +133,8 @@ def test_noise_is_that_of_light_and_of_darkness() -> None:
         assert out[..., 1].std() == pytest.approx(expected, rel=0.03)
 
 
-def test_noise_hangs_together_over_two_pixels_and_the_tile_over_its_edge() -> None:
-    """Bilinear demosaicing: of a channel measured at every fourth pixel neighbours share half."""
+def test_noise_is_correlated_over_two_pixels_and_periodic() -> None:
+    """Bilinear demosaicing: for a channel measured at every fourth pixel neighbours share half."""
     noise = bayer_noise(np.random.default_rng(2))
     for c in range(3):
         beside = np.mean(noise[..., c] * np.roll(noise[..., c], 1, axis=1))
@@ -144,7 +145,7 @@ def test_noise_hangs_together_over_two_pixels_and_the_tile_over_its_edge() -> No
         assert edge == pytest.approx(beside, abs=0.2)  # of 512 pairs only
 
 
-def test_the_tone_curve_stores_linear_light_as_srgb_and_bends_at_white() -> None:
+def test_the_tone_curve_stores_linear_light_as_srgb_and_saturates_smoothly() -> None:
     plain, bent = tone_curve(0.0), tone_curve(0.6)
     assert linear((plain[1024],) * 3)[0] == pytest.approx(1024 * 2 / 4095, abs=0.006)
     assert plain[-1] == bent[-1] == 255
@@ -152,7 +153,7 @@ def test_the_tone_curve_stores_linear_light_as_srgb_and_bends_at_white() -> None
     assert np.all(np.diff(bent.astype(int)) >= 0)
 
 
-def test_rooms_that_cannot_be_are_told(hand: HandModel, glove: GloveModel) -> None:
+def test_impossible_rooms_are_rejected(hand: HandModel, glove: GloveModel) -> None:
     with pytest.raises(ConfigError, match="not 'disco'"):
         room_of("desk", "disco")
     with pytest.raises(ConfigError, match="for the scene desk, not for plain"):
@@ -176,10 +177,8 @@ def test_a_demo_may_show_a_desk() -> None:
     assert desk.pair(1.0)[0].shape == plain.pair(1.0)[0].shape
 
 
-def test_backgrounds_that_are_drawn_once_leave_the_hand_as_it_is(
-    hand: HandModel, glove: GloveModel
-) -> None:
-    """Where the hand is both differ by their noise alone, beside it one of few images stands."""
+def test_prerendered_backgrounds_do_not_change_the_hand(hand: HandModel, glove: GloveModel) -> None:
+    """On the hand both differ only by their noise; elsewhere one of few images is shown."""
     scene, params = over_a_desk(hand, glove), DeskParams("led", exposures=1, jpeg_quality=0)
     each = DeskRenderer(scene, params).pair(1.0)[0].astype(int)
     reused = DeskRenderer(scene, dataclasses.replace(params, backgrounds=2))

@@ -1,4 +1,4 @@
-"""Simulated gloves in their own process, heard through the ordinary link."""
+"""Simulated gloves in a separate process, through the ordinary link."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tracker.simulation.drawn_ahead import PACKETS, DrawnAhead
 from tracker.simulation.glove_process import GloveProcess
 
 SPEC = DemoSpec(*library.texts(), duration=60.0)
-START = 60.0  # s, for a process on a busy machine
+START = 60.0  # s, for a process on a loaded computer
 LSB_GYRO = np.deg2rad(2000.0) / 32768
 
 
@@ -30,7 +30,7 @@ def worn() -> Iterator[GloveProcess]:
 
 
 def received(link: GloveLink, until: Callable[[list[ImuSample | Event]], bool]) -> list:
-    """All that the link gives until something holds of it."""
+    """All messages from the link until a condition is met."""
     found: list[ImuSample | Event] = []
     deadline = time.monotonic() + START
     while not until(found):
@@ -39,7 +39,7 @@ def received(link: GloveLink, until: Callable[[list[ImuSample | Event]], bool]) 
     return found
 
 
-def test_what_is_heard_is_the_wearers_own_motion_and_the_cable_is_pulled_at_the_end(
+def test_packets_have_the_wearers_motion_and_the_cable_is_unplugged_at_the_end(
     worn: GloveProcess,
 ) -> None:
     paths = worn.paths(START)
@@ -49,7 +49,8 @@ def test_what_is_heard_is_the_wearers_own_motion_and_the_cable_is_pulled_at_the_
     found = received(link, lambda got: sum(isinstance(x, ImuSample) for x in got) > 20)
     assert link.hello is not None and link.hello.glove_id == 1
     got = [x for x in found if isinstance(x, ImuSample)]
-    # packets that were made before anybody listened are gone, so it is told which by their times
+    # packets generated before a reader was connected are lost, so they are identified by their
+    # times
     true = list(itertools.islice(build(SPEC).imu_samples(), 3000))
     device = np.array([s.t_device for s in got]) - 4.0  # start_us; skew is 60e-6
     rows = np.searchsorted([s.t for s in true], device / (1 + 60e-6) - 1e-5)
@@ -62,7 +63,7 @@ def test_what_is_heard_is_the_wearers_own_motion_and_the_cable_is_pulled_at_the_
     link.close()
 
 
-def test_a_process_that_cannot_be_is_said() -> None:
+def test_a_process_that_cannot_start_is_reported() -> None:
     process = GloveProcess(SPEC)
     process._process.kill()
     with pytest.raises(DeviceError, match="simulated glove did not start"):
@@ -70,7 +71,7 @@ def test_a_process_that_cannot_be_is_said() -> None:
     process.close()
 
 
-def test_packets_are_made_ahead_in_order_and_no_more_than_are_to_be_ready() -> None:
+def test_packets_are_generated_ahead_in_order_and_limited() -> None:
     made: list[int] = []
 
     def source() -> Iterator[ImuSample]:
@@ -82,14 +83,14 @@ def test_packets_are_made_ahead_in_order_and_no_more_than_are_to_be_ready() -> N
     first = next(ahead)
     assert first.seq == 0
     deadline = time.monotonic() + START
-    while len(made) < PACKETS + 2:  # one is taken, one is in hand
+    while len(made) < PACKETS + 2:  # one is read, one is being generated
         assert time.monotonic() < deadline
     assert [s.seq for s in ahead] == list(range(1, 100))
     assert next(ahead, None) is None
     ahead.close()
 
 
-def test_one_that_nobody_takes_from_any_more_can_be_closed() -> None:
+def test_an_abandoned_generator_can_be_closed() -> None:
     ahead = DrawnAhead(build(SPEC).imu_samples())
     assert next(ahead).seq == 0
     ahead.close()

@@ -1,4 +1,4 @@
-"""Recorded hands: files are read as written, and a known motion comes back from its points."""
+"""Recorded hands: file formats are parsed, and a known motion is recovered from its points."""
 
 from pathlib import Path
 
@@ -41,10 +41,10 @@ def known(hand: HandModel) -> RandomPostures:
     return RandomPostures(hand, 6, duration=8)
 
 
-def test_known_motion_comes_back_from_its_points(
+def test_known_motion_is_recovered_from_its_points(
     hand: HandModel, known: RandomPostures, tmp_path: Path
 ) -> None:
-    """Joints of a 10 % larger hand; angles, relative turns and the path come back."""
+    """Joints of a 10 % larger hand; angles, relative rotations and the path are recovered."""
     t = np.arange(0, 8, 0.01)
     _write_leap(tmp_path / "hand.npz", t, _keypoints(hand, known, t, size=1.1))
     motion = load_motion(tmp_path / "hand.npz", hand)
@@ -58,7 +58,7 @@ def test_known_motion_comes_back_from_its_points(
     turn = np.linalg.norm(so3.log(np.swapaxes(between, 1, 2) @ expected), axis=1)
     assert np.rad2deg(np.percentile(turn, 90)) < 8
     assert motion.residual < 0.003
-    assert found.R_GB[0, 2, 2] > 0.9  # up stays up
+    assert found.R_GB[0, 2, 2] > 0.9  # up is preserved
 
 
 def test_gaps_are_filled(hand: HandModel, known: RandomPostures, tmp_path: Path) -> None:
@@ -84,7 +84,7 @@ def test_left_hand_is_mirrored(hand: HandModel, known: RandomPostures, tmp_path:
     np.testing.assert_allclose(left.poses(at).angles, right.poses(at).angles, atol=0.02)
 
 
-def test_mirroring_keeps_distances_and_up() -> None:
+def test_mirroring_preserves_distances_and_up() -> None:
     points = np.random.default_rng(1).normal(size=(4, 7, 3))
     track = PointTrack(np.arange(4.0), points, ("wrist",) * 7, np.array([0, 1.0, 0]), "left", None)
     other = mirrored(track, "right")
@@ -170,9 +170,7 @@ def test_bvh_positions_are_those_of_its_own_kinematics() -> None:
         ("a.txt", "nothing", "is no motion that can be read"),
     ],
 )
-def test_other_files_are_refused_in_words(
-    tmp_path: Path, name: str, text: str, message: str
-) -> None:
+def test_other_files_are_rejected(tmp_path: Path, name: str, text: str, message: str) -> None:
     (tmp_path / name).write_text(text)
     with pytest.raises(FileError, match=message):
         read_track(tmp_path / name)
@@ -186,7 +184,7 @@ def _recording(*parts: str) -> Path:
 
 
 @pytest.mark.data
-def test_qualisys_gaps_and_rigid_triangle_are_as_its_notes_say() -> None:
+def test_qualisys_gaps_and_rigid_triangle_match_its_notes() -> None:
     track = read_track(_recording("dfki_hand_mocap", "recording.tsv"))
     missing = np.isnan(track.points[:, :, 0]).mean(axis=0)
     assert missing[track.targets.index("thumb_tip")] == pytest.approx(0.082, abs=0.001)

@@ -1,4 +1,4 @@
-"""A simulated rig's devices: images that OpenCV reads as any camera's, gloves that come and go."""
+"""A simulated rig's devices: images readable by OpenCV, gloves that are plugged and unplugged."""
 
 import re
 import threading
@@ -43,7 +43,7 @@ def beside() -> Image:
     return np.hstack(pair())
 
 
-def test_images_without_a_reader_are_lost_and_with_one_come_in_two_halves(tmp_path: Path) -> None:
+def test_images_are_lost_without_a_reader_and_else_side_by_side(tmp_path: Path) -> None:
     pipe = ImagePipe(tmp_path / "camera.mjpeg")
     assert not pipe.put(beside())
     done = threading.Event()
@@ -70,14 +70,14 @@ def test_images_without_a_reader_are_lost_and_with_one_come_in_two_halves(tmp_pa
     assert not pipe.path.exists()
 
 
-def test_a_pipe_that_cannot_be_made_is_said(tmp_path: Path) -> None:
+def test_a_pipe_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="cannot be made"):
         ImagePipe(tmp_path / "nowhere" / "camera.mjpeg")
 
 
 @pytest.fixture
 def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SimulatedRig]:
-    """Two gloves; what the camera draws is tested elsewhere."""
+    """Two gloves; the camera's images are tested elsewhere."""
     monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
     worn = (HandTexts(*library.texts(GLOVES[side])) for side in ("right", "left"))
     main, *others = worn
@@ -87,14 +87,14 @@ def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SimulatedR
     assert not list(tmp_path.iterdir())
 
 
-def test_both_gloves_are_serial_lines_that_tell_their_numbers(both: SimulatedRig) -> None:
+def test_both_gloves_are_serial_lines_with_their_numbers(both: SimulatedRig) -> None:
     assert set(both.files.gloves) == {"left", "right"}
     reports = find_gloves([str(path) for path in both.files.gloves.values()], patience=10.0)
     numbers = {report.path: report.hello.glove_id for report in reports if report.hello}
     assert numbers == {str(both.files.gloves[side]): n for side, n in GLOVE_IDS.items()}
 
 
-def test_the_rig_tells_where_its_devices_are_and_what_a_ruler_would_say(
+def test_the_rig_reports_its_devices_and_the_hand_lengths(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
@@ -108,7 +108,7 @@ def test_the_rig_tells_where_its_devices_are_and_what_a_ruler_would_say(
         assert abs(int(length_mm) / nominal_mm - 1) < 0.12  # people: 5 %, at most 10
 
 
-def test_a_glove_is_unplugged_and_plugged_by_words(both: SimulatedRig) -> None:
+def test_a_glove_is_unplugged_and_plugged_by_commands(both: SimulatedRig) -> None:
     left, right = (both.files.gloves[side] for side in ("left", "right"))
     assert both.heed("unplug left\n") == "The left glove is unplugged."
     assert both.heed("unplug left") == "The left glove is unplugged already."
@@ -121,15 +121,15 @@ def test_a_glove_is_unplugged_and_plugged_by_words(both: SimulatedRig) -> None:
         assert both.heed(nonsense) == "Say plug or unplug, and left or right; or board, or hand."
 
 
-def test_a_board_is_held_and_taken_away_by_words(both: SimulatedRig) -> None:
+def test_a_board_is_shown_and_removed_by_commands(both: SimulatedRig) -> None:
     assert both.heed("board\n") == "The board is before the camera."
     assert both.heed("hand") == "The hand is before the camera."
 
 
-def test_a_held_board_stands_still_and_then_is_elsewhere() -> None:
+def test_a_held_board_is_still_and_then_moves() -> None:
     board, spec = HeldBoard(ideal_rig(), seed=2), BoardSpec()
     first, again, later = (board.pair(t, k) for k, t in enumerate((0.0, 0.3, 1.0)))
-    assert (first[0] != again[0]).any()  # a camera's noise: no image comes twice
+    assert (first[0] != again[0]).any()  # a camera's noise: images are never identical
     finder = BoardFinder(spec)
     still = finder.look(*first).view, finder.look(*again).view
     assert still[0] is not None and still[1] is not None
@@ -139,8 +139,8 @@ def test_a_held_board_stands_still_and_then_is_elsewhere() -> None:
     assert np.abs(first[0].astype(float) - later[0]).mean() > 10
 
 
-def test_the_smaller_right_camera_is_that_of_its_images(tmp_path: Path) -> None:
-    """Corners found in what it sends are where its calibration has those of the whole image."""
+def test_the_smaller_right_camera_matches_its_images(tmp_path: Path) -> None:
+    """Corners found in its images are where its calibration projects those of the whole image."""
     rig = ideal_rig()
     small, finder = smaller_right(rig), BoardFinder(BoardSpec())
     left, right = HeldBoard(rig, seed=2).pair(0.0, 0)
@@ -173,12 +173,12 @@ def test_the_smaller_right_camera_is_that_of_its_images(tmp_path: Path) -> None:
         for view, camera in ((whole, rig.right), (sent, small.right))
     ]
     assert len(same) > 20
-    # half a pixel's mistake about where pixels are would be 0.12 px of 480; noise is 0.3
+    # an error of half a pixel in the pixel origin would be 0.12 px of 480; noise is 0.3
     assert abs((rays[0] - rays[1]).mean(axis=(0, 1)) * 480).max() < 0.05
 
 
-def test_two_webcams_with_images_of_their_own_sizes_are_one_input(tmp_path: Path) -> None:
-    """Each sends when it likes."""
+def test_two_webcams_with_different_image_sizes_are_one_input(tmp_path: Path) -> None:
+    """Each has its own timing."""
     pipes = [ImagePipe(tmp_path / f"{name}.mjpeg") for name in ("left", "right")]
     sizes = (HEIGHT, WIDTH), (2 * HEIGHT, 2 * WIDTH)
     done = threading.Event()

@@ -1,4 +1,4 @@
-"""Objects and devices hide markers; distractors look like markers."""
+"""Objects and devices occlude markers; distractors look like markers."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def _scene(hand: HandModel, glove: GloveModel, turn: float, *extras: Extra) -> S
 
 
 @pytest.mark.parametrize("kind", OBJECTS)
-def test_object_is_hidden_by_the_back_and_hides_the_palm(
+def test_object_is_occluded_by_the_back_and_occludes_the_palm(
     hand: HandModel, glove: GloveModel, kind: str
 ) -> None:
     thing = HeldObject(hand, kind)
@@ -38,7 +38,7 @@ def test_object_is_hidden_by_the_back_and_hides_the_palm(
             assert held.sum() < bare.sum()
 
 
-def test_unknown_object_is_told(hand: HandModel) -> None:
+def test_unknown_object_is_rejected(hand: HandModel) -> None:
     with pytest.raises(ConfigError, match="no 'piano'"):
         HeldObject(hand, "piano")
 
@@ -61,14 +61,14 @@ def test_distractors_are_blobs_unless_behind_the_hand(hand: HandModel, glove: Gl
     assert 30 < more <= 60
 
 
-def test_distractors_move_only_when_asked(hand: HandModel) -> None:
+def test_distractors_move_only_on_request(hand: HandModel) -> None:
     still, moving = Distractors(3), Distractors(3, moving=0.05)
     np.testing.assert_array_equal(still.coloured(0.0)[0], still.coloured(2.0)[0])
     step = moving.coloured(2.0)[0] - moving.coloured(0.0)[0]
     assert 0.02 < step.std() < 0.12
 
 
-def test_distractors_are_drawn_where_they_are_found(hand: HandModel, glove: GloveModel) -> None:
+def test_distractors_are_drawn_where_they_are_detected(hand: HandModel, glove: GloveModel) -> None:
     scene = _scene(hand, glove, 0.0, Distractors(3, 60))
     frame, image = scene.blobs(0.5), Renderer(scene).pair(0.5)[0]
     assert frame.left is not None

@@ -1,4 +1,4 @@
-"""A head-mounted camera: blobs move with its true pose, and the reported one errs as asked."""
+"""A head-mounted camera: blobs follow its true pose, and the reported one has the given errors."""
 
 from dataclasses import replace
 
@@ -14,13 +14,13 @@ from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.vision.rig import default_pose
 
 
-def test_a_stand_stands_and_reports_nothing() -> None:
+def test_a_static_camera_reports_nothing() -> None:
     head = Head(default_pose(), 1)
     np.testing.assert_array_equal(head.pose(5.0).p_GC, default_pose().p_GC)
     assert head.reported(5.0) is None and not head.moves
 
 
-def test_reported_pose_errs_as_asked() -> None:
+def test_reported_pose_has_the_given_errors() -> None:
     shifts, turns = [], []
     for seed in range(100):
         head = Head(default_pose(), seed, MOVING)
@@ -33,7 +33,7 @@ def test_reported_pose_errs_as_asked() -> None:
 
 
 def test_blobs_fit_the_true_pose(hand: HandModel, glove: GloveModel) -> None:
-    """With a perfect report, blobs seen from it lie on the markers; the stand's pose is far off."""
+    """With exact reports, blobs are on the markers; with the static pose they are far off."""
     perfect = replace(MOVING, error_mm=0.0, error_deg=0.0, sway_mm=30.0)
     simulation = Simulation(
         hand, glove, RandomPostures(hand, 1, duration=6), 1, SimulationParams(head=perfect)
@@ -54,5 +54,5 @@ def test_blobs_fit_the_true_pose(hand: HandModel, glove: GloveModel) -> None:
     assert gap(default_pose().R_GC, default_pose().p_GC) > 5.0
 
 
-def test_zero_errors_still_report_where_the_head_moves() -> None:
+def test_exact_reports_are_sent_for_a_moving_head() -> None:
     assert Head(default_pose(), 1, HeadParams(sway_mm=5.0)).reported(1.0) is not None

@@ -1,4 +1,4 @@
-"""Images and blobs of one scene tell the same story."""
+"""Images and blobs of one scene are consistent."""
 
 from dataclasses import replace
 
@@ -76,8 +76,8 @@ def test_centroids_of_images_are_those_of_blobs(flat: SimulatedScene) -> None:
 
 
 def test_a_glove_ends_with_its_fingers(flat: SimulatedScene) -> None:
-    """A fingertip is a ball that ends where its segment does, with a millimetre of cloth: so wide
-    it is drawn in the finger's direction, within a millimetre."""
+    """A fingertip is a sphere that ends with its segment, plus a millimetre of cloth: its drawn
+    extent in the finger's direction is correct within a millimetre."""
     dark = Renderer(flat, RenderParams(noise=0.0)).pair(1.0)[0].max(axis=2) < 110
     hand, now, rig = flat.wearer.hand, flat.instant(1.0), flat.rig
     for name in ("index", "middle", "ring", "little"):
@@ -92,7 +92,7 @@ def test_a_glove_ends_with_its_fingers(flat: SimulatedScene) -> None:
         assert radius == pytest.approx(last.radius + 0.001, abs=0.001), name
 
 
-def test_flat_hand_shows_its_back_and_hides_its_palm(flat: SimulatedScene) -> None:
+def test_flat_hand_shows_its_back_only(flat: SimulatedScene) -> None:
     left, right = flat.visible(1.0)
     markers = flat.wearer.glove.markers
     for m in markers:
@@ -102,8 +102,8 @@ def test_flat_hand_shows_its_back_and_hides_its_palm(flat: SimulatedScene) -> No
             assert not left[m.id]
 
 
-def test_blobs_lie_where_the_markers_project(flat: SimulatedScene) -> None:
-    """On the flat back of the hand the seen centroid is the projected centre."""
+def test_blobs_are_at_the_projections_of_the_markers(flat: SimulatedScene) -> None:
+    """On the flat back of the hand the visible centroid is the projected centre."""
     now, rig, glove = flat.instant(0.0), flat.rig, flat.wearer.glove
     seen = flat.markers_seen(now, True)
     for m in glove.markers:
@@ -112,7 +112,7 @@ def test_blobs_lie_where_the_markers_project(flat: SimulatedScene) -> None:
             np.testing.assert_allclose(seen.uv[m.id], rig.project(p_C, True), atol=0.15)
 
 
-def test_turned_over_the_other_side_shows(hand: HandModel, glove: GloveModel) -> None:
+def test_turned_over_the_other_side_is_visible(hand: HandModel, glove: GloveModel) -> None:
     place = np.array([0.08, 0.0, 0.10])
     still = Still(np.zeros(len(hand.joint_names)), so3.rx(np.pi), place)
     scene = SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
@@ -122,7 +122,7 @@ def test_turned_over_the_other_side_shows(hand: HandModel, glove: GloveModel) ->
     assert left[palm].all() and not left[back].any()
 
 
-def test_blob_noise_and_dropouts_are_those_asked_for(hand: HandModel, glove: GloveModel) -> None:
+def test_blob_noise_and_dropouts_are_the_given_ones(hand: HandModel, glove: GloveModel) -> None:
     still = Still(np.zeros(len(hand.joint_names)), np.eye(3), np.array([0.08, 0.0, 0.10]))
     params = BlobParams(noise_px=0.3, dropout=0.1)
     scene = SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(), 1, params)
@@ -140,7 +140,7 @@ def test_blob_noise_and_dropouts_are_those_asked_for(hand: HandModel, glove: Glo
     assert np.mean(counts) == pytest.approx(0.9 * len(truth), rel=0.03)
 
 
-def test_mean_of_markers_seen_twice_is_the_papers(hand: HandModel, glove: GloveModel) -> None:
+def test_mean_number_of_stereo_markers_is_the_papers(hand: HandModel, glove: GloveModel) -> None:
     """Lee et al. 2021 matched 10.93 markers on average."""
     counts = []
     for seed in range(5):
@@ -161,8 +161,8 @@ def test_images_are_reproducible_and_differ_in_time(hand: HandModel, glove: Glov
     assert np.any(pair(2.0) != pair(2.2))
 
 
-def test_motion_blurs(hand: HandModel, glove: GloveModel) -> None:
-    """A fast hand smears its markers' edges along its way; a still one does not."""
+def test_motion_blur(hand: HandModel, glove: GloveModel) -> None:
+    """A fast hand blurs its markers' edges along its motion; a still one does not."""
 
     class Slide:
         duration, follows_synergies = 2.0, True
@@ -190,23 +190,21 @@ def test_fabrics_have_the_default_profiles_hues(hue: str) -> None:
     assert FABRIC_HSV[hue][1] > 150
 
 
-def test_unknown_fabric_and_image_are_told() -> None:
+def test_unknown_fabric_and_image_are_rejected() -> None:
     with pytest.raises(ConfigError, match="no fabric of the hue 'plaid'"):
         fabric_bgr("plaid")
 
 
-def test_missing_photograph_is_told(flat: SimulatedScene) -> None:
+def test_missing_photograph_is_reported(flat: SimulatedScene) -> None:
     params = RenderParams(background=BackgroundParams("photograph", "nowhere.jpg"))
     with pytest.raises(FileError, match=r"nowhere\.jpg is not an image"):
         Renderer(flat, params)
 
 
-def test_a_lens_with_distortion_bends_images_and_blobs_alike(
-    hand: HandModel, glove: GloveModel
-) -> None:
+def test_lens_distortion_affects_images_and_blobs_alike(hand: HandModel, glove: GloveModel) -> None:
     ideal, D = ideal_rig(), np.array([-0.17, 0.027, 0.0004, -0.0003, 0.0])
     bent = StereoRig(replace(ideal.left, D=D), replace(ideal.right, D=D), ideal.pose)
-    place = np.array([0.06, 0.12, 0.10])  # to the side, where the lens bends most
+    place = np.array([0.06, 0.12, 0.10])  # to the side, where the distortion is largest
     still = Still(np.zeros(len(hand.joint_names)), np.eye(3), place)
     scene = SimulatedScene(Wearer.exact(hand, glove), still, bent, 1, NOISELESS)
     straight = SimulatedScene(Wearer.exact(hand, glove), still, ideal, 1, NOISELESS)
@@ -222,8 +220,8 @@ def test_a_lens_with_distortion_bends_images_and_blobs_alike(
 
 
 def test_a_pixel_shows_the_patch_that_covers_its_point(hand: HandModel, glove: GloveModel) -> None:
-    """Even light, no noise: an image of nothing but fabrics, cloth and wall. Each pixel is asked
-    anew, its point in its segment's own frame, against all patches of the segment."""
+    """Even light, no noise: an image of nothing but fabrics, cloth and wall. Each pixel is
+    recomputed, its point in its segment's own frame, against all patches of the segment."""
     rig = ideal_rig(200, 150)
     scene = SimulatedScene(Wearer(hand, glove, 3), RandomPostures(hand, 3), rig, 3)
     renderer = Renderer(scene, RenderParams(noise=0.0, ambient=1.0, exposures=1))

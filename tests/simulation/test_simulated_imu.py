@@ -1,4 +1,4 @@
-"""A simulated IMU obeys mechanics, and its errors are those of its parameters."""
+"""A simulated IMU follows mechanics, and its errors have the parameters' values."""
 
 from dataclasses import replace
 
@@ -21,7 +21,7 @@ PERFECT = ImuParams(
 
 
 class Spin:
-    """The flat hand turning about G's z through the wrist at a constant rate."""
+    """The flat hand rotating about G's z through the wrist at a constant rate."""
 
     follows_synergies = True
     duration = 10.0
@@ -34,7 +34,7 @@ class Spin:
         return Poses(np.zeros((len(t), self._count)), so3.exp(turn), np.zeros((len(t), 3)))
 
 
-def test_spin_gives_centripetal_force_and_rate(hand: HandModel, glove: GloveModel) -> None:
+def test_rotation_gives_centripetal_force_and_rate(hand: HandModel, glove: GloveModel) -> None:
     rate = 5.0
     force, omega = true_imu(Wearer.exact(hand, glove), Spin(hand, rate), np.array([1.0, 2.0]))
     lever = glove.imus[0].position
@@ -43,8 +43,8 @@ def test_spin_gives_centripetal_force_and_rate(hand: HandModel, glove: GloveMode
     np.testing.assert_allclose(omega[:, 0], [[0, 0, rate]] * 2, atol=1e-5)
 
 
-def test_integrated_samples_give_the_motion_back(hand: HandModel, glove: GloveModel) -> None:
-    """Strapdown integration of perfect samples: 4 s, an integrator and a simulator apart."""
+def test_integrated_samples_reproduce_the_motion(hand: HandModel, glove: GloveModel) -> None:
+    """Strapdown integration of exact samples for 4 s, independent of the simulator."""
     wearer, motion = Wearer(hand, glove, 5), RandomPostures(hand, 5, duration=5)
     t = np.arange(0, 4.0, 0.001)
     force, omega = true_imu(wearer, motion, t)
@@ -81,7 +81,7 @@ def test_noise_has_the_data_sheets_density(hand: HandModel, glove: GloveModel) -
     assert accel.std(axis=0).mean() == pytest.approx(expected, rel=0.05)
 
 
-def test_biases_are_within_the_data_sheets_bounds(hand: HandModel, glove: GloveModel) -> None:
+def test_biases_are_within_the_data_sheets_limits(hand: HandModel, glove: GloveModel) -> None:
     wild = replace(PERFECT, gyro_bias_deg=50.0, accel_bias_mg=500.0)
     imu = ImuSimulator(Wearer.exact(hand, glove), _still(hand), 2, wild)
     assert np.abs(imu.gyro_bias).max() == pytest.approx(np.deg2rad(5))
@@ -90,7 +90,7 @@ def test_biases_are_within_the_data_sheets_bounds(hand: HandModel, glove: GloveM
     np.testing.assert_allclose(mean, imu.gyro_bias, atol=np.deg2rad(2000) / 32768)
 
 
-def test_values_are_whole_lsb_and_saturate(hand: HandModel, glove: GloveModel) -> None:
+def test_values_are_integer_lsb_and_saturate(hand: HandModel, glove: GloveModel) -> None:
     imu = ImuSimulator(Wearer.exact(hand, glove), Spin(hand, np.deg2rad(3000)), 0, PERFECT)
     for s in imu.samples(0, 0.2):
         counts = s.gyro / (np.deg2rad(2000) / 32768)

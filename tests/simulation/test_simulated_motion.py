@@ -10,7 +10,7 @@ from tracker.simulation.smooth import Oscillation, SmoothNoise, minimum_jerk, rn
 from tracker.vision.rig import default_pose
 
 
-def test_minimum_jerk_rests_at_both_ends() -> None:
+def test_minimum_jerk_is_at_rest_at_both_ends() -> None:
     h = 1e-4
     for end, value in ((0.0, 0.0), (1.0, 1.0)):
         x = minimum_jerk(np.array([end - h, end, end + h]))
@@ -19,7 +19,7 @@ def test_minimum_jerk_rests_at_both_ends() -> None:
         assert abs(x[2] - 2 * x[1] + x[0]) / h**2 < 1e-2
 
 
-def test_smooth_noise_has_the_correlation_it_names() -> None:
+def test_smooth_noise_has_the_given_correlation() -> None:
     lag = 0.7
     products, squares = [], []
     for seed in range(300):
@@ -50,7 +50,7 @@ def test_first_posture_is_flat_and_palm_down_before_the_camera(hand: HandModel) 
 @pytest.mark.parametrize("seed", [0, 1])
 def test_random_postures_stay_near_the_limits_and_in_the_volume(hand: HandModel, seed: int) -> None:
     poses = RandomPostures(hand, seed, duration=60).poses(np.arange(0, 60, 0.05))
-    slack = np.deg2rad(6)  # sway and tremor go a little beyond
+    slack = np.deg2rad(6)  # sway and tremor go slightly beyond
     assert np.all(poses.angles > hand.angle_limits[:, 0] - slack)
     assert np.all(poses.angles < hand.angle_limits[:, 1] + slack)
     centre = poses.p_GB + poses.R_GB[:, :, 0] * hand.length / 2
@@ -65,24 +65,24 @@ def test_motion_is_twice_continuously_differentiable(hand: HandModel) -> None:
     t = np.arange(0.1, 11, h)
     p = motion.poses(t).p_GB
     acceleration = np.diff(p, 2, axis=0) / h**2
-    # a jump would stay as the step shrinks; a minimum-jerk move changes by its jerk times h
+    # a jump would not shrink with the step; a minimum-jerk move changes by its jerk times h
     assert np.abs(np.diff(acceleration, axis=0)).max() < 0.02 * np.abs(acceleration).max()
 
 
-def test_motion_is_the_same_in_any_order(hand: HandModel) -> None:
+def test_motion_is_independent_of_the_order_of_evaluation(hand: HandModel) -> None:
     t = np.array([1.0, 7.3, 4.4])
     one, other = RandomPostures(hand, 8).poses(t), RandomPostures(hand, 8).poses(t[::-1])
     np.testing.assert_allclose(one.p_GB, other.p_GB[::-1], atol=1e-14)
     assert not np.allclose(one.angles, RandomPostures(hand, 9).poses(t).angles)
 
 
-def test_leaving_is_out_of_both_images_just_in_the_span(hand: HandModel) -> None:
+def test_leaving_is_outside_both_images_exactly_in_the_interval(hand: HandModel) -> None:
     motion = RandomPostures(hand, 4, duration=20)
     away = leaving(motion, ((5.0, 10.0),))
     p_C = (away.poses(np.array([3.0, 5.0, 7.5, 10.0, 12.0])).p_GB - default_pose().p_GC) @ (
         default_pose().R_GC
     )
-    outside = p_C[:, 0] > 1.3 * p_C[:, 2]  # 45° to each side are seen
+    outside = p_C[:, 0] > 1.3 * p_C[:, 2]  # 45° to each side are visible
     assert outside.tolist() == [False, True, True, True, False]
 
 

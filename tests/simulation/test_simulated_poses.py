@@ -1,4 +1,4 @@
-"""Guided poses of simulated people are what docs/sessions.md says is true while they are held."""
+"""Guided poses of simulated people have the properties stated in docs/sessions.md."""
 
 import itertools
 
@@ -24,19 +24,19 @@ def led(hand: HandModel, glove: GloveModel, seed: int, params: HoldParams) -> Gu
 
 @pytest.fixture(scope="module", params=PEOPLE)
 def held(request, hand: HandModel, glove: GloveModel):
-    """Who holds poses, and the poses."""
+    """The wearer, and the poses."""
     seed = request.param
     return Wearer.random(hand, glove, seed), led(hand, glove, seed, HoldParams())
 
 
 def middle_of(motion: GuidedPoses, pose: str) -> float:
-    """An instant (s) at which a pose is held."""
+    """A time (s) at which a pose is held."""
     begin, end = (e.t for e in motion.events if e.data["pose"] == pose)
     return (begin + LATE + end - EARLY) / 2
 
 
 def gap(wearer: Wearer, motion: GuidedPoses, finger: str, t: float) -> tuple[float, float]:
-    """Between the surfaces of thumb and fingertip, m, and how far from the finger's tip."""
+    """Between the surfaces of thumb and fingertip, m, and its distance from the finger's tip."""
     truth, hand = wearer.truth(motion, np.array([t])), wearer.hand
     rows = [hand.index[CHAINS[d][-1]] for d in ("thumb", finger)]
     length = [hand.segments[r].length * wearer.scale[r, 0] for r in rows]
@@ -52,7 +52,7 @@ def test_pads_meet_near_the_fingertips(held):
     wearer, motion = held
     for finger in FINGERS:
         between, from_tip = gap(wearer, motion, finger, middle_of(motion, f"pinch_{finger}"))
-        assert abs(between) < 6e-3  # two of the standard deviations that are told
+        assert abs(between) < 6e-3  # two of the stated standard deviations
         assert from_tip < 15e-3
 
 
@@ -65,7 +65,7 @@ def test_flat_fingers_are_straight_and_a_fist_is_bent(held):
             assert abs(off) < 4.5 * f.sd, (pose, f.joint)
 
 
-def test_poses_follow_each_other_without_a_jump(held):
+def test_transitions_between_poses_are_smooth(held):
     _, motion = held
     t = np.arange(0.0, motion.duration, 0.005)
     poses = motion.poses(t)
@@ -73,7 +73,7 @@ def test_poses_follow_each_other_without_a_jump(held):
     assert np.linalg.norm(np.diff(poses.p_GB, axis=0), axis=1).max() < 0.01
 
 
-def test_each_pose_is_told_when_it_begins_and_ends(held):
+def test_events_mark_the_begin_and_end_of_each_pose(held):
     _, motion = held
     events = motion.events
     assert [e.data["pose"] for e in events[::2]] == list(POSES)
@@ -81,7 +81,7 @@ def test_each_pose_is_told_when_it_begins_and_ends(held):
     assert 25.0 < events[-1].t < 35.0
 
 
-def test_badly_held_pads_keep_apart(hand, glove):
+def test_badly_held_pads_do_not_touch(hand, glove):
     motion = led(hand, glove, 1, HELD_BADLY)
     wearer = Wearer.random(hand, glove, 1)
     gaps = [gap(wearer, motion, f, middle_of(motion, f"pinch_{f}"))[0] for f in FINGERS]

@@ -1,4 +1,4 @@
-"""A simulated person differs from the files by what the parameters say, and by nothing else."""
+"""A simulated person differs from the files by the parameters, and in nothing else."""
 
 from dataclasses import replace
 
@@ -30,8 +30,8 @@ def test_exact_wearer_is_the_hand_file(hand: HandModel, glove: GloveModel) -> No
     np.testing.assert_allclose(truth.angles, poses.angles, atol=1e-9)
 
 
-def test_angles_are_those_that_the_filters_show(hand: HandModel, glove: GloveModel) -> None:
-    """Both read them from orientations, the filters by their own compiled code."""
+def test_angles_are_those_computed_by_the_filters(hand: HandModel, glove: GloveModel) -> None:
+    """Both compute them from orientations, the filters by their own compiled code."""
     truth = Wearer(hand, glove, 3).truth(RandomPostures(hand, 3), T)
     layout = ChainLayout(hand, glove)
     complete, a = Completion(layout), layout.active
@@ -42,7 +42,7 @@ def test_angles_are_those_that_the_filters_show(hand: HandModel, glove: GloveMod
         np.testing.assert_allclose(truth.angles[k, moved], shown[moved], atol=1e-9)
 
 
-def test_bones_keep_their_length(hand: HandModel, glove: GloveModel) -> None:
+def test_bone_lengths_are_constant(hand: HandModel, glove: GloveModel) -> None:
     wearer = Wearer(hand, glove, 7)
     truth = wearer.truth(RandomPostures(hand, 7), T)
     for i, s in enumerate(hand.segments):
@@ -61,11 +61,11 @@ def test_a_ruler_measures_the_wearers_own_hand(hand: HandModel, glove: GloveMode
         wearer = Wearer(hand, glove, seed)
         R, p, _ = wearer.segments(RandomPostures(hand, seed), T[:1])
         bones = np.diff(hand.keypoints(R[0], p[0], wearer.scale)[columns], axis=0)
-        # the knuckle sits up to four standard deviations of 1.5 mm off, and beside the middle line
+        # the knuckle is up to four standard deviations of 1.5 mm off, and off the centre line
         assert np.linalg.norm(bones, axis=1).sum() == pytest.approx(wearer.hand_length, abs=0.007)
 
 
-def test_people_have_the_spread_asked_for(hand: HandModel, glove: GloveModel) -> None:
+def test_people_have_the_given_spread(hand: HandModel, glove: GloveModel) -> None:
     wearers = [Wearer(hand, glove, seed) for seed in range(150)]
     lengths = np.array([w.scale[:, 0] for w in wearers])
     common = lengths.mean(axis=1)
@@ -103,7 +103,9 @@ def test_markers_are_placed_and_slip_on_the_surface(hand: HandModel, glove: Glov
     assert slip == pytest.approx(np.sqrt(2) * 1e-3, rel=0.15)
 
 
-def test_wobble_has_its_size_and_comes_with_motion(hand: HandModel, glove: GloveModel) -> None:
+def test_wobble_has_the_given_size_and_depends_on_motion(
+    hand: HandModel, glove: GloveModel
+) -> None:
     motion = RandomPostures(hand, 2)
     turns = []
     for seed in range(40):
@@ -132,7 +134,7 @@ def test_left_hand_is_the_mirror_image(hand: HandModel, left_hand: HandModel) ->
     np.testing.assert_allclose(left, right * [1, -1, 1], atol=1e-8)
 
 
-def test_flexion_beyond_a_right_angle_is_read_back() -> None:
+def test_flexion_beyond_a_right_angle_is_recovered() -> None:
     parent, column = np.array([-1, 0]), np.array([[-1, -1, -1], [0, 1, -1]])
     origin, rest = np.zeros((2, 3)), np.tile(np.eye(3), (2, 1, 1))
     angles = np.array([[0.1, 1.9], [-0.2, 1.3]])
@@ -142,7 +144,7 @@ def test_flexion_beyond_a_right_angle_is_read_back() -> None:
 
 
 def test_one_person_puts_the_glove_on_many_times(hand, glove):
-    """Bones and synergies stay; what belongs to one putting-on is drawn anew."""
+    """Bones and synergies are unchanged; the fit of the glove is drawn again."""
     first, again = (Wearer.random(hand, glove, 7, fitting=fitting) for fitting in (7, 8))
     np.testing.assert_array_equal(first.scale, again.scale)
     np.testing.assert_array_equal(first._synergy_offset, again._synergy_offset)

@@ -1,4 +1,4 @@
-"""A simulated session is a stream of messages as real devices would send it."""
+"""A simulated session is a stream of messages as from real devices."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ def simulation(hand: HandModel, glove: GloveModel) -> Simulation:
     return Simulation(hand, glove, RandomPostures(hand, 1, duration=6), 1, fps=30.0)
 
 
-def test_messages_come_in_order_of_arrival_at_their_rates(simulation: Simulation) -> None:
+def test_messages_are_in_order_of_arrival_at_their_rates(simulation: Simulation) -> None:
     messages = list(simulation.feed())
     arrivals = np.array([m.t_arrival for m in messages])
     assert np.all(np.diff(arrivals) >= 0)
@@ -28,13 +28,13 @@ def test_messages_come_in_order_of_arrival_at_their_rates(simulation: Simulation
     assert [f.index for f in frames] == list(range(len(frames)))
 
 
-def test_times_are_whole_nanoseconds(simulation: Simulation) -> None:
+def test_times_are_integer_nanoseconds(simulation: Simulation) -> None:
     for message, _ in zip(simulation.feed(), range(200), strict=False):
         for t in (message.t, message.t_arrival):
             assert seconds(nanoseconds(t)) == t
 
 
-def test_feed_is_the_same_again(simulation: Simulation, hand: HandModel, glove: GloveModel) -> None:
+def test_feed_is_reproducible(simulation: Simulation, hand: HandModel, glove: GloveModel) -> None:
     again = Simulation(hand, glove, RandomPostures(hand, 1, duration=6), 1, fps=30.0)
     for one, other, _ in zip(simulation.feed(), again.feed(), range(120), strict=False):
         assert one.t_arrival == other.t_arrival
@@ -46,7 +46,7 @@ def test_feed_is_the_same_again(simulation: Simulation, hand: HandModel, glove: 
 
 
 def test_stereo_blobs_triangulate_to_true_markers(simulation: Simulation) -> None:
-    """Rows agree in both images and the points lie on the wearer's true markers."""
+    """Rows agree in both images and the points are on the wearer's true markers."""
     t = 1.0
     now, rig = simulation.scene.instant(t), simulation.rig
     left, right = (simulation.scene.markers_seen(now, side) for side in (False, True))
@@ -56,7 +56,9 @@ def test_stereo_blobs_triangulate_to_true_markers(simulation: Simulation) -> Non
     true = now.p_CB[segment] + np.einsum("nij,nj->ni", now.R_CB[segment], now.markers[both])
     gap = np.linalg.norm(p_C - true, axis=1)
     assert both.sum() >= 8
-    assert np.median(gap) < 2e-3 and gap.max() < 8e-3  # curved patches are seen off their middle
+    assert (
+        np.median(gap) < 2e-3 and gap.max() < 8e-3
+    )  # the visible centroid of curved patches is off their centre
 
 
 def test_truth_is_the_wearers_hand(simulation: Simulation, glove: GloveModel) -> None:
@@ -69,7 +71,7 @@ def test_truth_is_the_wearers_hand(simulation: Simulation, glove: GloveModel) ->
     assert size == pytest.approx(0.082, rel=0.15)
 
 
-def test_images_come_as_stereo_frames(simulation: Simulation) -> None:
+def test_images_are_stereo_frames(simulation: Simulation) -> None:
     frame = next(iter(simulation.frames(images=True)))
     assert isinstance(frame, StereoFrame)
     assert frame.left is not None and frame.left.shape == (720, 1280, 3)

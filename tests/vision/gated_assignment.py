@@ -1,4 +1,4 @@
-"""The assignment in one image, asked with arrays."""
+"""The assignment in one image, with arrays as arguments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A table of hues spread out, as the detector's kernels look it up."""
+"""A hue table expanded to all colours, using the detector's kernels."""
 
 import numpy as np
 

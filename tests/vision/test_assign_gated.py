@@ -18,7 +18,7 @@ def covariances(n: int) -> np.ndarray:
 
 
 def brute_force(uv, hue, predicted, S, marker_hue, prior, params) -> float:
-    """Least total cost over all ways to give markers or nothing to blobs."""
+    """Minimum total cost over all assignments of markers, or none, to blobs."""
     n, m = len(uv), len(predicted)
     best = np.inf
     for choice in permutations([*range(m), *[-1] * n], n):
@@ -37,7 +37,7 @@ def pair_cost(z, predicted, S, prior) -> float:
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_total_cost_is_the_least_of_all_assignments(seed: int) -> None:
+def test_total_cost_is_the_minimum_of_all_assignments(seed: int) -> None:
     rng = np.random.default_rng(seed)
     n, m = 4, 4
     predicted = rng.uniform(0, 12, (m, 2))
@@ -64,7 +64,7 @@ def test_hues_are_never_mixed() -> None:
     assert got.tolist() == [-1]
 
 
-def test_blob_outside_the_gate_stays_alone() -> None:
+def test_blob_outside_the_gate_is_not_matched() -> None:
     predicted = np.array([[10.0, 10.0]])
     zero = np.zeros(1, np.int64)
     for shift, expected in ((8.0, 0), (9.0, -1)):  # 16 and 20.25 of Mahalanobis², gate 18
@@ -80,7 +80,7 @@ def test_blob_outside_the_gate_stays_alone() -> None:
         assert got.tolist() == [expected]
 
 
-def test_pixel_gate_holds_however_unsure_the_filter_is() -> None:
+def test_pixel_gate_applies_for_any_covariance() -> None:
     predicted = np.zeros((1, 2))
     zero = np.zeros(1, np.int64)
     S = np.diag([1e4, 1e4])[None]
@@ -90,7 +90,7 @@ def test_pixel_gate_holds_however_unsure_the_filter_is() -> None:
     assert assign_gated(far, zero, predicted, S, zero, np.ones(1), params)[0] == -1
 
 
-def test_likelier_marker_wins_between_equals() -> None:
+def test_the_more_likely_marker_wins_between_equals() -> None:
     predicted = np.array([[0.0, 0.0], [2.0, 0.0]])
     zero = np.zeros(2, np.int64)
     prior = np.array([0.05, 0.9])
@@ -112,8 +112,8 @@ def test_nothing_to_assign(n: int, m: int) -> None:
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_compiled_assignment_costs_what_scipys_costs(seed: int) -> None:
-    """With as many lone places added as there are rows; forbidden pairs and negative costs too."""
+def test_the_cost_equals_that_of_scipys_assignment(seed: int) -> None:
+    """With one dummy column per row; including forbidden pairs and negative costs."""
     rng = np.random.default_rng(seed)
     n, m = rng.integers(0, 9, 2)
     cost, alone = rng.normal(0, 10, (n, m)), float(rng.normal(5, 5))

@@ -1,4 +1,4 @@
-"""Colour profiles: what belongs to a hue, files there and back, errors in words."""
+"""Colour profiles: membership of a hue, file round trips, error messages."""
 
 from pathlib import Path
 
@@ -41,7 +41,7 @@ value = [45, 255]
 @pytest.mark.parametrize(
     ("name", "hue"), [("red", 0), ("yellow", 28), ("green", 65), ("blue", 110)]
 )
-def test_shipped_profile_serves_the_four_cloths(name: str, hue: int) -> None:
+def test_included_profile_contains_the_four_cloths(name: str, hue: int) -> None:
     profile = load_profile(DEFAULT)
     for offset in range(-11, 12):
         pixel = np.array([(hue + offset) % 180, 230, 200])
@@ -64,7 +64,7 @@ def test_membership_is_that_of_opencv(h: HueRange) -> None:
 
 
 @given(st.lists(RANGE, min_size=1, max_size=4, unique_by=lambda h: h.name))
-def test_file_there_and_back(hues: list[HueRange]) -> None:
+def test_file_round_trip(hues: list[HueRange]) -> None:
     profile = ColourProfile('with "quotes"', tuple(hues), ShapeLimits((0.25, 2.0), 0.8, 0.1))
     assert parse_profile(profile_to_toml(profile)) == profile
 
@@ -93,12 +93,12 @@ def test_overlap_is_symmetric_and_agrees_with_membership(a: HueRange, b: HueRang
         ("[hues.red]", "[hues.red", "not valid TOML"),
     ],
 )
-def test_errors_name_the_place(old: str, new: str, words: str) -> None:
+def test_errors_name_the_line(old: str, new: str, words: str) -> None:
     with pytest.raises(FileError, match=words):
         parse_profile(TEXT.replace(old, new), "my.toml")
 
 
-def test_profile_without_a_hue_is_refused() -> None:
+def test_profile_without_a_hue_is_rejected() -> None:
     with pytest.raises(FileError, match="at least one hue"):
         parse_profile('schema = 1\nname = "x"\n')
 

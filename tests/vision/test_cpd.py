@@ -1,4 +1,4 @@
-"""EM kernels against plain numpy twins, and matching where the truth is known."""
+"""EM kernels against plain numpy twins, and matching with known ground truth."""
 
 import numpy as np
 import pytest
@@ -111,8 +111,8 @@ def test_stereo_matches_are_right_and_nearly_all_found(z_hint: float | None) -> 
     assert wrong / found < 0.01
 
 
-def test_stereo_survives_a_room_of_other_colours() -> None:
-    """A second cloud at 0.7 m: the parallax must settle on the hand, which has more blobs."""
+def test_stereo_matching_works_with_other_colours_in_the_background() -> None:
+    """A second cloud at 0.7 m: the parallax must converge to the hand, which has more blobs."""
     rng = np.random.default_rng(12)
     found = possible = 0
     for _ in range(50):
@@ -139,7 +139,7 @@ def test_each_blob_is_used_once() -> None:
         assert len(np.unique(got.left_index)) == len(np.unique(got.right_index)) == len(got)
 
 
-def test_all_pairs_holds_every_true_pair_and_nothing_impossible() -> None:
+def test_all_pairs_contains_every_true_pair_and_nothing_impossible() -> None:
     rng = np.random.default_rng(14)
     _, hue, left, right, i, j = stereo_scene(rng, n=40)
     got = all_pairs(left[i], hue[i], right[j], hue[j], RIG)
@@ -177,7 +177,7 @@ def test_shift_is_recovered_with_outliers() -> None:
     assert got.marker[:20].tolist() == list(range(20))
 
 
-def test_two_points_on_one_marker_leave_the_nearer() -> None:
+def test_of_two_points_on_one_marker_the_nearer_is_used() -> None:
     markers = np.array([[0.0, 0, 0.3]])
     points = np.array([[0.004, 0, 0.3], [0.001, 0, 0.3]])
     zero = np.zeros(2, np.int64)
@@ -185,7 +185,7 @@ def test_two_points_on_one_marker_leave_the_nearer() -> None:
     assert sorted(got.marker.tolist()) == [-1, 0]
 
 
-def test_unseeable_marker_gets_no_point() -> None:
+def test_invisible_marker_gets_no_point() -> None:
     markers = np.array([[0.0, 0, 0.3], [0.01, 0, 0.3]])
     zero = np.zeros(2, np.int64)
     prior = np.array([0.0, 1.0])
@@ -195,7 +195,8 @@ def test_unseeable_marker_gets_no_point() -> None:
 
 
 def test_translation_is_no_worse_than_pycpd() -> None:
-    """The peer of the benchmark on the same frames, with noise, strays and a shift of 21 mm."""
+    """The reference of the benchmark on the same frames, with noise, outliers and a shift of 21
+    mm."""
     pycpd = pytest.importorskip("pycpd")
     rng = np.random.default_rng(17)
     right_ones = theirs = 0

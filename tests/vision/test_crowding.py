@@ -19,7 +19,7 @@ SECONDS = 2.0
 
 
 def crowd(blobs: Blobs, n: int, seed: int = 0) -> Blobs:
-    """``blobs`` and before them ``n`` others in one place, of any hue and of the highest score."""
+    """``blobs`` preceded by ``n`` others at one position, of any hue and with the highest score."""
     rng = np.random.default_rng(seed)
     uv = np.array([300.0, 200.0]) + rng.normal(0, 3, (n, 2))
     return Blobs(
@@ -46,7 +46,7 @@ def test_ordinary_images_are_used_unchanged() -> None:
     assert found is ordinary and ignored == 0
 
 
-def test_a_crowd_is_thinned_and_blobs_elsewhere_stay() -> None:
+def test_a_crowd_is_thinned_and_other_blobs_are_kept() -> None:
     few, many = spread(100), spread(2000)
     found, ignored = thinned(frame(crowd(few, 900), many))
     assert found.left is not None and found.right is not None
@@ -54,7 +54,7 @@ def test_a_crowd_is_thinned_and_blobs_elsewhere_stay() -> None:
     assert ignored == 1000 + 2000 - 2 * MOST_BLOBS
     stayed = {tuple(uv) for uv in found.left.uv}
     assert all(tuple(uv) in stayed for uv in few.uv)
-    assert np.array_equal(found.left.uv[-100:], few.uv)  # in the order in which they came
+    assert np.array_equal(found.left.uv[-100:], few.uv)  # in the original order
     assert np.array_equal(found.left.score[-100:], few.score)
 
 
@@ -65,7 +65,7 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_900_markers_in_one_place_cost_less_than_real_time(session: Path) -> None:
+def test_900_blobs_in_one_place_are_processed_faster_than_real_time(session: Path) -> None:
     with SessionReader(session) as reader:
         info = reader.info
         messages = list(reader.messages((ImuSample, BlobFrame)))

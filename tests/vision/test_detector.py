@@ -1,4 +1,4 @@
-"""Blob detection against OpenCV's own answers and drawn shapes whose centres are known."""
+"""Blob detection against OpenCV and drawn shapes with known centres."""
 
 import cv2
 import numpy as np
@@ -73,7 +73,7 @@ def random_shapes(rng: np.random.Generator, n: int) -> list:
     return shapes
 
 
-def test_every_colour_has_the_class_that_opencv_gives() -> None:
+def test_every_colour_has_the_class_given_by_opencv() -> None:
     classes = all_classes(hue_table(FOUR))
     r = np.arange(256, dtype=np.uint8)
     for b in range(0, 256, 3):
@@ -97,14 +97,14 @@ def test_cells_of_one_class_share_a_pattern() -> None:
     assert 0.1 < len(own) / len(table.cells) < 0.25
 
 
-def test_hue_that_takes_all_colours_from_a_value_on_is_exact() -> None:
+def test_hue_with_only_a_lower_value_limit_is_exact() -> None:
     table = hue_table(ColourProfile("bright", (HueRange("any", (0, 179), (0, 255), (130, 255)),)))
     b, g, r = np.indices((256, 256, 256), np.uint8, sparse=True)
     assert np.array_equal(all_classes(table), np.maximum(np.maximum(b, g), r) >= 130)
 
 
 @pytest.mark.parametrize("stride", [1, 4])
-def test_all_patches_are_found_with_a_tenth_of_a_pixel(stride: int) -> None:
+def test_all_patches_are_found_within_a_tenth_of_a_pixel(stride: int) -> None:
     detector = Detector(FOUR, params=DetectorParams(stride=stride))
     errors = []
     for seed in range(4):
@@ -120,8 +120,8 @@ def test_all_patches_are_found_with_a_tenth_of_a_pixel(stride: int) -> None:
     assert max(errors) < 0.4
 
 
-def test_the_memory_kept_between_calls_changes_nothing() -> None:
-    """Through the numbers of a byte and round again, with another hand's image in between."""
+def test_reused_memory_has_no_effect() -> None:
+    """Past the overflow of the byte marks, with an image of another hand in between."""
     rng, detector = np.random.default_rng(11), Detector(FOUR)
     images = [draw(random_shapes(rng, 40)) for _ in range(2)]
     fresh = [Detector(FOUR).detect(image)[0] for image in images]
@@ -180,7 +180,7 @@ def test_region_and_moments_are_those_of_opencv(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_hull_counts_its_pixels_and_measures_its_girth(seed: int) -> None:
+def test_hull_counts_its_pixels_and_measures_its_perimeter(seed: int) -> None:
     mask = blobby_mask(seed)
     points = np.argwhere(mask)[:, ::-1].astype(np.int32)
     pixels, girth = hull(mask_runs(mask), int(points[0, 1]), int(points[-1, 1]))
@@ -202,7 +202,7 @@ def test_axes_of_an_ellipse() -> None:
     assert axes(uu, uv, vv) == pytest.approx((50, 20, 0.5), rel=0.02)
 
 
-def test_touching_patches_are_parted(detector: Detector) -> None:
+def test_touching_patches_are_split(detector: Detector) -> None:
     a, b = np.array([200.0, 200.0]), np.array([218.0, 207.0])
     shapes = [("green", a, (10, 10), 0), ("green", b, (10, 10), 0)]
     blobs, _ = detector.detect(draw(shapes))
@@ -211,7 +211,7 @@ def test_touching_patches_are_parted(detector: Detector) -> None:
         assert np.hypot(*(blobs.uv - centre).T).min() < 0.8
 
 
-def test_one_long_patch_is_not_parted(detector: Detector) -> None:
+def test_one_long_patch_is_not_split(detector: Detector) -> None:
     blobs, _ = detector.detect(draw([("green", (200.0, 200.0), (18, 8), 35)]))
     assert len(blobs) == 1
 
@@ -250,8 +250,9 @@ def test_wrong_shapes_are_rejected_by_name(detector: Detector, image, reason: st
     assert rejected.reason == (reason,)
 
 
-def test_wall_of_a_hue_hides_no_marker_and_is_no_blob(detector: Detector) -> None:
-    """A background region is left early; the patch beside it must still be found whole."""
+def test_wall_of_a_hue_is_no_blob_and_hides_no_marker(detector: Detector) -> None:
+    """A background region is abandoned early; the patch next to it must still be found
+    completely."""
     blobs, _ = detector.detect(draw([("red", (420.0, 240.0), (9, 9), 0)]))
     alone = blobs.uv
     both = draw([("red", (420.0, 240.0), (9, 9), 0)])
@@ -260,8 +261,9 @@ def test_wall_of_a_hue_hides_no_marker_and_is_no_blob(detector: Detector) -> Non
     assert np.array_equal(blobs.uv, alone)
 
 
-def test_hints_give_the_size(detector: Detector) -> None:
-    """Twice as large as predicted is no marker; what is not predicted has the general limits."""
+def test_hints_limit_the_size(detector: Detector) -> None:
+    """A blob twice as large as predicted is rejected; without a prediction the general limits
+    apply."""
     image = draw([("blue", (200.0, 200.0), (16, 16), 0), ("blue", (400.0, 200.0), (16, 16), 0)])
     positions = np.array([[202.0, 199.0], [400.0, 200.0]])
     hints = DetectionHints(positions, np.full(2, 20.0), np.array([3, 0]), np.full(2, 16.0))
@@ -270,7 +272,7 @@ def test_hints_give_the_size(detector: Detector) -> None:
     assert rejected.reason == ("size",)
 
 
-def test_hints_look_nowhere_else(detector: Detector) -> None:
+def test_only_the_hinted_regions_are_searched(detector: Detector) -> None:
     shapes = [("blue", (200.0, 200.0), (6, 6), 0), ("blue", (400.0, 200.0), (6, 6), 0)]
     hints = DetectionHints(
         np.array([[195.0, 200.0], [np.nan, 0], [900.0, -40.0]]),
@@ -281,7 +283,7 @@ def test_hints_look_nowhere_else(detector: Detector) -> None:
     assert blobs.uv == pytest.approx(np.array([[200.0, 200.0]]), abs=0.2)
 
 
-def test_frame_keeps_its_stamps_and_a_dark_side(detector: Detector) -> None:
+def test_frame_keeps_its_timestamps_and_a_missing_side(detector: Detector) -> None:
     image = draw([("red", (200.0, 200.0), (8, 8), 0)])
     pose = CameraPose(np.eye(3), np.zeros(3))
     frame = StereoFrame(1.5, 1.54, image, None, pose, 7)
@@ -293,7 +295,7 @@ def test_frame_keeps_its_stamps_and_a_dark_side(detector: Detector) -> None:
     assert got.right is None
 
 
-def test_detection_is_repeatable_and_leaves_the_image_alone(detector: Detector) -> None:
+def test_detection_is_reproducible_and_does_not_modify_the_image(detector: Detector) -> None:
     image = draw(random_shapes(np.random.default_rng(1), 40))
     before = image.copy()
     first, second = detector.detect(image)[0], detector.detect(image)[0]
@@ -302,7 +304,7 @@ def test_detection_is_repeatable_and_leaves_the_image_alone(detector: Detector) 
 
 
 @pytest.mark.parametrize("bad", [np.zeros((4, 4), np.uint8), np.zeros((4, 4, 3), np.float32)])
-def test_image_of_a_wrong_kind_is_refused(detector: Detector, bad) -> None:
+def test_image_of_a_wrong_type_is_rejected(detector: Detector, bad) -> None:
     with pytest.raises(GlovetrackError, match="8 bits a channel"):
         detector.detect(bad)
 
@@ -311,15 +313,15 @@ def test_image_of_one_pixel(detector: Detector) -> None:
     assert len(detector.detect(np.full((1, 1, 3), 200, np.uint8))[0]) == 0
 
 
-def test_too_many_hues_are_refused() -> None:
+def test_too_many_hues_are_rejected() -> None:
     hues = tuple(HueRange(f"h{k}", (k, k)) for k in range(31))
     with raises(ConfigError, "colours.too_many_hues"):
         Detector(ColourProfile("many", hues, ShapeLimits()))
 
 
 @pytest.mark.data
-def test_photographs_take_no_marker_away(detector: Detector, data_folder) -> None:
-    """Patches pasted on real images: as many found as plain drawing finds, save merged ones."""
+def test_photographic_backgrounds_hide_no_marker(detector: Detector, data_folder) -> None:
+    """Patches pasted on real images: as many found as on a plain background, except merged ones."""
     shapes = random_shapes(np.random.default_rng(5), 40)
     found = total = 0
     for path in sorted((data_folder / "photos" / "skimage").glob("*.png"))[:3]:

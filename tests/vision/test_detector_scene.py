@@ -1,4 +1,4 @@
-"""Detection and stereo matching on rendered images of a simulated hand, truth beside them."""
+"""Detection and stereo matching on rendered images of a simulated hand, with ground truth."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def simulation(request, hand, glove) -> Simulation:
 
 
 def truth(simulation: Simulation, t: float, right: bool) -> tuple[np.ndarray, np.ndarray]:
-    """uv (n, 2) and ids (n,) of the markers that make a blob in one image."""
+    """uv (n, 2) and ids (n,) of the markers that are blobs in one image."""
     seen = simulation.scene.markers_seen(simulation.scene.instant(t), right)
     ids = np.flatnonzero(seen.visible)
     return seen.uv[ids], ids
@@ -52,7 +52,7 @@ def test_visible_markers_are_found_where_they_are(simulation: Simulation) -> Non
 
 
 def test_stereo_matches_are_the_same_marker(simulation: Simulation) -> None:
-    """On true centroids of both images: what both cameras see is paired, and rightly."""
+    """On true centroids of both images: markers seen by both cameras are paired correctly."""
     hue_of = simulation.glove.marker_hue
     right_pairs = pairs = possible = right_found = 0
     for t in TIMES:

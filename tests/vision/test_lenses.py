@@ -1,4 +1,4 @@
-"""One lens of two, or a camera with only one."""
+"""One of two cameras, or a device with only one."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tracker.vision.rig import ideal_rig
 FRAME = BlobFrame(1.0, 1.1, ("red",), Blobs.empty(), Blobs.empty())
 
 
-def test_what_the_lenses_in_use_see() -> None:
+def test_only_the_cameras_in_use_have_blobs() -> None:
     assert through(FRAME, "both") is FRAME
     left, right = through(FRAME, "left"), through(FRAME, "right")
     assert left.left is FRAME.left and left.right is None
@@ -31,12 +31,14 @@ def test_what_the_lenses_in_use_see() -> None:
     ("engine", "lenses", "code"),
     [("vist", "left", "engine.needs_both_lenses"), ("chain", "middle", "camera.lenses")],
 )
-def test_what_cannot_be_is_said(hand, glove, engine: str, lenses: str, code: str) -> None:
+def test_invalid_combinations_are_rejected(
+    hand, glove, engine: str, lenses: str, code: str
+) -> None:
     with raises(ConfigError, code):
         Pipeline(hand, glove, ideal_rig(), Settings(engine=engine, lenses=lenses))
 
 
-def test_a_camera_with_one_lens_projects_as_it_did() -> None:
+def test_a_single_camera_projects_as_in_a_pair() -> None:
     camera, pose = ideal_rig().left, ideal_rig().pose
     rig = one_camera_rig(camera, pose)
     p_C = np.array([[0.05, -0.02, 0.4]])
@@ -44,7 +46,7 @@ def test_a_camera_with_one_lens_projects_as_it_did() -> None:
     assert rig.fx == ideal_rig().fx
 
 
-def test_a_recording_is_tracked_with_one_lens(tmp_path: Path) -> None:
+def test_a_recording_is_tracked_with_one_camera(tmp_path: Path) -> None:
     source, out, report = (tmp_path / n for n in ("in.mcap", "out.mcap", "r.json"))
     short = ["--duration", "3", "--fps", "20", "--blobs-only", "--seed", "4"]
     assert main(["simulate", "-o", str(source), *short]) == 0

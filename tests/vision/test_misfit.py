@@ -1,4 +1,4 @@
-"""How far recognised blobs are from where they were expected, against NumPy's own median."""
+"""Distance of matched blobs from their predictions, against NumPy's median."""
 
 from __future__ import annotations
 
@@ -22,6 +22,6 @@ def test_misfit_is_the_median_distance_in_both_images(seed: int) -> None:
     assert misfit(left, right, match, uv) == np.median(np.concatenate(apart))
 
 
-def test_without_a_recognised_blob_nothing_fits() -> None:
+def test_without_matches_the_misfit_is_infinite() -> None:
     nothing = np.full((2, 4), -1)
     assert misfit(np.zeros((0, 2)), np.zeros((3, 2)), nothing, np.zeros((2, 4, 2))) == np.inf

@@ -1,4 +1,4 @@
-"""What is expected of an image, and how little of it then has to be searched."""
+"""Predicted regions of an image, and how little has to be searched."""
 
 from dataclasses import replace
 
@@ -18,11 +18,12 @@ from tracker.vision.rig import ideal_rig
 from tracker.vision.shape_tests import windows_around
 
 RIG = ideal_rig()
-AHEAD = RIG.pose.p_GC + 0.4 * RIG.pose.R_GC[:, 2]  # 0.4 m before the left lens
+AHEAD = RIG.pose.p_GC + 0.4 * RIG.pose.R_GC[:, 2]  # 0.4 m in front of the left camera
 
 
 def predicted(t: float = 1.0, v: float = 0.0) -> RegionPrediction:
-    """Two markers, one red before the lens, one blue 5 cm to its right, moving right at v m/s."""
+    """Two markers, one red in front of the camera, one blue 5 cm to its right, moving right at v
+    m/s."""
     right = RIG.pose.R_GC[:, 0]
     p = np.stack([AHEAD, AHEAD + 0.05 * right])
     speed = np.tile(v * right, (2, 1))
@@ -31,7 +32,7 @@ def predicted(t: float = 1.0, v: float = 0.0) -> RegionPrediction:
     )
 
 
-def test_places_and_hues_are_those_of_the_images() -> None:
+def test_positions_and_hues_match_the_images() -> None:
     left, right = predicted().hints(RIG, 1.0, RIG.pose, ("red", "green", "blue"))
     assert left.uv[0] == pytest.approx([RIG.cx, RIG.cy])
     assert left.uv[1] == pytest.approx([RIG.cx + RIG.fx * 0.05 / 0.4, RIG.cy])
@@ -40,14 +41,14 @@ def test_places_and_hues_are_those_of_the_images() -> None:
     assert left.radius_px == pytest.approx(np.full(2, RIG.fx * 0.015 / 0.4 + MARGIN_PX))
 
 
-def test_a_moving_hand_is_expected_where_it_will_be_and_less_surely() -> None:
+def test_a_moving_hand_is_extrapolated_with_a_larger_sd() -> None:
     now, later = (predicted(v=1.0).hints(RIG, t, RIG.pose, ("red",))[0] for t in (1.0, 1.03))
     assert later.uv[0, 0] - now.uv[0, 0] == pytest.approx(RIG.fx * 0.03 / 0.4)
     assert np.all(later.radius_px > now.radius_px)
     assert later.hue.tolist() == [0, -1]
 
 
-def test_speed_is_taken_from_the_prediction_before() -> None:
+def test_velocity_is_computed_from_the_previous_prediction() -> None:
     first = predicted(1.0)
     second = replace(predicted(1.02), p_G=first.p_G + [0.01, 0, 0])
     assert second.after(first).v_G == pytest.approx(np.tile([0.5, 0, 0], (2, 1)))
@@ -55,7 +56,7 @@ def test_speed_is_taken_from_the_prediction_before() -> None:
     assert np.all(second.after(None).v_G == 0)
 
 
-def test_every_sixth_image_is_searched_whole() -> None:
+def test_every_sixth_image_is_searched_completely() -> None:
     plan = SearchPlan(every=6)
     whole = [
         plan.hints(predicted(0.01 * k), RIG, 0.01 * k, None, ("red",)) is None for k in range(18)
@@ -63,7 +64,7 @@ def test_every_sixth_image_is_searched_whole() -> None:
     assert [k for k in range(18) if whole[k]] == [5, 11, 17]
 
 
-def test_whole_images_while_nothing_is_sure() -> None:
+def test_images_are_searched_completely_without_a_valid_prediction() -> None:
     plan = SearchPlan()
     assert plan.hints(None, RIG, 1.0, None, ("red",)) is None
     assert plan.hints(predicted(1.0), RIG, 1.2, None, ("red",)) is None  # too old
@@ -71,7 +72,7 @@ def test_whole_images_while_nothing_is_sure() -> None:
     assert plan.hints(behind, RIG, 1.0, None, ("red",)) is None
 
 
-def test_windows_that_overlap_become_one() -> None:
+def test_overlapping_windows_are_merged() -> None:
     uv = np.array([[100.0, 100.0], [110.0, 100.0], [105.0, 108.0]])
     assert windows_around(uv, np.full(3, 20.0), 640, 480, 2).tolist() == [[80, 130, 80, 128, 2]]
     apart = np.array([[100.0, 100.0], [500.0, 400.0], [np.nan, 0.0], [-90.0, 5.0]])
@@ -91,13 +92,13 @@ def profile(sim: Simulation) -> ColourProfile:
 
 
 def found(blobs: Blobs, markers: Array) -> set[tuple[float, float]]:
-    """Places of the blobs that lie on a marker (m, 2)."""
+    """Positions of the blobs that are on a marker (m, 2)."""
     d = np.hypot(*np.moveaxis(blobs.uv[:, None] - markers, 2, 0))
     return {(round(u, 6), round(v, 6)) for u, v in blobs.uv[d.min(axis=1) < 4].tolist()}
 
 
-def test_regions_find_what_the_whole_image_shows(sim: Simulation) -> None:
-    """A tracked hand: from the engine's prediction, marker for marker what a whole search finds."""
+def test_regions_find_the_same_as_complete_images(sim: Simulation) -> None:
+    """A tracked hand: with the engine's prediction, the same markers as in a complete search."""
     pipeline, seen = Pipeline(sim.hand, sim.glove, sim.rig), None
     detector = Detector(profile(sim), fx=sim.rig.fx)
     names, compared = detector.profile.hue_names, 0

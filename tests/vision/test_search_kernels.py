@@ -1,4 +1,4 @@
-"""The detector's kernels beside plain numpy and OpenCV on images of random coloured noise."""
+"""The detector's kernels against plain numpy and OpenCV on images of random coloured noise."""
 
 from dataclasses import replace
 
@@ -44,9 +44,9 @@ def broad(mask: np.ndarray) -> np.ndarray:
 
 
 def regions(classes: np.ndarray, seeds: np.ndarray) -> set[tuple[int, int, int]]:
-    """Hue, area and sum of columns of the regions that a seed meets, as OpenCV labels them.
+    """Hue, area and sum of columns of the regions that contain a seed, as labelled by OpenCV.
 
-    A seed that no square of 2 x 2 px of its hue holds meets none, but at the image's edge.
+    A seed that is not in a square of 2 x 2 px of its hue is ignored, except at the image's edge.
     """
     inner = np.pad(np.ones(np.subtract(classes.shape, 2), bool), 1)
     out = set()
@@ -63,7 +63,7 @@ def regions(classes: np.ndarray, seeds: np.ndarray) -> set[tuple[int, int, int]]
 
 
 @pytest.mark.parametrize("stride", [1, 3, 4])
-def test_regions_are_those_that_opencv_labels(stride: int) -> None:
+def test_regions_are_those_labelled_by_opencv(stride: int) -> None:
     for seed in range(3):
         classes = patchy(seed)
         rows = found(classes, np.array([[0, 160, 0, 119, stride]]))
@@ -81,7 +81,7 @@ def test_regions_are_those_that_opencv_labels(stride: int) -> None:
         assert len(got - expected) == 2 * parted
 
 
-def test_threads_and_specks_are_no_regions() -> None:
+def test_threads_and_specks_are_ignored() -> None:
     classes = np.zeros((60, 90), int)
     classes[20, 10:40], classes[10:50, 60] = 1, 1
     for k in range(20):
@@ -92,7 +92,7 @@ def test_threads_and_specks_are_no_regions() -> None:
 
 
 def test_all_colours_of_a_vivid_hue_are_vivid() -> None:
-    """So that looking at the vivid pixels alone misses none."""
+    """So that testing only vivid pixels misses none."""
     pale = HueRange("pale", (0, 179), (VIVID_SATURATION, 255), (1, 255))
     table = hue_table(ColourProfile("vivid", (pale,)))
     assert table.vivid == 1
@@ -112,7 +112,7 @@ def test_scan_of_a_pale_hue_finds_the_same() -> None:
     assert np.array_equal(a.uv, b.uv)
 
 
-def test_windows_are_searched_alone() -> None:
+def test_only_windows_are_searched() -> None:
     classes = np.zeros((60, 90), int)
     classes[10:20, 10:20], classes[10:20, 50:60], classes[40:50, 50:60] = 1, 2, 1
     rows = found(classes, np.array([[48, 62, 8, 22, 3], [5, 6, 30, 40, 3]]))
@@ -120,7 +120,8 @@ def test_windows_are_searched_alone() -> None:
 
 
 def waist_in_numpy(mask: np.ndarray, u: float, v: float, angle: float) -> tuple[float, float]:
-    """The twin of `waist`: a histogram along the axis, smoothed, against what lies beside it."""
+    """The twin of `waist`: a histogram along the axis, smoothed, compared with its
+    neighbourhood."""
     y, x = np.nonzero(mask)
     along = (x - u) * np.cos(angle) + (y - v) * np.sin(angle)
     half = int(np.abs(along).max()) + 2
@@ -153,8 +154,8 @@ def test_waist_is_that_of_the_histogram(seed: int) -> None:
     assert got[1] < 1
 
 
-def test_wall_that_comes_and_goes_with_the_noise_is_background() -> None:
-    """Left early; a patch with as many holes as a marker may have is measured none the less."""
+def test_a_flickering_wall_is_background() -> None:
+    """Abandoned early; a patch with as many holes as a marker may have is still measured."""
     rng = np.random.default_rng(4)
     classes = np.zeros((200, 300), int)
     classes[20:160, 20:160] = rng.random((140, 140)) < 0.6

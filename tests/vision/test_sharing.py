@@ -1,4 +1,4 @@
-"""Blobs that two hands could claim."""
+"""Blobs that may belong to either of two hands."""
 
 from __future__ import annotations
 
@@ -49,16 +49,17 @@ def test_a_marker_belongs_to_one_hand() -> None:
     assert mine(left) == [True, False] and mine(right) == [False, True]
 
 
-def test_two_markers_side_by_side_go_to_the_hands_that_fit_both_best() -> None:
-    """The second blob is nearer to the first hand's marker than to its own, but that is taken."""
+def test_two_adjacent_markers_go_to_the_hands_that_fit_both_best() -> None:
+    """The second blob is nearer to the first hand's marker than to its own, but that is matched."""
     a, b = at(0.0, 0.0, 0.35), at(0.012, 0.0, 0.35)
     blobs = np.array([at(-0.001, 0.0, 0.35), at(0.005, 0.0, 0.35)])
     left, right = share(seen(blobs), [hand(a[None]), hand(b[None])], RIG, RIG.pose)
     assert mine(left) == [True, False] and mine(right) == [False, True]
 
 
-def test_a_marker_behind_the_other_hand_claims_nothing() -> None:
-    """Both expect a marker in the same pixels; the nearer hand's bone hides the farther one's."""
+def test_a_marker_behind_the_other_hand_is_not_matched() -> None:
+    """Both predict a marker at the same pixels; the nearer hand's bone occludes the farther
+    one's."""
     near, far = at(0.0, 0.0, 0.30), at(0.0, 0.0, 0.40)
     upper = hand(near[None], away=0.005)
     lower = hand(far[None])
@@ -66,19 +67,19 @@ def test_a_marker_behind_the_other_hand_claims_nothing() -> None:
     assert mine(left) == [False] and mine(right) == [True]
 
 
-def test_a_hand_that_is_looked_for_may_not_take_what_the_other_explains() -> None:
+def test_a_hand_being_searched_for_may_not_use_the_others_blobs() -> None:
     own, free = at(0.0, 0.0, 0.35), at(0.15, 0.0, 0.35)
     known, unknown = share(seen(np.array([own, free])), [hand(own[None]), None], RIG, RIG.pose)
     assert mine(unknown) == [False, True]
     assert mine(known) == [True, True], "what no one expects is everyone's"
 
 
-def test_where_no_hand_is_known_an_image_passes_as_it_is() -> None:
+def test_without_a_known_hand_an_image_is_unchanged() -> None:
     frame = seen(np.array([at(0.0, 0.0, 0.35)]))
     assert all(own is frame for own in share(frame, [None, None], RIG, RIG.pose))
 
 
-def test_rows_stay_and_an_absent_side_stays_absent() -> None:
+def test_rows_and_missing_sides_are_preserved() -> None:
     a, b = at(-0.05, 0.0, 0.35), at(0.05, 0.0, 0.35)
     frame = seen(np.array([a, b]))
     one = BlobFrame(0.0, 0.0, ("red",), frame.left, None)
@@ -88,7 +89,7 @@ def test_rows_stay_and_an_absent_side_stays_absent() -> None:
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_blobs_that_two_hands_took_are_counted_once_each(seed: int) -> None:
+def test_blobs_matched_by_two_hands_are_counted_once_each(seed: int) -> None:
     rng = np.random.default_rng(seed)
     a, b = rng.integers(-1, 9, int(rng.integers(0, 12))), rng.integers(-1, 9, 7)
     assert taken_twice(a, b) == len(np.intersect1d(a[a >= 0], b[b >= 0]))

@@ -1,4 +1,4 @@
-"""Where a finger ends by the glove's cloth, of outlines whose end is known."""
+"""The position of a fingertip by the glove's cloth, on outlines with a known end."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ DARK, BRIGHT = (60, 60, 60), (180, 190, 200)
 
 
 def laid_out(mask: Array) -> ClothMap:
-    """Of all pixels (h, w) of an image."""
+    """For all pixels (h, w) of an image."""
     rows, columns = SIZE
     tiles = mask[::STEP, ::STEP].reshape(rows, SIDE, columns, SIDE).transpose(0, 2, 1, 3)
     weight = np.left_shift(np.int64(1), np.arange(SIDE**2))
@@ -48,17 +48,18 @@ def expected(by: Array, sd: float = 6.0) -> ExpectedTip:
 
 
 @pytest.mark.parametrize("by", [(0.0, 0.0), (5.0, 0.0), (-4.0, 6.0), (3.0, 7.0)])
-def test_a_finger_ends_where_its_outline_does(by: tuple[float, float]) -> None:
+def test_a_fingertip_is_at_the_end_of_its_outline(by: tuple[float, float]) -> None:
     off = np.array(by)
     is_found, u, v, *cov = scan_tip(laid_out(finger()), expected(off))
     assert is_found == 1.0
-    # Places are 3 px apart and the outline is looked at in steps of 2 px; it tells to its own sd.
+    # Positions are 3 px apart and the outline is sampled every 2 px; the result is within its own
+    # sd.
     assert np.hypot(u + by[0], v + by[1]) < 2.0
     assert max(cov[0], cov[2]) < 3.0**2
 
 
 @pytest.mark.parametrize("what", ["goes on", "before a palm", "bare", "never looked at"])
-def test_what_shows_no_end_tells_none(what: str) -> None:
+def test_an_outline_without_an_end_gives_no_result(what: str) -> None:
     beyond = END + 2.5 * (END - JOINT)
     cloth = laid_out(finger(beyond) if what == "goes on" else finger())
     if what == "before a palm":
@@ -71,7 +72,7 @@ def test_what_shows_no_end_tells_none(what: str) -> None:
 
 
 def worn() -> ColourProfile:
-    """Knows the glove's cloth and the room, and a hue that neither has."""
+    """Contains the glove's cloth and the background, and a hue that neither has."""
     classes = np.full(LEARNED_CELLS, ROOM, np.uint8)
     b, g, r = (np.array(DARK) >> 2).tolist()
     classes[b << 12 | g << 6 | r] = WORN
@@ -79,8 +80,8 @@ def worn() -> ColourProfile:
                          learned=LearnedColours.of(classes))  # fmt: skip
 
 
-def test_cloth_is_told_around_blobs_alone() -> None:
-    """Pixel by pixel what the colours say, within reach of a blob; elsewhere nothing is known."""
+def test_cloth_is_classified_around_blobs_only() -> None:
+    """Pixel by pixel as in the colours, within reach of a blob; unknown elsewhere."""
     image = np.full((SIZE[0] * TILE, SIZE[1] * TILE, 3), BRIGHT, np.uint8)
     image[finger()] = DARK
     blob = Blobs(JOINT[None], np.array([[9.0, 7.0]]), np.zeros(1, np.int64), np.ones(1))
@@ -94,7 +95,7 @@ def test_cloth_is_told_around_blobs_alone() -> None:
     assert np.array_equal(bits[known] == 1, finger()[::STEP, ::STEP][known])
 
 
-def test_a_detector_adds_the_cloth_that_its_colours_know() -> None:
+def test_a_detector_adds_the_cloth_if_its_colours_include_it() -> None:
     image = np.full((SIZE[0] * TILE, SIZE[1] * TILE, 3), BRIGHT, np.uint8)
     knows, other = Detector(worn()), Detector(ColourProfile("p", worn().hues))
     assert knows.detect(image)[0].cloth is None

@@ -17,7 +17,7 @@ from tracker.vision.visibility import (
     visibility,
 )
 
-POSE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.zeros(3))  # looks along -z of G
+POSE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.zeros(3))  # faces along -z of G
 RIG = ideal_rig(pose=POSE)
 UP = np.array([0.0, 0.0, 1.0])
 LONE = HandShape(np.array([0.05]), np.array([0.01]), np.array([0.0]))
@@ -42,14 +42,14 @@ def test_facing_follows_eq_4(angle_deg: float, expected: float) -> None:
     assert facing(p, normal, np.zeros(3), *limits) == pytest.approx(expected, abs=1e-3)
 
 
-def test_facing_marker_in_the_middle_is_seen_and_one_turned_away_is_not() -> None:
+def test_a_marker_in_the_centre_is_visible_only_if_it_faces_the_camera() -> None:
     p = [0.03, 0.0, -0.4]
     assert lone_prior(p, UP) == pytest.approx(np.ones((2, 1)), abs=1e-9)
     assert np.all(lone_prior(p, -UP) == 0)
 
 
 def test_field_of_view_follows_eq_5() -> None:
-    """The share of a Gaussian that lies inside the nearest edge, against scipy's own cdf."""
+    """The share of a Gaussian inside the nearest edge, against scipy's cdf."""
     u = np.array([-6.0, 0.0, 3.0, 20.0])
     x = (u - RIG.cx) * 0.4 / RIG.fx
     p = np.column_stack([x, np.zeros(4), np.full(4, -0.4)])
@@ -58,12 +58,12 @@ def test_field_of_view_follows_eq_5() -> None:
     assert prior[0] == pytest.approx(norm.cdf(u / 3.0), abs=1e-6)
 
 
-def test_point_behind_the_camera_is_not_seen() -> None:
+def test_point_behind_the_camera_is_invisible() -> None:
     assert np.all(lone_prior([0.0, 0.0, 0.3], -UP) == 0)
 
 
-def test_right_camera_stands_a_baseline_to_the_right() -> None:
-    """At the left edge only the left camera still sees a near marker."""
+def test_right_camera_is_one_baseline_to_the_right() -> None:
+    """At the left edge only the left camera sees a near marker."""
     x = (15.0 - RIG.cx) * 0.3 / RIG.fx
     left, right = lone_prior([x, 0.0, -0.3], UP)[:, 0]
     assert left == pytest.approx(1.0)
@@ -80,7 +80,7 @@ def two_segments(width: float) -> tuple[HandShape, np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("width", [0.0, 0.03])
 @pytest.mark.parametrize(("nearer", "hidden"), [(1, True), (0, False)])
-def test_segment_hides_what_is_behind_it_only(width: float, nearer: int, hidden: bool) -> None:
+def test_segment_occludes_only_what_is_behind_it(width: float, nearer: int, hidden: bool) -> None:
     two = two_segments(width)
     if not nearer:
         two.p_GB[1, 2] = -0.5
@@ -90,15 +90,15 @@ def test_segment_hides_what_is_behind_it_only(width: float, nearer: int, hidden:
     assert (prior[0, 0] < 0.1) == hidden
 
 
-def test_own_segment_does_not_hide_a_marker() -> None:
+def test_own_segment_does_not_occlude_a_marker() -> None:
     own = np.ones(1, np.int64)
     at = np.array([[0.025, 0, -0.29]])
     prior = visibility(two_segments(0.0), MarkerRows(at, UP[None], own), RIG, POSE)
     assert prior[0, 0] == pytest.approx(1.0)
 
 
-def test_normals_are_turned_as_by_numpy() -> None:
-    """But for roundings: numbers are below one, and some processors round less often."""
+def test_normals_are_rotated_as_by_numpy() -> None:
+    """Except for rounding: numbers are below one, and some processors round less often."""
     rng = np.random.default_rng(3)
     R = np.linalg.qr(rng.normal(size=(21, 3, 3)))[0]
     segment, normal = rng.integers(0, 21, 37), rng.normal(size=(37, 3))

@@ -1,4 +1,4 @@
-"""The prior against what a simulated camera really sees of a hand in known poses."""
+"""The prior against the view of a simulated camera of a hand in known poses."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibili
 
 @pytest.fixture(scope="module")
 def prior_and_truth(hand, glove) -> tuple[np.ndarray, np.ndarray]:
-    """Prior and visibility of every marker in both images, 40 instants."""
+    """Prior and visibility of every marker in both images, 40 times."""
     simulation = Simulation(hand, glove, RandomPostures(hand, 2, duration=60.0), 2)
     wearer, scene = simulation.wearer, simulation.scene
     prior, seen = [], []
@@ -42,6 +42,6 @@ def test_unlikely_markers_are_not_seen(prior_and_truth) -> None:
     assert seen[prior < 0.05].mean() < 0.01
 
 
-def test_what_is_seen_was_hardly_ever_ruled_out(prior_and_truth) -> None:
+def test_visible_markers_hardly_ever_have_a_prior_of_zero(prior_and_truth) -> None:
     prior, seen = prior_and_truth
     assert (prior[seen] < 0.01).mean() < 0.01

@@ -1,4 +1,4 @@
-"""A chain engine told of guided poses learns what is so, and nothing of what is not."""
+"""A chain engine learns from guided poses that are held, and ignores those that are not."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -19,11 +19,11 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.wearer import Wearer, WearerParams
 
-BENT = np.deg2rad(18.0)  # what this wearer's thumb bends more than the hand file says
+BENT = np.deg2rad(18.0)  # bend of this wearer's thumb beyond the hand file
 
 
 class BentThumb(Wearer):
-    """Somebody whose thumb's end joint is bent more than others', and else as the files say."""
+    """A wearer whose thumb's end joint is bent more than usual, otherwise as in the files."""
 
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
         zeros = {k: 0.0 for k in WearerParams.__dataclass_fields__ if "time" not in k}
@@ -70,21 +70,21 @@ def learned(scene) -> Pipeline:
     return run(scene, scene[2])
 
 
-def test_pads_that_touch_show_how_the_thumb_is_bent(learned):
+def test_touching_pads_determine_the_bend_of_the_thumb(learned):
     assert 0.15 * BENT < thumb_offset(learned) < BENT
 
 
-def test_without_being_told_it_learns_nothing(scene):
+def test_nothing_is_learned_without_pose_events(scene):
     assert thumb_offset(run(scene, [])) == 0.0
 
 
-def test_what_was_not_held_teaches_nothing(scene):
+def test_nothing_is_learned_from_a_skipped_pose(scene):
     skipped = [replace(e, data=e.data | {"held": False}) for e in scene[2]]
     assert thumb_offset(run(scene, skipped)) == 0.0
 
 
-def test_a_pose_that_is_another_one_is_refused(scene):
-    """Flat hands announced as pinches and fists."""
+def test_a_different_pose_is_rejected(scene):
+    """Flat hands, announced as pinches and fists."""
     wrong = [
         replace(
             e, data=e.data | {"pose": {"flat": "pinch_index", "spread": "fist"}[e.data["pose"]]}
@@ -97,7 +97,7 @@ def test_a_pose_that_is_another_one_is_refused(scene):
     assert thumb_offset(pipeline) == 0.0
 
 
-def test_what_poses_taught_is_saved_and_gone_on_with(scene, learned):
+def test_learned_poses_are_saved_and_resumed(scene, learned):
     state = unpack(pack("chain", learned.get_state()))[1]
     again = Pipeline(learned.hand, learned.glove, learned.rig, Settings())
     again.set_state(state)
@@ -108,7 +108,7 @@ def test_what_poses_taught_is_saved_and_gone_on_with(scene, learned):
     assert "chain.guided" in RECORDS
 
 
-def test_unknown_poses_are_said_and_passed_over(scene):
+def test_unknown_poses_are_reported_and_ignored(scene):
     pipeline = Pipeline(scene[0].hand, scene[0].glove, scene[0].rig, Settings())
     pipeline.feed_event(Event(1.0, "guided", "", {"pose": "salute", "phase": "begin"}))
     (unknown,) = pipeline.drain_notices()
@@ -117,7 +117,7 @@ def test_unknown_poses_are_said_and_passed_over(scene):
     assert pipeline.drain_notices() == []
 
 
-def test_an_engine_that_does_not_learn_says_so(scene):
+def test_an_engine_that_does_not_learn_reports_it(scene):
     settings = replace(Settings(), engine="vist")
     pipeline = Pipeline(scene[0].hand, scene[0].glove, scene[0].rig, settings)
     for event in scene[2]:
@@ -126,7 +126,7 @@ def test_an_engine_that_does_not_learn_says_so(scene):
     assert (reported.code, reported.values["engine"]) == ("guided.not_learned", "vist")
 
 
-def test_instants_on_the_way_do_not_count():
+def test_samples_during_transitions_are_ignored():
     def sample(t: float, bend: float) -> HeldSample:
         return HeldSample(t, np.full((6, 3), bend), [])
 

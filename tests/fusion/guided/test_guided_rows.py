@@ -1,4 +1,4 @@
-"""What a held pose says: Jacobians by finite differences, nothing of a hand that does it."""
+"""Rows of a held pose: Jacobians against finite differences, zero residuals of an exact pose."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ def distal(layout: ChainLayout) -> DistalSegments:
 
 
 def somehow(layout: ChainLayout) -> ChainState:
-    """A bent hand of somebody."""
+    """A bent hand of a random wearer."""
     rng = np.random.default_rng(4)
     state = initial_state(layout)
     dx = 0.2 * rng.normal(size=layout.blocks.size)
@@ -76,7 +76,8 @@ def test_a_point_of_a_fingertip_has_the_jacobian_of_finite_differences(layout, d
     for digit in ("thumb", "index", "middle"):
         rows = distal.point(state, own, digit, x)
         H, H_own = numeric(lambda s, o, d=digit: distal.point(s, o, d, x).p, state, own, layout)
-        # a distal segment grows as the digit does, which is left out: some tenths of its own length
+        # a distal segment is scaled with the digit, which is neglected: a few percent of its own
+        # length
         scale = slice(layout.blocks.scale, layout.blocks.joint)
         np.testing.assert_allclose(np.delete(rows.H, scale, 1), np.delete(H, scale, 1), atol=2e-5)
         np.testing.assert_allclose(rows.H_own, H_own, atol=2e-5)
@@ -108,7 +109,7 @@ def test_a_fingertip_is_where_the_shown_hand_has_it(hand, layout, distal):
         np.testing.assert_allclose(distal.point(state, own, digit, tip).p, there, atol=1e-12)
 
 
-def test_a_finger_that_no_sensor_is_on_says_nothing(layout, distal):
+def test_a_finger_without_sensors_contributes_no_rows(layout, distal):
     rows = PoseRows(layout, distal, GuidedParams())
     assert rows(somehow(layout), distal.prior(), POSES["pinch_ring"]) == []
     assert distal.flexion(somehow(layout), distal.prior(), "ring_pip") is None
@@ -118,11 +119,11 @@ def test_a_flat_hand_lies_on_the_table(layout, distal):
     rows = PoseRows(layout, distal, GuidedParams())
     flexions, plane = rows(initial_state(layout), distal.prior(), POSES["flat"])
     np.testing.assert_allclose(flexions.r, 0.0, atol=1e-12)
-    # fingertips are thinner than the palm: the file's hand touches with neither
+    # fingertips are thinner than the palm: neither of them touches in the file's hand
     assert np.abs(plane.r).max() < 5e-3
 
 
-def test_what_a_contact_says_turns_with_the_hand_and_not_by_it(layout, distal):
+def test_a_contact_is_independent_of_the_hands_pose(layout, distal):
     """The gap between two pads does not depend on where the whole hand is, nor on how it is
     turned."""
     rows = PoseRows(layout, distal, GuidedParams())
