@@ -1,4 +1,4 @@
-"""A glove, its cable and a clock, all of them a test's own."""
+"""A simulated glove, its cable and a clock, controlled by a test."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LATENCY = 0.0005  # s from a packet's last bit to the host
 
 @dataclass(eq=False)
 class Scripted:
-    """A glove, its cable and the clock, in steps of 1 ms; ``obeys`` RATE or stays as it is."""
+    """A glove, its cable and the clock, in steps of 1 ms; ``obeys`` RATE or ignores it."""
 
     hello: Hello | None
     rate_hz: float = 100.0
@@ -85,7 +85,7 @@ class Scripted:
 
 
 class Run:
-    """A link on a scripted glove."""
+    """A link to a scripted glove."""
 
     def __init__(self, glove: Scripted, open_port: Callable[[], Port] | None = None) -> None:
         self.glove = glove
@@ -105,11 +105,11 @@ class Run:
 
     @property
     def codes(self) -> list[str]:
-        """Of what the link has reported."""
+        """Events reported by the link."""
         return [n.code for n in self.notices]
 
     def errors(self) -> np.ndarray:
-        """Of the samples' times, s; the last packet may still be under way."""
+        """Times of the samples, s; the last packet may still be in transmission."""
         return np.array(
             [s.t - true for s, true in zip(self.samples, self.glove.truth, strict=False)]
         )

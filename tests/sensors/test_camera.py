@@ -1,4 +1,4 @@
-"""Cameras through OpenCV, and what is noticed when one misbehaves."""
+"""Cameras through OpenCV, and detection of faults."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def image(n: int) -> Image:
 
 
 class Scripted:
-    """Gives the pairs of a list, None for a failed read; opens only while ``plugged``."""
+    """Returns the pairs of a list, None for a failed read; opens only while ``plugged``."""
 
     name, live, fps = "bench", True, 0.0
 
@@ -57,7 +57,7 @@ class Scripted:
 
 
 class Bench:
-    """A camera on a clock of its own, 0.1 s an image."""
+    """A camera on a clock of its own, 0.1 s per image."""
 
     def __init__(self, pairs: list[Pair | None]) -> None:
         self.t, self.source = 100.0, Scripted(pairs)
@@ -83,7 +83,7 @@ def test_stamps_and_rate() -> None:
     assert np.array_equal(frames[2].right, image(52))
 
 
-def test_a_dark_side_is_none_and_told_once() -> None:
+def test_a_missing_side_is_none_and_reported_once() -> None:
     pairs: list[Pair | None] = [(image(n), BLACK) for n in range(3)]
     bench = Bench([*pairs, (image(9), image(10))])
     frames = [bench.read() for _ in range(4)]
@@ -93,12 +93,12 @@ def test_a_dark_side_is_none_and_told_once() -> None:
     assert bench.notices[-1] == notice("camera.image_back", side="right")
 
 
-def test_both_dark_gives_no_frame() -> None:
+def test_two_missing_sides_give_no_frame() -> None:
     bench = Bench([(BLACK, BLACK)])
     assert bench.read() is None
 
 
-def test_frozen_images_are_left_out() -> None:
+def test_frozen_images_are_dropped() -> None:
     bench = Bench([(image(1), image(n)) for n in range(10)])
     frames = [bench.read() for _ in range(10)]
     assert frames[0] is not None
@@ -128,7 +128,7 @@ def test_unplugged_and_back() -> None:
     assert bench.notices == [connected, silent, refused, connected]
 
 
-def test_wrong_size_is_refused_in_words() -> None:
+def test_wrong_size_is_rejected() -> None:
     bench = Bench([(image(0)[:40], image(1))])
     assert bench.read() is None
     sizes = {"width": 64, "height": 40, "calibrated_width": 64, "calibrated_height": 48}
@@ -175,7 +175,7 @@ def test_video_file_is_paced_and_ends(tmp_path: Path) -> None:
     assert camera.drain_events()[-1].code == "camera.file_end"
 
 
-def test_two_captures_stay_apart(tmp_path: Path) -> None:
+def test_two_captures_remain_independent(tmp_path: Path) -> None:
     a, b = str(video(tmp_path / "a.avi")), str(video(tmp_path / "b.avi", 2))
     source = TwoCameraInput(a, b)
     source.open()
@@ -188,8 +188,8 @@ def test_two_captures_stay_apart(tmp_path: Path) -> None:
 
 
 class Webcam:
-    """A camera that runs freely on a clock that stands still but for waiting: four images wait in
-    its queue, and what comes then is lost, as Video4Linux has it."""
+    """A free-running camera on a clock that advances only while waiting: its queue has four images,
+    and later ones are lost, as with Video4Linux."""
 
     def __init__(self, clock: list[float], phase: float) -> None:
         self.clock, self.next, self.queue, self.shown = clock, phase, [], -1.0
@@ -217,7 +217,7 @@ class Webcam:
 
 
 @pytest.mark.parametrize("phase", [0.001, 0.007, 0.030])
-def test_two_webcams_do_not_lag_behind_one_another_for_good(phase, monkeypatch) -> None:
+def test_two_webcams_do_not_lag_behind_one_another_permanently(phase, monkeypatch) -> None:
     """The right one takes a second to start, in which the left one's queue fills."""
     clock, cameras = [0.0], []
 
@@ -233,13 +233,13 @@ def test_two_webcams_do_not_lag_behind_one_another_for_good(phase, monkeypatch) 
     source.open()
     for _ in range(50):
         assert source.read() is not None
-        # one that was waited for a moment counts as queued
+        # an image that was waited for briefly counts as queued
         assert abs(cameras[0].shown - cameras[1].shown) < 1 / 30 + AT_ONCE
         assert clock[0] - cameras[0].shown < 2 / 30
 
 
-def test_opencv_is_not_asked_for_a_file_that_is_not_there(tmp_path: Path, monkeypatch) -> None:
-    """It is tried 2.5 times a second, and OpenCV writes a warning each time."""
+def test_opencv_does_not_open_a_missing_file(tmp_path: Path, monkeypatch) -> None:
+    """It would be tried 2.5 times a second, and OpenCV logs a warning each time."""
 
     def asked() -> None:
         raise AssertionError("OpenCV was asked")

@@ -1,4 +1,4 @@
-"""Locks of exposure, gain and white balance against a driver that behaves as V4L2's."""
+"""Locks of exposure, gain and white balance with a fake V4L2 driver."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ EXPOSURE = cv2.CAP_PROP_EXPOSURE
 
 
 class Driver:
-    """Exposure can be set only while its automatic is off, and there is no gain."""
+    """Exposure can be set only in manual mode, and there is no gain."""
 
     def __init__(self) -> None:
         self.values = {
@@ -47,7 +47,7 @@ class Driver:
 
 
 class Input:
-    """An image input on drivers; remembers the thread in which they are touched."""
+    """An image input with drivers; records the thread that accesses them."""
 
     live, name, fps = True, "camera", 30.0
 
@@ -75,7 +75,7 @@ def by_name(source: ControlledInput):
     return {c.name: c for c in source.controls()}
 
 
-def test_what_the_camera_has_is_read_and_what_it_lacks_is_said():
+def test_supported_settings_are_read_and_missing_ones_reported():
     source = ControlledInput(Input(Driver()))
     assert not any(c.available for c in source.controls())
     source.open()
@@ -85,7 +85,7 @@ def test_what_the_camera_has_is_read_and_what_it_lacks_is_said():
     assert not found["exposure"].locked and not found["gain"].available
 
 
-def test_a_lock_switches_the_automatic_off_and_is_lifted_again():
+def test_a_lock_disables_automatic_mode_and_can_be_released():
     driver = Driver()
     source = ControlledInput(Input(driver), Locks(exposure=157.0))
     source.open()
@@ -101,14 +101,14 @@ def test_a_lock_switches_the_automatic_off_and_is_lifted_again():
     assert not by_name(source)["exposure"].locked and by_name(source)["white_balance"].locked
 
 
-def test_a_control_that_the_device_lacks_is_never_called_locked():
+def test_a_missing_control_is_never_reported_as_locked():
     source = ControlledInput(Input(Driver()), Locks(gain=3.0))
     source.open()
     source.read()
     assert not by_name(source)["gain"].available and not by_name(source)["gain"].locked
 
 
-def test_two_cameras_get_the_same_and_a_returned_one_gets_it_again():
+def test_two_cameras_get_the_same_settings_also_after_reconnection():
     drivers = Driver(), Driver()
     inner = Input(*drivers)
     source = ControlledInput(inner, Locks(exposure=99.0))
@@ -122,7 +122,7 @@ def test_two_cameras_get_the_same_and_a_returned_one_gets_it_again():
     assert drivers[1].values[cv2.CAP_PROP_EXPOSURE] == 99.0
 
 
-def test_drivers_are_touched_by_the_reading_thread_alone():
+def test_drivers_are_accessed_only_by_the_reading_thread():
     inner = Input(Driver())
     source = ControlledInput(inner)
     source.open()
@@ -133,19 +133,19 @@ def test_drivers_are_touched_by_the_reading_thread_alone():
     assert threading.get_ident() not in inner.threads and len(inner.threads) == 1
 
 
-def test_an_absent_camera_is_told_as_before():
+def test_a_missing_camera_is_reported_as_before():
     with pytest.raises(DeviceError, match="no camera"):
         ControlledInput(Input()).open()
 
 
-def test_locks_are_kept_as_text():
+def test_locks_are_stored_as_text():
     locks = Locks(exposure=-5.5, white_balance=4600.0)
     assert locks_from(locks_text(locks)) == locks
     assert locks_from("exposure=bright nonsense gain=2") == Locks(gain=2.0)
     assert locks_text(Locks()) == ""
 
 
-def test_a_lock_is_confirmed_by_what_the_device_reads_back():
+def test_a_lock_is_confirmed_by_reading_it_back():
     class Rounds(Driver):
         """Exposure in steps, as V4L2 cameras have them."""
 
@@ -153,13 +153,13 @@ def test_a_lock_is_confirmed_by_what_the_device_reads_back():
             return super().set(prop, round(value / 5) * 5 if prop == EXPOSURE else value)
 
     class Ignores(Driver):
-        """Accepts an exposure and stays at its own."""
+        """Accepts an exposure and does not change."""
 
         def get(self, prop: int) -> float:
             return 250.0 if prop == EXPOSURE else super().get(prop)
 
     class Resumes(Driver):
-        """Its automatic stays on."""
+        """Remains in automatic mode."""
 
         def get(self, prop: int) -> float:
             return 3.0 if prop == cv2.CAP_PROP_AUTO_EXPOSURE else super().get(prop)
@@ -171,7 +171,7 @@ def test_a_lock_is_confirmed_by_what_the_device_reads_back():
     assert set_control(Driver(), "exposure", None).is_open
 
 
-def test_of_two_cameras_both_must_confirm():
+def test_both_of_two_cameras_must_confirm():
     class Ignores(Driver):
         def get(self, prop: int) -> float:
             return 250.0 if prop == EXPOSURE else super().get(prop)

@@ -1,4 +1,4 @@
-"""Power-line frequency, autofocus, zoom and mirror against a driver of the test's own."""
+"""Power-line frequency, autofocus, zoom and mirror with a fake driver."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ RANGES = {POWER_LINE: (0, 2), AUTOFOCUS: (0, 1), ZOOM: (100, 400), MIRROR: (0, 1
 
 
 class Driver:
-    """The ioctls of a camera; ``stubborn`` controls accept a value and stay as they are."""
+    """The ioctls of a camera; ``stubborn`` controls accept a value and do not change."""
 
     def __init__(self, *stubborn: int) -> None:
         self.values = {POWER_LINE: 2, AUTOFOCUS: 1, ZOOM: 150, MIRROR: 1}
@@ -44,7 +44,7 @@ class Driver:
         return 0
 
 
-def test_all_settings_that_a_camera_has_are_set_and_read_back() -> None:
+def test_all_supported_settings_are_set_and_verified() -> None:
     driver = Driver()
     found = fix_settings("/dev/null", 50, ControlIo("/dev/null", driver))
     assert {s.name: s.found for s in found} == {
@@ -58,14 +58,14 @@ def test_all_settings_that_a_camera_has_are_set_and_read_back() -> None:
     assert unverified("webcam", found) is None
 
 
-def test_a_setting_that_does_not_stay_is_not_verified() -> None:
+def test_a_setting_that_is_not_applied_is_not_verified() -> None:
     found = fix_settings("/dev/null", 60, ControlIo("/dev/null", Driver(AUTOFOCUS, ZOOM)))
     assert [s.name for s in found if not s.is_verified] == ["autofocus", "zoom"]
     text = str(unverified("webcam", found))
     assert "autofocus and digital zoom" in text and "webcam" in text
 
 
-def test_what_is_not_a_camera_has_no_settings() -> None:
+def test_other_devices_have_no_settings() -> None:
     assert fix_settings("/dev/null", 50) == []
     assert fix_settings("", 50) == []
     assert fix_settings("/dev/no-such-camera", 50) == []
@@ -82,7 +82,7 @@ def test_what_is_not_a_camera_has_no_settings() -> None:
         ("US/Pacific", 60),
     ],
 )
-def test_the_frequency_of_the_mains_follows_the_time_zone(
+def test_the_power_line_frequency_follows_the_time_zone(
     tmp_path: Path, zone: str, mains_hz: int
 ) -> None:
     link = tmp_path / "localtime"

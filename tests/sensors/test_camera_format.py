@@ -1,4 +1,4 @@
-"""Which size, rate and pixel format a webcam is asked for, and what is said of a poor grant."""
+"""The size, rate and pixel format requested from a webcam, and the report of a poor grant."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ USB_2 = {
 }
 
 
-def test_an_ordinary_webcam_is_asked_for_compressed_images_first() -> None:
+def test_compressed_images_are_requested_first() -> None:
     camera = Webcam(USB_2)
     granted = negotiate(camera, WANT)
     assert (granted.pixel_format, granted.fps, camera.asked) == ("MJPG", 30.0, ["MJPG"])
@@ -73,7 +73,7 @@ def test_small_images_are_asked_for_uncompressed_first() -> None:
     assert negotiate(camera, CaptureFormat(320, 240, 30.0)).pixel_format == "YUYV"
 
 
-def test_a_camera_without_compression_is_used_as_it_is() -> None:
+def test_a_camera_without_compression_is_used_unchanged() -> None:
     camera = Webcam({"YUYV": {(2560, 720): 60.0}})
     granted = negotiate(camera, CaptureFormat(2560, 720, 60.0))
     assert (granted.pixel_format, granted.width, granted.fps) == ("YUYV", 2560, 60.0)

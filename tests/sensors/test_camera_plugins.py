@@ -51,7 +51,7 @@ def folder(site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Itera
     sys.modules.pop("glovetrack_folder_camera", None)
 
 
-def test_its_camera_is_among_all_and_gives_images(folder: Path) -> None:
+def test_its_camera_is_listed_and_gives_images(folder: Path) -> None:
     (camera,) = [c for c in all_cameras() if c.path.startswith("folder://")]
     assert camera.name == f"Folder {folder.name}"
     t = [0.0]
@@ -76,7 +76,7 @@ def test_the_window_opens_it_by_name_or_address(folder: Path, by_name: bool) -> 
     chosen.source.close()
 
 
-def test_what_is_wrong_with_a_plugin_is_said(folder: Path, caplog) -> None:
+def test_a_faulty_plugin_is_reported(folder: Path, caplog) -> None:
     with raises(DeviceError, "camera.no_plugin"):
         open_plugin("realsense://1", WANT)
     (folder / "site").mkdir()

@@ -1,4 +1,4 @@
-"""Cameras of Linux, Windows and macOS, by fakes of these systems' answers."""
+"""Cameras of Linux, Windows and macOS, with fake system calls."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Info(NamedTuple):
 
 
 class System:
-    """Answers per backend; another backend is unknown, as the package says it."""
+    """Results per backend; another backend is unknown, as in the package."""
 
     def __init__(self, **answers: list[Info] | Exception) -> None:
         self.answers = {getattr(cv2, f"CAP_{name}"): value for name, value in answers.items()}
@@ -56,19 +56,19 @@ ZED = Info(1, "ZED-M", r"\\?\usb#vid_2b03&pid_f682")
     ("system", "name"),
     [("linux", "V4L2"), ("win32", "DSHOW"), ("win32", "MSMF"), ("darwin", "AVFOUNDATION")],
 )
-def test_each_system_is_asked_in_its_own_way(system: str, name: str) -> None:
+def test_each_system_is_queried_by_its_own_backend(system: str, name: str) -> None:
     answers = System(**{name: [ZED]})
     (camera,) = list_cameras(system, answers)
     assert camera == CameraName(1, "ZED-M", ZED.path or "", getattr(cv2, f"CAP_{name}"))
 
 
-def test_the_other_way_of_windows_is_tried_where_the_first_has_nothing() -> None:
+def test_the_second_backend_of_windows_is_tried_if_the_first_finds_nothing() -> None:
     answers = System(DSHOW=[], MSMF=[ZED])
     assert [c.backend for c in list_cameras("win32", answers)] == [cv2.CAP_MSMF]
     assert answers.asked == [cv2.CAP_DSHOW, cv2.CAP_MSMF]
 
 
-def test_none_plugged_in_is_no_error() -> None:
+def test_no_cameras_are_not_an_error() -> None:
     assert list_cameras("win32", System(DSHOW=[], MSMF=[])) == []
     assert list_cameras("darwin", System(AVFOUNDATION=[])) == []
 
@@ -82,15 +82,13 @@ def test_none_plugged_in_is_no_error() -> None:
         ("freebsd14", System(), "nothing here knows how"),
     ],
 )
-def test_a_list_that_cannot_be_had_is_said_in_words(
-    system: str, answers: System, words: str
-) -> None:
+def test_a_list_that_fails_is_reported(system: str, answers: System, words: str) -> None:
     with raises(DeviceError, "camera.not_listed") as raised:
         list_cameras(system, answers)
     assert words in str(raised.value) and "number" in str(raised.value)
 
 
-def test_without_a_list_plugins_are_still_offered_and_numbers_open(monkeypatch, caplog) -> None:
+def test_without_a_list_plugins_and_numbers_still_work(monkeypatch, caplog) -> None:
     def refuse() -> list[CameraName]:
         raise DeviceError("This system's cameras cannot be listed by name (why).")
 
@@ -136,10 +134,10 @@ def test_a_camera_is_opened_by_the_backend_that_listed_it(camera: str, monkeypat
     ],
     ids=["a webcam that grants less", "a driver that is silent", "an address", "a film"],
 )
-def test_no_more_images_are_expected_than_a_device_grants(
+def test_no_more_images_are_expected_than_granted(
     source, live, granted, expected, monkeypatch
 ) -> None:
-    """Those that it was asked for beyond that would count as lost."""
+    """The remaining requested ones would count as lost."""
 
     class Capture:
         def open(self, *_: object) -> bool:
@@ -165,7 +163,7 @@ def test_no_more_images_are_expected_than_a_device_grants(
     assert camera.fps == expected
 
 
-def test_manual_exposure_is_another_number_on_linux() -> None:
+def test_manual_exposure_has_another_value_on_linux() -> None:
     assert exposure_switch("linux") == (1.0, 3.0)
     assert exposure_switch("win32") == exposure_switch("darwin") == (0.0, 1.0)
 
@@ -176,7 +174,7 @@ def test_only_linux_has_cameras_as_files() -> None:
     assert not is_device_path("rtsp://host/stream", "linux")
 
 
-def test_a_system_without_pseudo_terminals_says_that_it_has_no_simulated_glove(monkeypatch) -> None:
+def test_a_system_without_pseudo_terminals_reports_it(monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "pty", None)
     with pytest.raises(DeviceError, match="needs a pseudo-terminal"):
         SimulatedGlove(iter(()), 7)

@@ -5,7 +5,7 @@ import pytest
 
 from tracker.sensors.packet_clock import ClockMap
 
-LATENCY = 0.0004  # s, the least: what no one-way stamp can see
+LATENCY = 0.0004  # s, minimum: not observable with one-way timestamps
 
 
 def errors(skew: float, bunch: float, stall: bool, seed: int = 0) -> np.ndarray:
@@ -16,7 +16,7 @@ def errors(skew: float, bunch: float, stall: bool, seed: int = 0) -> np.ndarray:
         t = 100.0 + 0.01 * k
         arrival = t + LATENCY + rng.exponential(0.0005)
         if bunch:
-            while flush < arrival:  # the adapter's timer starts anew after each flush
+            while flush < arrival:  # the adapter's timer restarts after each flush
                 flush += bunch + rng.uniform(0, 4e-4)
             arrival = flush
         if stall and 40.0 < t - 100 < 40.1:
@@ -30,13 +30,13 @@ def errors(skew: float, bunch: float, stall: bool, seed: int = 0) -> np.ndarray:
 
 @pytest.mark.parametrize("skew", [-200e-6, 0.0, 200e-6])
 @pytest.mark.parametrize(("bunch", "stall"), [(0.0, False), (0.016, False), (0.016, True)])
-def test_right_to_two_milliseconds(skew: float, bunch: float, stall: bool) -> None:
+def test_accurate_to_two_milliseconds(skew: float, bunch: float, stall: bool) -> None:
     error = errors(skew, bunch, stall)
     assert np.abs(error).max() < 0.002
     assert np.abs(np.diff(error)).max() < 0.002
 
 
-def test_finds_the_skew_and_never_goes_back() -> None:
+def test_estimates_the_skew_and_is_monotonic() -> None:
     clock, rng = ClockMap(), np.random.default_rng(1)
     last = -np.inf
     for k in range(4000):

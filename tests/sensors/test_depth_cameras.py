@@ -1,4 +1,4 @@
-"""A depth camera's sensors through a plug-in, live: images of two sizes, one without colours."""
+"""A depth camera's sensors through a plug-in, live: images of two sizes, one monochrome."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ MISFITS = {
 
 
 class Sensors:
-    """What the maker's package would give: both sensors' images of an exposure."""
+    """The data of the vendor's package: both sensors' images of an exposure."""
 
     name, live, fps = "depth camera", True, 30.0
 
@@ -82,7 +82,7 @@ class Sensors:
 
 
 class Exposures(Stream):
-    """The packets, and when images were exposed; the plug-in's camera draws them."""
+    """The packets, and the exposure times; the plug-in's camera draws the images."""
 
     def __init__(self, sim: Simulation) -> None:
         self._lock, self._messages = threading.Condition(), sim.feed()
@@ -90,7 +90,7 @@ class Exposures(Stream):
 
 
 class PluggedIn(Camera):
-    """The plug-in's camera, read as the live tracker reads any, at the simulation's instants."""
+    """The plug-in's camera, read as by the live tracker, at the simulation's times."""
 
     def __init__(self, stream: Stream, scene: VirtualCamera, rig: StereoRig) -> None:
         super().__init__(stream)
@@ -115,7 +115,7 @@ class PluggedIn(Camera):
 
 @pytest.fixture
 def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[type]:
-    """The driver's class, installed as pip would leave it."""
+    """The driver's class, as if installed by pip."""
     (tmp_path / "depth_camera_driver.py").write_text(PLUGIN)
     about = tmp_path / "depth_camera_driver-1.0.dist-info"
     about.mkdir()
@@ -134,7 +134,7 @@ def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[type]:
 def tracked(
     hand: HandModel, glove: GloveModel, plugin: type, infrared: bool
 ) -> tuple[list[Estimate], list[float], list[StereoFrame], list[str]]:
-    """Estimates of the last half second, how far each is off (m), all images, and all sentences."""
+    """Estimates of the last half second, their errors (m), all images, and all messages."""
     sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=2.0), 1, fps=30, rig=RIG)
     scene = VirtualCamera(sim.scene, 30.0)
     plugin.made = Sensors(scene, infrared)  # type: ignore[attr-defined]
@@ -167,11 +167,11 @@ def test_images_of_two_sizes_are_tracked_live_as_a_pair(hand, glove, plugin) -> 
     late, off, images, codes = tracked(hand, glove, plugin, infrared=False)
     assert {(m.left.shape, m.right.shape) for m in images} == {((720, 1280, 3), (480, 640, 3))}
     assert np.mean(off) < 0.012  # m, of a stranger's hand seen for two seconds by two cameras
-    assert max(np.median(e.keypoint_sd) for e in late) < 0.008  # less than one camera claims
+    assert max(np.median(e.keypoint_sd) for e in late) < 0.008  # less than one camera reports
     assert not MISFITS & set(codes), "nothing is wrong with the rig"
 
 
-def test_beside_an_infrared_camera_the_colour_camera_tracks_alone(hand, glove, plugin) -> None:
+def test_next_to_an_infrared_camera_the_colour_camera_tracks_alone(hand, glove, plugin) -> None:
     late, off, images, codes = tracked(hand, glove, plugin, infrared=True)
     grey = images[-1].right
     assert grey is not None and grey.shape == (480, 640, 3)

@@ -1,4 +1,4 @@
-"""Every fault of the glove and of the camera, against both at once; `evaluate faults` does 1000."""
+"""Every fault of the glove and of the camera, with both at once; `evaluate faults` runs 1000."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ def report() -> DrillReport:
     return drill(2 * len(FAULTS), seed=4, params=QUICK)
 
 
-def test_tracking_is_back_within_a_second(report: DrillReport) -> None:
+def test_tracking_recovers_within_a_second(report: DrillReport) -> None:
     assert set(report.faults) == set(FAULTS)
     assert report.worst_recovery() < 1.0, report.to_json()
 
 
-def test_nothing_wrong_is_shown_in_silence(report: DrillReport) -> None:
+def test_no_error_remains_unreported(report: DrillReport) -> None:
     assert not report.silent_wrong
     assert not report.unsaid
 
@@ -39,12 +39,12 @@ def test_nothing_wrong_is_shown_in_silence(report: DrillReport) -> None:
         "glove.clock_jumped",
     ],
 )
-def test_the_drill_has_each_fault_reported(report: DrillReport, code: str) -> None:
+def test_the_drill_requires_each_fault_to_be_reported(report: DrillReport, code: str) -> None:
     assert report.notices[code] > 0
 
 
-def test_a_liar_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without the watch a swapped or moved camera goes unnoticed, and the drill says so."""
+def test_undetected_errors_fail_the_drill(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the watch a swapped or moved camera is not detected, and the drill reports it."""
     monkeypatch.setattr("tracker.online.rig_watch.RigWatch.usable", lambda self, frame: True)
     monkeypatch.setattr("tracker.online.rig_watch.RigWatch.check", lambda self, result: None)
     lasting = DrillParams(fps=15.0, shortest=0.7, longest=0.8)

@@ -1,4 +1,4 @@
-"""Finding gloves among ports, without disturbing what is no glove."""
+"""Finding gloves among ports, without disturbing other devices."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tracker.simulation.glove_device import SimulatedGlove
 
 
 class FakePort:
-    """Says ``data`` over and over, one read a tenth of a second, and keeps what it is told."""
+    """Sends ``data`` repeatedly, one read per 0.1 s, and stores what it receives."""
 
     timeout: float | None = 0.1
 
@@ -46,7 +46,7 @@ def ask(port: FakePort, patience: float = 2.0) -> object:
     return probe("/dev/x", lambda: port, patience, lambda: port.t)
 
 
-def test_a_stranger_hears_nothing_but_the_request() -> None:
+def test_other_devices_receive_only_the_request() -> None:
     port = FakePort(b"$GPGGA,123519,4807.038,N\r\n")
     report = ask(port)
     assert not report.is_glove
@@ -56,7 +56,7 @@ def test_a_stranger_hears_nothing_but_the_request() -> None:
     assert port.closed
 
 
-def test_silence_is_told() -> None:
+def test_no_answer_is_reported() -> None:
     assert ask(FakePort(b"")).trouble == warning("port.no_answer", port="/dev/x")
 
 
@@ -67,14 +67,14 @@ def test_hello_between_garbage() -> None:
     assert report.hello == hello
 
 
-def test_a_streaming_glove_is_one_too() -> None:
+def test_a_streaming_glove_is_found_too() -> None:
     report = ask(FakePort(encode(Samples(1, 2, np.zeros((7, 6), np.int16)))))
     assert report.is_glove
     assert report.hello is None
 
 
 class SlowGlove(FakePort):
-    """Understands 115200 baud alone; at another rate both sides hear garbage."""
+    """Works only at 115200 baud; at another rate both sides receive garbage."""
 
     baudrate = 250_000
 
@@ -129,7 +129,7 @@ def test_a_simulated_glove_among_absent_ports(tmp_path: Path) -> None:
         assert there.hello is not None
         assert there.hello.imu_count == 2
         second = probe(str(device.path), serial_port(str(device.path)), 3.0)
-        assert second.hello == there.hello  # asking changed nothing: it still says HELLO
+        assert second.hello == there.hello  # the request changed nothing: it still sends HELLO
     finally:
         device.stop()
 
@@ -151,7 +151,7 @@ def test_latency_timer(tmp_path: Path, value: str, is_warned: bool) -> None:
 
 
 @pytest.mark.parametrize(("vid", "is_warned"), [(0x0403, True), (0x1A86, False)])
-def test_windows_keeps_the_time_in_the_device_manager(vid: int, is_warned: bool) -> None:
+def test_windows_stores_the_latency_in_the_device_manager(vid: int, is_warned: bool) -> None:
     ports = [UsbPort("COM7", vid, 0x6001, "A1")]
     advice = latency_advice("COM7", system="win32", ports=lambda: ports)
     assert advice == (warning("port.latency_windows", port="COM7") if is_warned else None)

@@ -1,4 +1,4 @@
-"""A thousand random faults on the glove's line, on a clock of the test's own."""
+"""A thousand random faults on the glove's line, on a simulated clock."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ SKEW = 1 - 150e-6
 
 
 class Line:
-    """A glove and its cable. IMU 0 feels its packet's number: a wrong one would show."""
+    """A glove and its cable. IMU 0 measures its packet's number, so a wrong one would be
+    visible."""
 
     timeout: float | None = 0.0
 
@@ -131,7 +132,7 @@ def test_a_thousand_faults() -> None:
         recovery = 0.0
         while run(0.05) < 4:
             recovery += 0.05
-            assert recovery <= 1.2, codes[-5:]  # HELLO comes once a second
+            assert recovery <= 1.2, codes[-5:]  # HELLO is sent once a second
 
     felt = [round(float(s.accel[0, 0]) * 32768 / (16 * GRAVITY)) for s in samples]
     assert felt == [s.seq % 30_000 for s in samples]

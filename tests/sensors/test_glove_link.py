@@ -1,4 +1,4 @@
-"""The link against the simulated glove, over a real pseudo-terminal."""
+"""The link with a simulated glove, over a real pseudo-terminal."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def wave() -> Iterator[ImuSample]:
 
 
 class Bench:
-    """A simulated glove with a link on it."""
+    """A simulated glove with a connected link."""
 
     def __init__(self, folder: Path, params: GloveDeviceParams | None = None, n: int = N) -> None:
         self.t_0 = time.monotonic()
@@ -66,21 +66,21 @@ def bench(tmp_path: Path) -> Iterator[Bench]:
     bench.close()
 
 
-def test_samples_arrive_in_units_and_time(bench: Bench) -> None:
+def test_samples_arrive_with_correct_units_and_times(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 150)
     link = bench.link
     assert link.hello is not None and link.hello.imu_count == N
     assert link.figures.lost == 0 and link.decoder.counters.errors == 0
     last = bench.samples[-1]
     assert last.accel[:, 0] == pytest.approx(9.8 + 0.1 * np.arange(N), abs=16 * 9.81 / 32768)
-    # the true instant of a sample is in its device time; the line's own latency stays in
+    # a sample's device time is exact; the latency of the line remains
     true = np.array([(s.t_device - 4.0) / (1 + 60e-6) for s in bench.samples[50:]]) + bench.t_0
     lateness = np.array([s.t for s in bench.samples[50:]]) - true
     assert np.median(lateness) < 0.02 and np.ptp(lateness) < 0.02
     assert np.all(np.diff([s.t for s in bench.samples]) > 0)
 
 
-def test_lost_and_damaged_packets_are_counted_and_never_believed(bench: Bench) -> None:
+def test_lost_and_damaged_packets_are_counted_and_never_used(bench: Bench) -> None:
     bench.device.faults.drop, bench.device.faults.corrupt = 0.1, 0.1
     bench.until(lambda: len(bench.samples) > 250)
     assert bench.link.figures.lost >= 20
@@ -90,7 +90,7 @@ def test_lost_and_damaged_packets_are_counted_and_never_believed(bench: Bench) -
     assert missing.sum() == bench.link.figures.lost
 
 
-def test_packets_that_arrive_twice_are_used_once_and_counted(bench: Bench) -> None:
+def test_repeated_packets_are_used_once_and_counted(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 20)
     feed, before = bench.link.decoder.feed, bench.link.figures.packets
     bench.link.decoder.feed = lambda data: [f for frame in feed(data) for f in (frame, frame)]  # type: ignore[method-assign]
@@ -101,12 +101,12 @@ def test_packets_that_arrive_twice_are_used_once_and_counted(bench: Bench) -> No
     assert np.all(np.diff([s.seq for s in bench.samples]) >= 1)
 
 
-def test_a_restart_in_mid_stream(bench: Bench) -> None:
+def test_a_restart_while_streaming(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 20)
     bench.device.reset()
     n = len(bench.samples)
     bench.until(lambda: bench.reported("glove.restarted") and len(bench.samples) > n + 50)
-    assert bench.link.figures.resets >= 1  # HELLO may come twice before START gets through
+    assert bench.link.figures.resets >= 1  # HELLO may arrive twice before START is received
     assert np.all(np.diff([s.t for s in bench.samples[n + 20 :]]) > 0)
 
 
@@ -141,7 +141,7 @@ def test_unplugged_between_waiting_and_reading_and_back(bench: Bench, monkeypatc
     bench.until(lambda: len(bench.samples) > n + 20)
 
 
-def test_silence_is_said_and_ends(bench: Bench) -> None:
+def test_missing_data_is_reported_until_it_resumes(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 20)
     bench.device.faults.silent = True
     bench.until(lambda: bench.reported("glove.silent"))
@@ -175,8 +175,8 @@ def test_bunched_bytes_keep_their_times(tmp_path: Path) -> None:
     bench.close()
 
 
-def test_motors_may_be_driven_from_another_thread_while_the_cable_goes() -> None:
-    """Frames never mix on the line, and a write that finds the port gone is an unplugged glove."""
+def test_motors_may_be_driven_from_another_thread_while_unplugging() -> None:
+    """Frames are never interleaved, and a write to a missing port means an unplugged glove."""
 
     class Fragile:
         timeout: float | None = 0.0
@@ -206,7 +206,7 @@ def test_motors_may_be_driven_from_another_thread_while_the_cable_goes() -> None
     link.poll(0.0)
 
     def drive() -> None:
-        while port.left >= 0:  # who waits too long for the other one tells the motor nothing
+        while port.left >= 0:  # a thread that waits too long skips its command
             link.vibrate(port.left % 5, 200, 80)
 
     threads = [threading.Thread(target=drive) for _ in range(2)]
@@ -223,7 +223,7 @@ def test_motors_may_be_driven_from_another_thread_while_the_cable_goes() -> None
 
 
 def test_a_port_is_not_closed_while_it_is_read() -> None:
-    """A motor's write may find it gone meanwhile; what is read from a closed one is no OSError."""
+    """A motor command may find it closed; reading a closed port raises no OSError."""
 
     class Gone:
         timeout: float | None = 0.0

@@ -1,4 +1,4 @@
-"""A glove that returns at another port is found there; one that is not it is left alone."""
+"""A glove that returns at another port is found there; other devices are not disturbed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FTDI, WCH = (0x0403, 0x6001), (0x1A86, 0x7523)
 
 
 class Desk:
-    """Gloves at ports of a computer: what is listed, and what is behind each port."""
+    """Gloves at ports of a computer: the list, and the device at each port."""
 
     def __init__(self) -> None:
         self.listed: list[UsbPort] = []
@@ -67,7 +67,7 @@ def streaming(desk: Desk, glove: Scripted) -> Run:
     return run
 
 
-def test_it_is_found_at_another_path_by_its_adapters_number(desk: Desk) -> None:
+def test_it_is_found_at_another_path_by_its_adapters_serial_number(desk: Desk) -> None:
     mine, other = numbered(11), numbered(22)
     desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")
     desk.plug("/dev/ttyUSB1", other, FTDI, "B2")
@@ -83,7 +83,7 @@ def test_it_is_found_at_another_path_by_its_adapters_number(desk: Desk) -> None:
     assert run.link.figures.reopened == 1
 
 
-def test_that_it_is_back_is_said_once_at_its_old_path_too(desk: Desk) -> None:
+def test_its_return_is_reported_once_also_at_its_old_path(desk: Desk) -> None:
     mine = numbered(11)
     desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")
     run = streaming(desk, mine)
@@ -95,7 +95,7 @@ def test_that_it_is_back_is_said_once_at_its_old_path_too(desk: Desk) -> None:
     assert run.link.state == LinkState.STREAMING
 
 
-def test_its_old_path_is_not_believed_where_another_adapter_has_it_now(desk: Desk) -> None:
+def test_its_old_path_is_not_used_if_another_adapter_has_it(desk: Desk) -> None:
     mine, other = numbered(11), numbered(22)
     desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")
     run = streaming(desk, mine)
@@ -108,7 +108,7 @@ def test_its_old_path_is_not_believed_where_another_adapter_has_it_now(desk: Des
     assert desk.opened == ["/dev/ttyUSB0", "/dev/ttyUSB1"]
 
 
-def test_adapters_without_numbers_are_told_apart_by_the_glove_behind(desk: Desk) -> None:
+def test_adapters_without_serial_numbers_are_distinguished_by_the_glove(desk: Desk) -> None:
     mine, other = numbered(11), numbered(22)
     desk.plug("/dev/ttyUSB0", mine, WCH, None)
     run = streaming(desk, mine)
@@ -127,7 +127,7 @@ def test_adapters_without_numbers_are_told_apart_by_the_glove_behind(desk: Desk)
     assert sum(code.startswith("glove.stranger") for code in run.codes) == 1
 
 
-def test_a_port_that_another_program_holds_is_left_to_it(desk: Desk) -> None:
+def test_a_port_used_by_another_program_is_not_touched(desk: Desk) -> None:
     mine, other = numbered(11), numbered(22)
     desk.plug("/dev/ttyUSB0", mine, WCH, None)
     desk.plug("/dev/ttyUSB1", other, WCH, None)
@@ -141,7 +141,7 @@ def test_a_port_that_another_program_holds_is_left_to_it(desk: Desk) -> None:
     assert desk.opened[-1] == "/dev/ttyUSB7" and run.link.state == LinkState.STREAMING
 
 
-def test_a_device_that_says_nothing_is_never_told_to_start(desk: Desk) -> None:
+def test_a_device_that_sends_nothing_is_never_started(desk: Desk) -> None:
     mine, silent = numbered(11), Scripted(None)
     desk.plug("/dev/ttyUSB0", mine, WCH, None)
     run = streaming(desk, mine)
@@ -153,8 +153,8 @@ def test_a_device_that_says_nothing_is_never_told_to_start(desk: Desk) -> None:
     assert stranger in run.notices
 
 
-def test_a_port_on_no_list_is_where_it_was(desk: Desk) -> None:
-    """A pseudo-terminal, Bluetooth, or a link that udev makes."""
+def test_an_unlisted_port_is_opened_at_its_old_path(desk: Desk) -> None:
+    """A pseudo-terminal, Bluetooth, or a link created by udev."""
     mine = numbered(11)
     desk.behind["/dev/rfcomm0"] = mine
     run = Run(mine, desk.port("/dev/rfcomm0"))

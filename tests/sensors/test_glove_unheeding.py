@@ -1,4 +1,4 @@
-"""Gloves that do not do as they are told: another rate, no HELLO, HELLO twice, a low battery."""
+"""Gloves that do not follow the protocol: another rate, no HELLO, HELLO twice, a low battery."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 
 @pytest.mark.parametrize("said_hz", [50, 100])
 @pytest.mark.parametrize("rate_hz", [50.0, 120.0, 200.0])
-def test_a_rate_that_is_not_heeded_is_one_sentence_and_the_times_are_right(
+def test_an_ignored_rate_is_reported_once_and_times_are_correct(
     said_hz: int, rate_hz: float
 ) -> None:
     run = Run(Scripted(Hello(1, N, rate_hz=said_hz), rate_hz))
@@ -41,25 +41,25 @@ def test_a_rate_that_is_not_heeded_is_one_sentence_and_the_times_are_right(
     assert run.link.figures.skew_ppm == pytest.approx(-1e6 * SKEW, abs=100)
 
 
-def test_losses_at_a_rate_that_is_not_heeded_are_no_jumps() -> None:
+def test_losses_at_an_ignored_rate_are_no_clock_jumps() -> None:
     glove = Scripted(Hello(1, N, rate_hz=50), 50.0)
     run = Run(glove)
     for _ in range(20):
         run.go(0.5)
-        glove.seq += 10  # packets that never left
+        glove.seq += 10  # packets that were not sent
         glove.next += 10 / glove.rate_hz
     assert run.link.figures.clock_jumps == 0 and run.link.figures.lost == pytest.approx(190, abs=10)
     assert np.abs(run.errors()).max() < 0.002
 
 
-def test_a_glove_that_obeys_is_not_complained_of() -> None:
+def test_an_obedient_glove_is_not_reported() -> None:
     run = Run(Scripted(Hello(1, N, rate_hz=50), 50.0, obeys=True))
     run.go(3.0)
     assert run.notices == []
     assert len(run.samples) == pytest.approx(300, abs=3)
 
 
-def test_another_rate_is_taken_while_packets_come_and_told_by_their_times() -> None:
+def test_a_new_rate_is_accepted_while_streaming_and_detected_by_times() -> None:
     run = Run(Scripted(Hello(7, N), 100.0, obeys=True))
     run.go(2.0)
     before, events = run.link.report(), list(run.notices)
@@ -77,7 +77,7 @@ def test_another_rate_is_taken_while_packets_come_and_told_by_their_times() -> N
         run.link.want_rate(120)
 
 
-def test_another_rate_that_is_not_heeded_is_seen_in_the_report() -> None:
+def test_an_ignored_new_rate_is_in_the_report() -> None:
     run = Run(Scripted(Hello(7, N), 100.0))
     run.go(2.0)
     run.link.want_rate(200)
@@ -87,7 +87,7 @@ def test_another_rate_that_is_not_heeded_is_seen_in_the_report() -> None:
     assert [n.values["asked_hz"] for n in run.notices if n.code == "glove.other_rate"] == [200]
 
 
-def test_a_true_jump_of_the_clock_is_still_said_though_it_looks_like_a_rate() -> None:
+def test_a_real_clock_jump_is_reported_even_if_it_looks_like_a_rate() -> None:
     run = Run(Scripted(Hello(1, N)))
     run.go(2.0)
     glove = run.glove
@@ -107,7 +107,7 @@ def moved(packet: Samples, by_us: int) -> Samples:
 
 
 @pytest.mark.parametrize("range_g", [2, 4, 8, 16])
-def test_without_hello_gravity_tells_the_range_and_nothing_is_valid_before(range_g: int) -> None:
+def test_without_hello_gravity_determines_the_range(range_g: int) -> None:
     counts = 32768 // range_g
     run = Run(Scripted(None, rest_counts=counts))
     run.glove.motion = 0.2 * counts
@@ -123,13 +123,13 @@ def test_without_hello_gravity_tells_the_range_and_nothing_is_valid_before(range
     assert run.notices[-1].values["accel_g"] == range_g
 
 
-def test_a_weight_that_fits_no_range_is_never_believed() -> None:
+def test_a_magnitude_that_fits_no_range_is_rejected() -> None:
     run = Run(Scripted(None, rest_counts=2900))  # between 8 and 16 g
     run.go(8.0)
     assert len(run.samples) > 300 and not any(s.valid.any() for s in run.samples)
 
 
-def test_ranges_that_come_late_are_taken() -> None:
+def test_late_ranges_are_accepted() -> None:
     run = Run(Scripted(None, rest_counts=2900))
     run.go(5.0)
     run.glove.put(Hello(1, N, gyro_range_dps=500, accel_range_g=8))
@@ -138,7 +138,7 @@ def test_ranges_that_come_late_are_taken() -> None:
     assert run.samples[-1].accel[0, 2] == pytest.approx(2900 / 4096 * GRAVITY)
 
 
-def test_a_glove_that_an_earlier_run_left_streaming_is_stopped_and_asked_again() -> None:
+def test_a_glove_left_streaming_is_stopped_and_queried_again() -> None:
     glove = Scripted(None)
     glove.streaming = True
     run = Run(glove)
@@ -153,7 +153,7 @@ def test_a_glove_that_an_earlier_run_left_streaming_is_stopped_and_asked_again()
 
 
 @pytest.mark.parametrize("late", [0.0, 0.02, 0.3])
-def test_a_hello_that_was_under_way_is_no_restart(late: float) -> None:
+def test_a_delayed_hello_is_not_a_restart(late: float) -> None:
     """The boot's HELLO and the answer to HELLO? cross on the line."""
     glove = Scripted(None)
     glove.put(Hello(1, N))
@@ -165,7 +165,7 @@ def test_a_hello_that_was_under_way_is_no_restart(late: float) -> None:
     assert len(run.samples) > 60
 
 
-def test_a_true_restart_is_said_once() -> None:
+def test_a_real_restart_is_reported_once() -> None:
     glove = Scripted(Hello(1, N))
     run = Run(glove)
     run.go(3.0)
@@ -177,15 +177,15 @@ def test_a_true_restart_is_said_once() -> None:
 
 
 @pytest.mark.parametrize("wire_baud", [0, BAUD, 115_200])
-def test_the_time_on_the_wire_is_taken_off_where_there_is_a_wire(wire_baud: int) -> None:
+def test_transmission_time_is_subtracted_on_a_uart(wire_baud: int) -> None:
     glove = Scripted(Hello(1, N), wire_baud=wire_baud)
     run = Run(glove)
     run.go(3.0)
-    # the host looks each millisecond; the packet's own time would be 1.9 or 4.1 ms
+    # the host polls each millisecond; the packet's own time would be 1.9 or 4.1 ms
     assert np.median(run.errors()) == pytest.approx(LATENCY, abs=0.0012)
 
 
-def test_a_low_battery_is_said_once_until_it_was_charged() -> None:
+def test_a_low_battery_is_reported_once_until_it_was_charged() -> None:
     run = Run(Scripted(Hello(1, N)))
     run.go(0.1)
     for millivolt in (3700, 3490, 3480, 3510, 3490, 3650, 3499):
@@ -196,7 +196,7 @@ def test_a_low_battery_is_said_once_until_it_was_charged() -> None:
     assert values["battery_low"] == 1.0 and values["glove_dropped"] == 4.0
 
 
-def test_two_hundred_a_second_need_the_fast_line() -> None:
+def test_two_hundred_a_second_require_the_fast_line() -> None:
     with pytest.raises(ValueError, match="need 250000 baud"):
         LinkParams(rate_hz=200, baud=115_200)
 
@@ -208,7 +208,7 @@ def resting() -> Iterator[ImuSample]:
         yield ImuSample(t, t, t, k, accel, np.zeros((N, 3)), np.ones(N, bool))
 
 
-def test_the_emulated_glove_without_hello_is_right_to_scale_and_time(tmp_path: Path) -> None:
+def test_the_emulated_glove_without_hello_has_correct_scale_and_times(tmp_path: Path) -> None:
     t_0 = time.monotonic()
     device = SimulatedGlove(
         resting(), N, t_0, GloveDeviceParams(says_hello=False, accel_range_g=8, skew=0.0)
@@ -222,7 +222,7 @@ def test_the_emulated_glove_without_hello_is_right_to_scale_and_time(tmp_path: P
         assert not got[0].valid.any()
         true = np.array([s.t_device - 4.0 + t_0 for s in got])
         lateness = np.array([s.t for s in got]) - true
-        # the emulator looks at its clock each 2 ms; a packet's 3.8 ms on a UART are not here
+        # the emulator polls its clock each 2 ms; a packet's 3.8 ms on a UART are not simulated
         assert -5e-4 < np.min(lateness) < 4e-3
     finally:
         link.close()

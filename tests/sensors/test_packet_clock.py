@@ -1,4 +1,4 @@
-"""Numbers and times of packets across wraps, losses and a clock that jumps."""
+"""Numbers and times of packets with overflow, losses and clock jumps."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ def packet(seq: int, t_us: int) -> Samples:
     return Samples(seq % 2**16, t_us % 2**32, RAW)
 
 
-def test_numbers_and_times_count_on_where_they_wrap():
+def test_numbers_and_times_are_unwrapped():
     clock, first_seq, first_us = PacketClock(PERIOD, WIRE), 2**16 - 3, 2**32 - 25_000
     for k in range(10):
         read = clock.read(packet(first_seq + k, first_us + 10_000 * k), 5.0 + PERIOD * k)
@@ -23,7 +23,7 @@ def test_numbers_and_times_count_on_where_they_wrap():
         assert read.t == pytest.approx(5.0 - WIRE + PERIOD * k, abs=1e-9), "when it left"
 
 
-def test_lost_packets_are_counted_and_one_that_came_before_is_none():
+def test_lost_packets_are_counted_unless_they_arrive_late():
     clock = PacketClock(PERIOD, WIRE)
     clock.read(packet(10, 0), 1.0)
     assert clock.read(packet(14, 40_000), 1.04).lost == 3
@@ -32,7 +32,7 @@ def test_lost_packets_are_counted_and_one_that_came_before_is_none():
     assert clock.read(packet(15, 50_000), 1.05).lost == 0
 
 
-def test_a_clock_that_jumps_is_said_and_mapped_anew():
+def test_a_clock_jump_is_reported_and_the_clock_mapped_again():
     clock = PacketClock(PERIOD, WIRE)
     clock.read(packet(0, 0), 1.0)
     assert clock.read(packet(1, 12_000), 1.01).jumped == 0.0, "within what a crystal and a chip do"

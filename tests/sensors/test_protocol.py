@@ -1,4 +1,4 @@
-"""The wire: known bytes, round trips, and whatever a bad line may do to them."""
+"""The wire format: known bytes, round trips, and transmission errors."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ FRAMES: list[Frame] = [
 ]
 
 
-def test_every_frame_survives_the_wire() -> None:
+def test_every_frame_round_trip() -> None:
     assert FrameDecoder().feed(b"".join(encode(f) for f in FRAMES)) == FRAMES
 
 
@@ -100,7 +100,7 @@ def test_a_greeting_cut_off_in_its_chips_is_dropped() -> None:
     assert decoder.counters.length_errors == 1
 
 
-def test_bytes_on_the_wire_are_those_of_the_contract() -> None:
+def test_the_bytes_match_the_specification() -> None:
     assert cobs.decode(encode(Rate(200))[:-1])[:3] == bytes([0x84, 0xC8, 0x00])
     raw = np.array([[1, -2, 3, 4, 5, 6]], np.int16)
     body = cobs.decode(encode(Samples(0x0102, 0x03040506, raw))[:-1])
@@ -108,7 +108,7 @@ def test_bytes_on_the_wire_are_those_of_the_contract() -> None:
     assert len(body) == 1 + 6 + 12 + 2
 
 
-def test_error_text_is_cut_between_characters() -> None:
+def test_error_text_is_truncated_between_characters() -> None:
     (frame,) = FrameDecoder().feed(encode(ErrorText("ü" * 50)))
     assert frame == ErrorText("ü" * 30)
 
@@ -133,8 +133,8 @@ def test_pieces_of_any_size_give_the_same(sizes: list[int]) -> None:
     assert decoder.counters.errors == 0
 
 
-def test_a_damaged_frame_costs_itself_alone() -> None:
-    """One flipped bit: the frame is gone, or, where it made or took a zero, at most two are."""
+def test_a_damaged_frame_affects_no_others() -> None:
+    """One flipped bit: the frame is lost, or two if it created or removed a zero."""
     rng = np.random.default_rng(5)
     clean = packets(9)
     for _ in range(300):
@@ -151,7 +151,7 @@ def test_a_damaged_frame_costs_itself_alone() -> None:
 
 @settings(max_examples=200)
 @given(st.lists(st.binary(max_size=700), max_size=8))
-def test_garbage_never_crashes_and_the_next_frames_come_through(pieces: list[bytes]) -> None:
+def test_garbage_never_crashes_and_later_frames_are_received(pieces: list[bytes]) -> None:
     decoder = FrameDecoder()
     for piece in pieces:
         decoder.feed(piece)
@@ -171,7 +171,7 @@ def test_endless_garbage_takes_no_memory() -> None:
     assert decoder.feed(b"\0" + encode(Stop())) == [Stop()]
 
 
-def test_lengths_and_types_are_judged_apart() -> None:
+def test_lengths_and_types_are_checked_separately() -> None:
     def framed(body: bytes) -> bytes:
         return cobs.encode(body + crc16(body).to_bytes(2, "little")) + b"\0"
 

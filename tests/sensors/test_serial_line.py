@@ -1,4 +1,4 @@
-"""What carries the bytes on Linux, macOS and Windows, and what these systems complain of."""
+"""Serial ports on Linux, macOS and Windows, and the errors of these systems."""
 
 from __future__ import annotations
 
@@ -45,7 +45,9 @@ FTDI, WCH, SILABS, ARDUINO, TEENSY = 0x0403, 0x1A86, 0x10C4, 0x2341, 0x16C0
         ("COM7", TEENSY, 0x0483, False),
     ],
 )
-def test_a_bridge_is_told_from_usb_alone(path: str, vid: int, pid: int, uart: bool) -> None:
+def test_a_bridge_is_distinguished_from_native_usb(
+    path: str, vid: int, pid: int, uart: bool
+) -> None:
     assert crosses_uart(path, [UsbPort(path, vid, pid, None)]) == uart
 
 
@@ -57,7 +59,7 @@ def test_a_port_that_is_not_on_usb(path: str, uart: bool) -> None:
     assert crosses_uart(path, []) == uart
 
 
-def test_a_pseudo_terminal_has_no_time_on_the_wire() -> None:
+def test_a_pseudo_terminal_has_no_transmission_time() -> None:
     master, slave = pty.openpty()
     port = SerialPort(os.ttyname(slave), 115_200)
     assert port.wire_baud == 0 and port.latency_ms is None
@@ -67,7 +69,7 @@ def test_a_pseudo_terminal_has_no_time_on_the_wire() -> None:
 
 
 class Cable:
-    """A pseudo-terminal whose other end is pulled right after a call of the system's."""
+    """A pseudo-terminal whose other end is closed right after a system call."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.master, self.slave = pty.openpty()
@@ -99,13 +101,11 @@ def cable(monkeypatch: pytest.MonkeyPatch) -> Iterator[Cable]:
 
 
 CALLS = {"flock": fcntl, "tcgetattr": termios, "tcsetattr": termios, "ioctl": fcntl}
-"""The system's calls while a port is set; what fails after them is no OSError to pyserial."""
+"""The system calls while a port is configured; pyserial does not convert later failures."""
 
 
 @pytest.mark.parametrize("call", ["flock", "tcgetattr", "ioctl"])
-def test_a_port_that_goes_away_while_it_is_set_is_an_error_like_any_other(
-    cable: Cable, call: str
-) -> None:
+def test_a_port_removed_during_configuration_is_an_ordinary_error(cable: Cable, call: str) -> None:
     port = SerialPort(cable.path, BAUD)
     cable.pull_after(CALLS[call], call)
     with pytest.raises(OSError) as caught:
@@ -115,14 +115,14 @@ def test_a_port_that_goes_away_while_it_is_set_is_an_error_like_any_other(
 
 
 @pytest.mark.parametrize("call", CALLS)
-def test_and_so_while_it_is_opened(cable: Cable, call: str) -> None:
+def test_so_is_one_removed_while_it_is_opened(cable: Cable, call: str) -> None:
     cable.pull_after(CALLS[call], call)
     with pytest.raises(OSError):
         SerialPort(cable.path, BAUD)
     assert cable.master < 0
 
 
-def test_ports_are_listed_with_their_numbers() -> None:
+def test_ports_are_listed_with_their_serial_numbers() -> None:
     assert all(p.vid > 0 and p.path for p in usb_ports())
 
 
@@ -137,7 +137,7 @@ def test_ports_are_listed_with_their_numbers() -> None:
         (OSError(16, "Resource busy"), "darwin", "another program has it open"),
     ],
 )
-def test_complaints_are_words_of_the_system_at_hand(
+def test_errors_name_the_remedy_on_the_current_system(
     error: Exception, system: str, words: str
 ) -> None:
     text = reason(error, system)
@@ -146,20 +146,20 @@ def test_complaints_are_words_of_the_system_at_hand(
 
 
 def wait_for(slave: int, count: int) -> None:
-    """Until so many bytes have come through: the system hands them over in its own time."""
+    """Waits for a number of bytes, which the system transfers asynchronously."""
     deadline = time.monotonic() + 10
     while int.from_bytes(fcntl.ioctl(slave, termios.FIONREAD, bytes(4)), sys.byteorder) < count:
         assert time.monotonic() < deadline, "they did not come within 10 s"
         time.sleep(0.001)
 
 
-def test_a_motor_command_does_not_wait_for_a_line_that_is_full() -> None:
+def test_a_motor_command_does_not_wait_for_a_full_line() -> None:
     master, slave = pty.openpty()
     port = SerialPort(os.ttyname(slave), BAUD)
-    port.write_timeout = 60.0  # what pyserial would wait: the test hangs where it is asked to
+    port.write_timeout = 60.0  # pyserial's wait: the test would hang if it were called
     try:
         assert port.write_now(b"x") == 1
-        termios.tcflow(port.fd, termios.TCOOFF)  # as a full line, which here empties by itself
+        termios.tcflow(port.fd, termios.TCOOFF)  # like a full line, which here empties on its own
         assert port.write_now(b"x") == 0
         assert not write_now(port, b"buzz")
     finally:
@@ -170,7 +170,7 @@ def test_a_motor_command_does_not_wait_for_a_line_that_is_full() -> None:
         port.write_now(b"x")
 
 
-def test_what_waits_is_read_at_once_and_nothing_is_read_of_an_empty_line() -> None:
+def test_waiting_bytes_are_read_at_once_and_an_empty_line_is_not_read() -> None:
     master, slave = pty.openpty()
     tty.setraw(slave)
     port = SerialPort(os.ttyname(slave), BAUD)
@@ -191,7 +191,7 @@ def test_what_waits_is_read_at_once_and_nothing_is_read_of_an_empty_line() -> No
         port.write(b"x")
 
 
-def test_a_cable_that_is_out_is_an_os_error_to_whoever_reads() -> None:
+def test_an_unplugged_cable_is_an_os_error_for_readers() -> None:
     master, slave = pty.openpty()
     port = SerialPort(os.ttyname(slave), BAUD)
     os.close(slave)
@@ -201,7 +201,7 @@ def test_a_cable_that_is_out_is_an_os_error_to_whoever_reads() -> None:
     port.close()
 
 
-def test_all_is_written_also_where_the_line_takes_a_part_of_it_at_once() -> None:
+def test_partial_writes_are_completed() -> None:
     master, slave = pty.openpty()
     tty.setraw(slave)
     port = SerialPort(os.ttyname(slave), BAUD)

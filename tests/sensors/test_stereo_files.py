@@ -1,4 +1,4 @@
-"""Stereo calibrations of others: the rectified rig must agree with the lenses it came from."""
+"""Stereo calibrations of other programs: the rectified rig must agree with the original lenses."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ T = np.array([-62.8, -0.08, -0.03]) / 1000
 
 
 def assert_triangulates(rig: StereoRig, R: np.ndarray, T: np.ndarray) -> None:
-    """Points seen by both raw lenses come back: X_right = R X_left + T, projected by OpenCV."""
+    """Points seen by both raw lenses are recovered: X_right = R X_left + T, projected by OpenCV."""
     p = np.random.default_rng(3).uniform([-0.1, -0.1, 0.3], [0.1, 0.1, 0.6], (20, 3))
     none = np.zeros(3)
     left, _ = cv2.projectPoints(p, none, none, rig.left.K, rig.left.D)
@@ -50,7 +50,7 @@ def assert_triangulates(rig: StereoRig, R: np.ndarray, T: np.ndarray) -> None:
     found = rig.triangulate(
         rig.left.rectify(left.reshape(-1, 2)), rig.right.rectify(right.reshape(-1, 2))
     )
-    assert found @ rig.left.R == pytest.approx(p, abs=2e-5)  # C is the left lens turned by R1
+    assert found @ rig.left.R == pytest.approx(p, abs=2e-5)  # C is the left lens rotated by R1
 
 
 def test_zed_convention(tmp_path: Path) -> None:
@@ -75,7 +75,7 @@ def test_zed_convention(tmp_path: Path) -> None:
         ("Baseline=62.8", "Baseline=nan", "zed.not_number"),
     ],
 )
-def test_zed_damage_is_told(tmp_path: Path, old: str, new: str, words: str) -> None:
+def test_zed_damage_is_reported(tmp_path: Path, old: str, new: str, words: str) -> None:
     path = tmp_path / "SN12.conf"
     path.write_text(ZED.replace(old, new))
     with raises(FileError, words):
@@ -124,7 +124,7 @@ def test_opencv_pair_of_files(tmp_path: Path) -> None:
         load_opencv_stereo([first], 1280, 720)
 
 
-def test_opencv_damage_is_told(tmp_path: Path) -> None:
+def test_opencv_damage_is_reported(tmp_path: Path) -> None:
     K, D = np.eye(3), np.zeros((1, 5))
     good = {"M1": K, "D1": D, "M2": K, "D2": D, "R": np.eye(3), "T": np.array([[-0.1], [0], [0]])}
     bad = [

@@ -1,4 +1,4 @@
-"""A left and a right glove at once: found, told apart, and streaming side by side."""
+"""A left and a right glove at once: found, distinguished, and streaming simultaneously."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ TOLERANCE = 16 * 9.80665 / 32768  # m/s², one step of the wire
 
 
 def marked(value: float) -> Iterator[ImuSample]:
-    """Samples that tell whose they are."""
+    """Samples that identify their glove."""
     for k in range(100_000):
         t, yes = k / 100, np.ones(N, bool)
         yield ImuSample(t, t, t, k, np.full((N, 3), value), np.zeros((N, 3)), yes)
@@ -36,12 +36,12 @@ def gloves() -> Iterator[tuple[SimulatedGlove, SimulatedGlove]]:
         glove.stop()
 
 
-def test_both_are_found_and_told_apart(gloves) -> None:
+def test_both_are_found_and_distinguished(gloves) -> None:
     reports = find_gloves([str(g.path) for g in gloves], patience=3.0)
     assert [r.hello.glove_id for r in reports if r.hello] == [11, 22]
 
 
-def test_both_stream_and_one_goes_on_without_the_other(gloves) -> None:
+def test_both_stream_and_one_continues_without_the_other(gloves) -> None:
     links = [GloveLink(serial_port(str(g.path)), N) for g in gloves]
     got: list[list[ImuSample]] = [[], []]
 

@@ -1,4 +1,4 @@
-"""Limits of controls and serial numbers against a driver and a system of the test's own."""
+"""Limits of controls and serial numbers with a fake driver and system."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import cv2
 from tracker.sensors.camera_controls import QUERY, ControlledInput, limits_of, serial_number
 
 
-def test_limits_are_those_of_the_driver_and_none_of_what_it_lacks():
+def test_limits_are_those_of_the_driver_and_none_if_unsupported():
     asked = []
 
     def ioctl(device: int, request: int, data: bytearray) -> int:

@@ -1,4 +1,4 @@
-"""A short made-up session whose every number is known."""
+"""A short synthetic session with known values."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -51,7 +51,7 @@ def session_info(hand: HandModel, glove: GloveModel) -> SessionInfo:
 
 
 def at(ms: float) -> float:
-    """Session time of a millisecond after the start, a whole number of nanoseconds."""
+    """Session time of a millisecond after the start, an integer number of nanoseconds."""
     return seconds(ANCHOR.monotonic_ns + round(ms * 1e6))
 
 
@@ -122,7 +122,7 @@ class MessageMaker:
         return Calibration(at(ms), ("dorsum", "index_proximal"), *rows, 0.183, 0.004)
 
     def stream(self, duration_ms: int, images: bool = True) -> Iterator[Message]:
-        """A live run: 100 Hz packets, 50 Hz frames, in the order in which they would be fed."""
+        """A live run: 100 Hz packets, 50 Hz frames, in the order in which they are fed."""
         waiting: list[BlobFrame] = []
         for k in range(duration_ms // 10):
             ms = k * 10.0

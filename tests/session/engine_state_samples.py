@@ -1,11 +1,11 @@
-"""States of all engines in the middle of tracking, and as they were once recorded (``data``).
+"""States of all engines during tracking, and recorded ones (``data``).
 
-The recorded ones are never made anew, for recordings of that day are not either. Where a record
-gains something, a sample is added: put its name into `SAMPLES` and run
+The recorded states are never regenerated, since neither are old recordings. When a record gets a
+new field, a sample is added: put its name into `SAMPLES` and run
 
     PYTHONPATH=. python tests/session/engine_state_samples.py
 
-which writes the samples that are not there yet, and adds new names to ``engine_state_names.txt``.
+which writes the missing samples, and adds new names to ``engine_state_names.txt``.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from tracker.simulation.scenario import Simulation
 
 DATA = Path(__file__).parent / "data"
 NAMES = DATA / "engine_state_names.txt"
-LATER = 0.02  # s after the last packet, at which the hand is asked for
+LATER = 0.02  # s after the last packet, time of the requested hand
 EARLY = BundleParams(first_after=1.0, least_keyframes=4, least_blobs=6, apart=0.05, keyframes=4)
 
 SAMPLES: dict[str, Callable[[Settings], Settings]] = {
@@ -51,11 +51,11 @@ SAMPLES: dict[str, Callable[[Settings], Settings]] = {
 
 
 NOT_OF_A_PIPELINE = (TwoHandsSavedState,)
-"""Records that are written beside those of pipelines; loading them makes them known."""
+"""Records stored in addition to those of pipelines; loading them registers them."""
 
 
 def small_glove() -> tuple[HandModel, GloveModel]:
-    """Of the default glove, what is on the back of the hand and on one finger."""
+    """The part of the default glove on the back of the hand and on one finger."""
     hand, glove = library.load()
     on = ("dorsum", "index_proximal", "index_intermediate")
     markers = [m for m in glove.markers if m.segment in on]
@@ -70,12 +70,12 @@ def simulation() -> Simulation:
 
 
 def untouched(sim: Simulation, sample: str) -> Pipeline:
-    """A pipeline of the sample's engine and settings that has been fed nothing."""
+    """A new pipeline with the sample's engine and settings."""
     return Pipeline(sim.hand, sim.glove, sim.rig, SAMPLES[sample](Settings()))
 
 
 def tracked(sim: Simulation, sample: str) -> tuple[Pipeline, float]:
-    """The same in the middle of tracking, an image waiting, and the last packet's instant."""
+    """The same during tracking, with an image waiting, and the time of the last packet."""
     pipeline, t = untouched(sim, sample), 0.0
     force_C = sim.rig.pose.R_GC.T @ [0.0, 0.0, GRAVITY]
     for message in sim.feed():
@@ -101,7 +101,7 @@ def registered() -> dict[str, set[str]]:
 
 
 def listed() -> dict[str, set[str]]:
-    """The same, of all that was ever written."""
+    """The same for everything that was ever written."""
     lines = NAMES.read_text().splitlines() if NAMES.exists() else []
     pairs = (line.partition(":") for line in lines)
     return {name: set(fields.split()) for name, _, fields in pairs}

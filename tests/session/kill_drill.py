@@ -1,8 +1,8 @@
-"""Kills recording processes at random moments and looks at what is left.
+"""Kills recording processes at random times and checks what is left.
 
     python -m tests.session.kill_drill --kills 200
 
-The tests do the same with fewer.
+The tests do the same with fewer kills.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Kill:
 
 
 def victim(path: Path, images: str, written: c_long) -> None:
-    """Records for ever, as fast as it can; ``written`` is the last packet handed over."""
+    """Records endlessly, as fast as possible; ``written`` is the last packet passed on."""
     info = describe(
         (RESOURCES / "hands" / "reference-right.toml").read_text(),
         (RESOURCES / "gloves" / "vist-small.toml").read_text(),
@@ -58,14 +58,14 @@ def victim(path: Path, images: str, written: c_long) -> None:
 
 
 def drill(folder: Path, kills: int, seed: int) -> list[Kill]:
-    """Kill ``kills`` recordings, each at its own random moment."""
+    """Kill ``kills`` recordings, each at a random time."""
     rng = random.Random(seed)
-    # Children of a server that has imported everything already start in no time.
+    # Children of a server that has imported everything start quickly.
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(["tests.session.conftest"])
     out = []
     for n in range(kills):
-        # Without a lock, which a process killed at the wrong moment would hold for ever.
+        # Without a lock, which a process killed at the wrong time would hold forever.
         path, written = folder / f"{n}.mcap", context.Value(c_long, -1, lock=False)
         process = context.Process(target=victim, args=(path, IMAGES[n % 3], written))
         process.start()
@@ -79,7 +79,7 @@ def drill(folder: Path, kills: int, seed: int) -> list[Kill]:
 
 
 def inspect(path: Path, last: int) -> Kill:
-    """What recovery makes of the rest. Raises AssertionError if the file is whole."""
+    """The result of recovery. Raises AssertionError if the file is complete."""
     assert needs_recovery(path)
     with SessionReader(recover(path).path) as reader:
         found = [m.seq for m in reader.messages((ImuSample,)) if isinstance(m, ImuSample)]

@@ -1,4 +1,4 @@
-"""Two recordings of one movement are laid over each other, by clocks or by how the hand moves."""
+"""Two recordings of one movement are aligned, by clocks or by the motion of the hand."""
 
 import json
 from dataclasses import replace
@@ -19,13 +19,13 @@ from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 
-LATE = 1.37  # s after the first that the second begins
-CLOCK = 4.219  # s that the second's clock is ahead
+LATE = 1.37  # s from the start of the first to that of the second
+CLOCK = 4.219  # s by which the second's clock is ahead
 
 
 @pytest.fixture(scope="module")
 def takes(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """A tracked take, and a part of it as another computer would have recorded it."""
+    """A tracked take, and a part of it as if recorded by another computer."""
     folder = tmp_path_factory.mktemp("align")
     simulate(folder / "in.mcap", SimulateOptions(images=False, duration=6.0, seed=4))
     track(folder / "in.mcap", folder / "a.mcap")
@@ -44,19 +44,19 @@ def takes(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return folder / "both.mcap", folder / "b.mcap"
 
 
-def test_by_movement_the_offset_of_the_clocks_is_found(takes: tuple[Path, Path]) -> None:
+def test_alignment_by_motion_finds_the_offset_of_the_clocks(takes: tuple[Path, Path]) -> None:
     found = align(*takes)
     assert found.offset_s == pytest.approx(LATE, abs=0.015)
     assert found.clocks_differ_s == pytest.approx(-CLOCK, abs=0.005)
     assert found.correlation is not None and found.correlation > 0.95
 
 
-def test_by_clock_what_the_computers_say_is_taken(takes: tuple[Path, Path]) -> None:
+def test_alignment_by_clock_uses_the_computers_times(takes: tuple[Path, Path]) -> None:
     found = align(*takes, by="clock")
     assert found.offset_s == pytest.approx(LATE + CLOCK, abs=0.011) and found.clocks_differ_s == 0
 
 
-def test_what_was_aligned_is_kept_and_compared(
+def test_an_alignment_is_stored_and_compared(
     takes: tuple[Path, Path], tmp_path: Path, capsys: pytest.CaptureFixture
 ) -> None:
     alignment, picture = tmp_path / "o.json", tmp_path / "o.png"
@@ -77,7 +77,7 @@ def test_what_was_aligned_is_kept_and_compared(
 
 
 def swings(seed: int, n: int, start: float = 0.0) -> SpeedCourse:
-    """Speed of a movement that never repeats itself, seen from ``start`` on."""
+    """Speed of an aperiodic movement, seen from ``start`` on."""
     rng = np.random.default_rng(seed)
     t = np.arange(n) / 100
     waves = rng.uniform(0.2, 2.0, (12, 1)), rng.uniform(0, 7, (12, 1))
@@ -91,19 +91,19 @@ def test_offsets_before_and_after_the_start_are_found_to_milliseconds(offset: fl
     assert found.offset == pytest.approx(offset, abs=0.003)
 
 
-def test_another_movement_is_not_laid_over_by_force() -> None:
+def test_a_different_movement_is_not_aligned() -> None:
     with raises(FileError, "align.no_fit"):
         best_match(swings(1, 2000), swings(2, 2000))
 
 
-def test_a_movement_that_repeats_itself_tells_no_offset() -> None:
+def test_a_periodic_movement_gives_no_offset() -> None:
     t = np.arange(3000) / 100
     even = course_of_angles(0, t, np.sin(2 * np.pi * t)[:, None] + 0 * t[:, None])
     with raises(FileError, "align.ambiguous"):
         best_match(even, replace(even, t=t[:2000], speed=even.speed[:2000]))
 
 
-def test_holes_count_for_nothing() -> None:
+def test_holes_are_ignored() -> None:
     a, b = swings(3, 2000), swings(3, 2000, 2.0)
     b.speed[500:900] = np.nan
     assert best_match(a, b).offset == pytest.approx(2.0, abs=0.005)

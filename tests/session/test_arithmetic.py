@@ -1,4 +1,4 @@
-"""What bit identity depends on is in every file, and told where two differ."""
+"""The conditions of bit identity are stored in every file, and reported where two differ."""
 
 import os
 import subprocess
@@ -37,12 +37,12 @@ def test_another_blas_kernel_is_another_arithmetic() -> None:
     assert first == asked(OPENBLAS_CORETYPE="Haswell")
 
 
-def test_a_recording_says_what_it_was_computed_with(tmp_path: Path, record: Record, maker) -> None:
+def test_a_recording_contains_its_arithmetic(tmp_path: Path, record: Record, maker) -> None:
     with SessionReader(record(tmp_path / "a.mcap", [maker.estimate(10)])) as reader:
         assert reader.info.arithmetic == reader.metadata["arithmetic"] == arithmetic()
 
 
-def test_compare_tells_of_another_arithmetic(
+def test_compare_reports_a_different_arithmetic(
     tmp_path: Path, session_info, record: Record, maker, capsys: pytest.CaptureFixture[str]
 ) -> None:
     estimates = [maker.estimate(10.0 * k) for k in range(5)]

@@ -51,7 +51,7 @@ def test_each_hand_is_read_with_its_own_glove(recorded: Path) -> None:
             assert {"hand_left.toml", "glove_right.toml"} <= reader.attachments.keys()
 
 
-def test_what_was_written_of_each_hand_is_read_bit_for_bit(recorded: Path) -> None:
+def test_each_hand_is_read_bit_for_bit_as_written(recorded: Path) -> None:
     sim, _ = build_both(OPTIONS)
     sent = list(sim.messages())
     for side in ("left", "right"):
@@ -68,7 +68,7 @@ def test_what_was_written_of_each_hand_is_read_bit_for_bit(recorded: Path) -> No
                 assert [a.hue_names[h] for h in a.left.hue] == [b.hue_names[h] for h in b.left.hue]
 
 
-def test_the_file_is_whole_and_misses_nothing(recorded: Path, tracked: Path) -> None:
+def test_the_file_is_complete(recorded: Path, tracked: Path) -> None:
     for path in (recorded, tracked):
         findings = verify(path)
         assert is_ok(findings) and not findings
@@ -87,7 +87,7 @@ def test_isaacs_record_and_the_verdict_have_both_hands(tracked: Path, tmp_path: 
     assert order == sorted(order)
 
 
-def test_tracked_again_both_are_the_same_to_the_last_bit(tracked: Path, tmp_path: Path) -> None:
+def test_both_hands_are_tracked_again_bit_for_bit(tracked: Path, tmp_path: Path) -> None:
     again = tmp_path / "again.mcap"
     track(tracked, again)
     found = compare(tracked, again)
@@ -95,8 +95,8 @@ def test_tracked_again_both_are_the_same_to_the_last_bit(tracked: Path, tmp_path
     assert all(hand["identical"] and hand["compared"] > 100 for hand in found["hands"].values())
 
 
-def test_each_hand_stands_where_its_truth_does(recorded: Path, tracked: Path) -> None:
-    """Not that of the other, 18 cm away."""
+def test_each_hand_is_at_its_true_position(recorded: Path, tracked: Path) -> None:
+    """Not at that of the other, 18 cm away."""
     error = truth_error_mm(tracked, recorded)
     assert np.nanmean(list(error.values())) < 15
     with SessionReader(tracked, side="left") as reader, SessionReader(recorded, side="left") as was:
@@ -119,7 +119,7 @@ def test_a_format_of_one_hand_gives_a_file_for_each(tracked: Path, tmp_path: Pat
     assert rows["left"] > 100 and rows["right"] > 100
 
 
-def test_a_report_tells_of_each_hand(tracked: Path) -> None:
+def test_a_report_contains_each_hand(tracked: Path) -> None:
     measures = measure_hands(tracked)
     assert [(one.side, one.name) for one in measures] == [
         ("left", "tracked left"),
@@ -138,7 +138,7 @@ def test_a_session_is_copied_with_both_hands(tracked: Path, tmp_path: Path) -> N
         assert copy.topic_names == original.topic_names
 
 
-def test_a_part_of_it_is_tracked_to_the_same_bits(tracked: Path, tmp_path: Path) -> None:
+def test_a_part_is_tracked_to_the_same_bits(tracked: Path, tmp_path: Path) -> None:
     part, again = tmp_path / "part.mcap", tmp_path / "part_again.mcap"
     assert main(["crop", str(tracked), "-o", str(part), "--start", "1.5"]) == 0
     track(part, again)
@@ -152,7 +152,7 @@ def test_images_show_both_hands_and_are_tracked(tmp_path: Path) -> None:
         frames = [m for m in reader.messages((StereoFrame,)) if isinstance(m, StereoFrame)]
     image = frames[len(frames) // 2].left
     assert image is not None
-    # the middle of the image parts the hands at the start: fabric of strong hue on both halves
+    # the hands are on different halves of the image at the start: saturated fabric on both
     strong = image.max(axis=2).astype(int) - image.min(axis=2) > 90
     assert strong[:, :640].sum() > 1000 and strong[:, 640:].sum() > 1000
     report = track(path, tmp_path / "tracked.mcap")
@@ -171,7 +171,7 @@ def test_each_hand_is_compared(tracked: Path, recorded: Path, tmp_path: Path) ->
     assert apart["max_mm"] == max(h["max_mm"] for h in apart["hands"].values())
 
 
-def test_a_part_is_as_near_to_the_truth_as_the_whole_at_the_same_instants(
+def test_a_part_is_as_accurate_as_the_whole_at_the_same_times(
     recorded: Path, tracked: Path, tmp_path: Path
 ) -> None:
     part = tmp_path / "part.mcap"

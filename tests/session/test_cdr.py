@@ -107,7 +107,7 @@ def test_unpacking_gives_the_identical_floats() -> None:
 
 
 @pytest.mark.parametrize("tile", [[], [0], [3599], [3598, 3599], list(range(3600))])
-def test_a_map_of_cloth_comes_back_whichever_tiles_it_has(tile: list[int]) -> None:
+def test_a_cloth_map_is_read_back_for_any_tiles(tile: list[int]) -> None:
     bits = RNG.integers(-(2**63), 2**63 - 1, len(tile))
     back = sensors.unpack_cloth(sensors.pack_cloth(Cloth(80, 45, np.array(tile, int), bits)))
     assert (back.columns, back.rows) == (80, 45)

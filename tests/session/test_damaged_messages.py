@@ -1,4 +1,4 @@
-"""One damaged message costs that message: it is left out, counted and named, everywhere."""
+"""One damaged message costs only that message: it is skipped, counted and named everywhere."""
 
 from __future__ import annotations
 
@@ -95,14 +95,14 @@ def test_every_topic_may_have_a_damaged_message(
     track(path, tmp_path / "b.mcap", TrackOptions("chain"))
 
 
-def test_the_place_of_damage_is_named(session: Path, tmp_path: Path) -> None:
+def test_the_position_of_damage_is_reported(session: Path, tmp_path: Path) -> None:
     path = spoilt(session, tmp_path / "a.mcap", [RIGHT], cut_image, nth=21)
     (error,) = [f for f in verify(path) if f.severity == "error"]
     at = float(error.what.split(" at ")[1].split()[0])
     assert error.where == RIGHT and at == pytest.approx(1.0, abs=0.1)
 
 
-def test_a_packet_whose_imu_is_damaged_lacks_that_imu(session: Path, tmp_path: Path) -> None:
+def test_a_packet_with_a_damaged_imu_lacks_that_imu(session: Path, tmp_path: Path) -> None:
     with SessionReader(session) as reader:
         topic = next(t for t in sorted(reader.topic_names) if "/imu/" in t)
         names = reader.info.glove.imu_names
@@ -127,7 +127,7 @@ def test_a_packet_whose_imu_is_damaged_lacks_that_imu(session: Path, tmp_path: P
     ],
     ids=lambda words: " ".join(words[:3]),
 )
-def test_commands_go_on_and_say_what_was_left_out(
+def test_commands_continue_and_report_skipped_messages(
     session: Path, tmp_path: Path, words: list[str], capsys: pytest.CaptureFixture[str]
 ) -> None:
     damaged = ["/camera/left/image/compressed", RIGHT, "/hand/right/keypoints"]
@@ -143,7 +143,7 @@ def test_commands_go_on_and_say_what_was_left_out(
         assert is_ok(verify(made))
 
 
-def test_what_is_whole_is_not_called_damaged() -> None:
+def test_undamaged_messages_are_not_reported() -> None:
     rng = np.random.default_rng(3)
     image = rng.integers(0, 255, (48, 64, 3), np.uint8)
     progressive = [cv2.IMWRITE_JPEG_PROGRESSIVE, 1, cv2.IMWRITE_JPEG_RST_INTERVAL, 2]

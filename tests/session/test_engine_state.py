@@ -1,4 +1,4 @@
-"""The engine's state as an attachment: it goes on identically, and damage is told in words."""
+"""The engine's state as an attachment: tracking resumes identically, and damage is reported."""
 
 import json
 import struct
@@ -60,7 +60,7 @@ def _registered() -> None:
 
 
 @pytest.mark.parametrize("engine", ENGINES.names())
-def test_every_engine_goes_on_from_its_bytes(
+def test_every_engine_resumes_from_its_bytes(
     simulated: tuple[Simulation, Messages], engine: str
 ) -> None:
     sim, messages = simulated
@@ -80,7 +80,7 @@ def test_every_engine_goes_on_from_its_bytes(
         assert np.array_equal(x.angles, y.angles)
 
 
-def test_another_gloves_state_does_not_fit(
+def test_a_state_of_another_glove_does_not_fit(
     simulated: tuple[Simulation, Messages], distal_glove: GloveModel
 ) -> None:
     sim, _ = simulated
@@ -97,7 +97,7 @@ def test_a_state_fits_while_the_calibration_is_being_solved() -> None:
     assert mismatch(state, untouched(simulation(), "chain").get_state()) is None
 
 
-def test_every_flipped_bit_is_noticed(simulated: tuple[Simulation, Messages]) -> None:
+def test_every_flipped_bit_is_detected(simulated: tuple[Simulation, Messages]) -> None:
     sim, _ = simulated
     data = pack("chain", Pipeline(sim.hand, sim.glove, sim.rig).get_state())
     rng = np.random.default_rng(2)
@@ -109,7 +109,7 @@ def test_every_flipped_bit_is_noticed(simulated: tuple[Simulation, Messages]) ->
 
 
 def forged(header: object, blob: bytes = b"", size: int | None = None) -> bytes:
-    """Bytes with a correct checksum around anything."""
+    """Bytes of arbitrary content with a correct checksum."""
     text = json.dumps(header).encode()
     raw = struct.pack("<I", len(text)) + text + blob
     packed = struct.pack("<Q", len(raw) if size is None else size)
@@ -134,7 +134,7 @@ def forged(header: object, blob: bytes = b"", size: int | None = None) -> bytes:
         {"surprise": [1]},
     ],
 )
-def test_forged_states_are_refused(state: object) -> None:
+def test_forged_states_are_rejected(state: object) -> None:
     header = {"engine": "chain", "arrays": [["float64", [1]]], "state": state}
     with raises(FileError, "session.state_invalid"):
         unpack(forged(header, bytes(8)))
@@ -144,13 +144,13 @@ def test_forged_states_are_refused(state: object) -> None:
     "array",
     [["float64", [10**9, 10**9]], ["object", [1]], ["float64", [-1]], ["float64", [2.0]], [1]],
 )
-def test_forged_arrays_are_refused(array: object) -> None:
+def test_forged_arrays_are_rejected(array: object) -> None:
     with raises(FileError, "session.state_invalid"):
         unpack(forged({"engine": "chain", "arrays": [array], "state": None}, bytes(8)))
 
 
 def peak_of_unpacking(data: bytes) -> int:
-    """Bytes at most while reading, whether it succeeds or not."""
+    """Maximum bytes allocated while reading, whether it succeeds or not."""
     tracemalloc.start()
     try:
         unpack(data)
@@ -162,7 +162,7 @@ def peak_of_unpacking(data: bytes) -> int:
     return peak
 
 
-def test_an_array_named_often_is_there_once() -> None:
+def test_an_array_referenced_often_is_stored_once() -> None:
     many = {"engine": "chain", "arrays": [["float64", [2**22]]], "state": [{"array": 0}] * 400}
     data = forged(many, bytes(2**25))
     _, state = unpack(data)
@@ -178,17 +178,17 @@ def test_a_long_text_is_not_read() -> None:
     assert peak_of_unpacking(data) < 6 * MOST_TEXT
 
 
-def test_arrays_that_were_shared_are_shared_again() -> None:
+def test_shared_arrays_are_shared_again() -> None:
     R = np.eye(3)
     one, other = CameraPose(R, np.zeros(3)), CameraPose(R, np.zeros(3))
     _, (a, b) = unpack(pack("chain", [one, other]))
     assert a.R_GC is b.R_GC and a.p_GC is not b.p_GC
 
 
-def test_a_filter_without_images_goes_on_from_its_bytes(
+def test_a_filter_without_images_resumes_from_its_bytes(
     simulated: tuple[Simulation, Messages],
 ) -> None:
-    """What is shown then shares arrays with the filter that lives in the past."""
+    """The output then shares arrays with the delayed filter."""
     sim, messages = simulated
     messages = [m for m in messages if isinstance(m, ImuSample) or m.t < 1.0]
     live, again = (Pipeline(sim.hand, sim.glove, sim.rig) for _ in range(2))
@@ -201,11 +201,11 @@ def test_a_filter_without_images_goes_on_from_its_bytes(
         assert np.array_equal(x.keypoints, y.keypoints)
 
 
-# ---- recordings of other days
+# ---- old recordings
 
 
 @pytest.mark.parametrize("sample", SAMPLES)
-def test_a_state_of_another_day_is_still_read(sample: str) -> None:
+def test_an_old_state_can_still_be_read(sample: str) -> None:
     """If this fails, a record or a field has lost its name: see `tracker.base.records`."""
     path = DATA / f"engine_state_{sample}.bin"
     header = json.loads(path.with_suffix(".json").read_text())
@@ -218,8 +218,8 @@ def test_a_state_of_another_day_is_still_read(sample: str) -> None:
     assert np.abs(away).max() < 0.01, "mm, for other machines' last digits and rounding"
 
 
-def test_no_name_that_was_written_is_lost() -> None:
-    """Names only ever come on top. A new one is listed by running `engine_state_samples`."""
+def test_no_written_name_is_lost() -> None:
+    """Names are only added. A new one is listed by running `engine_state_samples`."""
     for name, fields in listed().items():
         assert name in RECORDS, f"recordings name a record {name!r}"
         known = RECORDS[name]
@@ -230,13 +230,13 @@ def test_no_name_that_was_written_is_lost() -> None:
         assert fields <= ever.get(name, set()), f"the record {name!r} is not on the list"
 
 
-def test_a_state_that_swells_is_refused() -> None:
+def test_a_decompression_bomb_is_rejected() -> None:
     with raises(FileError, "session.state_version"):
         unpack(forged({}, size=MOST_BYTES + 1))
     with raises(FileError, "session.state_invalid"):
         unpack(forged({}, bytes(2**20), size=100))
 
 
-def test_only_an_engines_own_things_are_packed() -> None:
+def test_only_an_engines_own_objects_are_packed() -> None:
     with pytest.raises(TypeError, match="cannot be recorded"):
         pack("chain", {"x": struct.Struct("<I")})

@@ -1,4 +1,4 @@
-"""Rates, axes, images, copies and what is left out, seen through libraries that are not ours."""
+"""Rates, axes, images, copies and omissions, checked with independent libraries."""
 
 import csv
 from collections.abc import Callable
@@ -39,7 +39,7 @@ def tracked(tmp_path: Path, record: Record, maker) -> tuple[Path, list[Estimate]
     return record(tmp_path / "in.mcap", estimates), estimates
 
 
-def test_every_convention_is_what_its_words_say(tracked) -> None:
+def test_every_convention_matches_its_description(tracked) -> None:
     assert tuple(AXES) == AXES_NAMES
     ways = {"forward": (1, 0, 0), "backward": (-1, 0, 0), "left": (0, 1, 0), "right": (0, -1, 0)}
     ways |= {"up": (0, 0, 1)}
@@ -62,10 +62,8 @@ def test_bones_point_the_same_way_in_all_axes(tracked, name: str) -> None:
     assert np.allclose(bone / np.linalg.norm(bone, axis=1)[:, None], along, atol=1e-9)
 
 
-def test_a_fast_shake_does_not_fold_over_into_a_slow_rate(
-    tmp_path: Path, record: Record, maker
-) -> None:
-    """45 Hz at 20 rows a second would look like 5 Hz; orientations are kept from it too."""
+def test_a_fast_oscillation_is_not_aliased(tmp_path: Path, record: Record, maker) -> None:
+    """45 Hz at 20 rows a second would look like 5 Hz; the same applies to orientations."""
     base, t = maker.estimate(0), np.arange(300) * 10.0
     swing = 0.2 * np.sin(2 * np.pi * 45 * t / 1000)
     rows = [
@@ -110,7 +108,7 @@ def test_a_part_of_the_session_in_rosbags(tmp_path: Path, maker, session_info) -
     assert not (tmp_path / "no.mcap").exists()
 
 
-def test_nothing_tells_who_it_was_or_when(tmp_path: Path, maker, session_info) -> None:
+def test_identity_and_time_are_anonymised(tmp_path: Path, maker, session_info) -> None:
     recorder = SessionRecorder(tmp_path, session_info)  # an automatic name: with the participant
     for k in range(10):
         recorder.write(maker.estimate(10.0 * k))
@@ -129,7 +127,7 @@ def test_nothing_tells_who_it_was_or_when(tmp_path: Path, maker, session_info) -
     assert (tmp_path / "o.csv").read_text().splitlines()[1].startswith("0.000000,")
 
 
-def test_a_skeleton_cannot_leave_out_joints(tracked, tmp_path: Path) -> None:
+def test_a_skeleton_cannot_omit_joints(tracked, tmp_path: Path) -> None:
     path, _ = tracked
     with raises(ConfigError, "export.not_supported"):
         export(path, "bvh", tmp_path / "o.bvh", ExportOptions(joints=("wrist",)))
@@ -164,7 +162,7 @@ def test_openxrs_joints_in_a_table(record, maker, session_info, tmp_path: Path, 
     assert rows[2]["thumb_distal_state"] == "lost", "the keypoint that was lost is thumb_ip"
 
 
-def test_openxrs_joints_are_turned_like_all_others(record, maker, tmp_path: Path) -> None:
+def test_openxrs_joints_are_rotated_like_all_others(record, maker, tmp_path: Path) -> None:
     path = record(tmp_path / "in.mcap", [maker.estimate(10.0 * k) for k in range(5)])
     with SessionReader(path) as reader:
         own = load_series(reader, ExportOptions(joints=("wrist",)))
@@ -176,6 +174,6 @@ def test_openxrs_joints_are_turned_like_all_others(record, maker, tmp_path: Path
     assert up.notes["axes"] == "y-up"
 
 
-def test_openxrs_joints_and_names_of_ours_do_not_mix() -> None:
+def test_openxrs_joints_and_our_names_cannot_be_combined() -> None:
     with raises(ConfigError, "export.joints"):
         ExportOptions(joints=("openxr", "wrist"))

@@ -1,4 +1,4 @@
-"""Every export, opened by a library that is not ours."""
+"""Every export, opened by an independent library."""
 
 import csv
 import json
@@ -96,14 +96,14 @@ def test_resampling_keeps_a_sine(tmp_path: Path, record: Callable[..., Path], ma
             m = load_series(reader, ExportOptions(rate=rate))
             assert np.allclose(np.diff(m.elapsed), 1 / rate, atol=1e-8)
             wanted = 0.05 * np.sin(2 * np.pi * m.elapsed)
-            inner = slice(20, -20)  # the low-pass has less to go by at the ends
+            inner = slice(20, -20)  # the low-pass filter has fewer samples at the ends
             assert (
                 np.abs(m.keypoints[inner, 0, 0] - base.keypoints[0, 0] - wanted[inner]).max()
                 < tolerance
             )
 
 
-def test_resampling_never_bridges_what_was_lost(tracked) -> None:
+def test_resampling_never_bridges_lost_rows(tracked) -> None:
     path, _ = tracked
     with SessionReader(path) as reader:
         m = load_series(reader, ExportOptions(rate=250.0))
@@ -127,7 +127,7 @@ def test_options_cut_pick_and_anonymise(tracked, tmp_path: Path) -> None:
         export(path, "csv", tmp_path / "no.csv", ExportOptions(joints=("nose",)))
 
 
-def test_a_session_without_estimates_is_told(tmp_path: Path, record, maker) -> None:
+def test_a_session_without_estimates_is_reported(tmp_path: Path, record, maker) -> None:
     path = record(tmp_path / "in.mcap", [maker.imu(0)])
     with raises(FileError, "session.not_tracked"):
         export(path, "csv", tmp_path / "o.csv")
@@ -144,8 +144,9 @@ def test_the_command_exports(tracked, tmp_path: Path) -> None:
     assert "mp4" in FORMATS.names()
 
 
-def test_foreign_sessions_are_grouped_by_instant(tmp_path: Path, session_info, maker) -> None:
-    """Topics of a stranger: no packets, no metadata, stamps that differ by IMU, late arrival."""
+def test_foreign_sessions_are_grouped_by_time(tmp_path: Path, session_info, maker) -> None:
+    """Topics of another program: no packets, no metadata, timestamps that differ by IMU, late
+    arrival."""
     from tracker.session.mcap.container import McapOutput
     from tracker.session.ros import sensors, topics
 

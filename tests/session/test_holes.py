@@ -1,4 +1,4 @@
-"""What a hole in a series is, and what is never drawn or counted across one."""
+"""Holes in a series, which are never drawn or counted across."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ def test_a_line_is_interrupted_in_each_hole_and_nowhere_else() -> None:
     assert rows.shape == (len(T) + 2, 3) and np.isnan(rows[broken]).all()
 
 
-def test_a_value_stands_for_its_time_whatever_the_rate() -> None:
+def test_a_value_is_weighted_by_its_time_at_any_rate() -> None:
     each = durations(T)
     assert each[:100] == pytest.approx(0.01) and each[100:120] == pytest.approx(0.05)
     assert each[-1] == 0.0
@@ -39,7 +39,7 @@ def test_a_value_stands_for_its_time_whatever_the_rate() -> None:
     assert time_shares(T[:100]).sum() == pytest.approx(1.0)
 
 
-def test_the_longest_step_that_is_no_hole() -> None:
+def test_the_longest_step_that_is_not_a_hole() -> None:
     assert not is_hole(1.0, 1.0 + LONGEST_FILLED)
     assert is_hole(1.0, 1.001 + LONGEST_FILLED)
     assert durations(np.array([0.0, LONGEST_FILLED])).sum() == pytest.approx(2 * LONGEST_FILLED)

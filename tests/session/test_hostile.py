@@ -1,4 +1,4 @@
-"""Files that were made to hurt: bounded time and memory, and words."""
+"""Malicious files: bounded time and memory, and error messages."""
 
 import json
 import struct
@@ -25,7 +25,7 @@ from tracker.session.writer import SessionRecorder
 Record = Callable[..., Path]
 MAGIC = b"\x89MCAP0\r\n"
 HEADER = b"\x01" + struct.pack("<Q", 8) + bytes(8)
-SECONDS, BYTES = 2.0, 10**9  # what any file of a few megabytes may take
+SECONDS, BYTES = 2.0, 10**9  # limit for any file of a few megabytes
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def session(tmp_path: Path, record: Record, maker) -> Path:
 
 
 def chunk(content: bytes) -> bytes:
-    """A chunk record of lz4 whose sizes are true and whose checksum is not given."""
+    """A chunk record of lz4 with correct sizes and without a checksum."""
     packed = lz4.frame.compress(content)
     body = struct.pack("<QQQII", 0, 1, len(content), 0, 3) + b"lz4"
     body += struct.pack("<Q", len(packed)) + packed
@@ -56,10 +56,10 @@ UNKNOWN = b"\x99" + struct.pack("<Q", 0)
     ],
     ids=["one of zeros", "many of zeros", "unknown", "one of messages", "very many"],
 )
-def test_chunks_that_swell_into_records_are_bounded(
+def test_decompressed_chunks_are_bounded(
     tmp_path: Path, content: bytes, count: int, share: float
 ) -> None:
-    """``share``: of the time and memory that a file may take, where it is that much shorter."""
+    """``share``: of the time and memory limits, for a proportionally shorter file."""
     path = tmp_path / "bomb.mcap"
     path.write_bytes(MAGIC + HEADER + chunk(content) * count)
     content = b""
@@ -75,7 +75,7 @@ def test_chunks_that_swell_into_records_are_bounded(
 
 
 def attached(path: Path, session_info, **texts: str) -> Path:
-    """A session whose attachments are other ones."""
+    """A session with other attachments."""
     out = McapOutput(path, sync=False)
     out.metadata("glovetrack", session_info.metadata())
     for name, text in {**session_info.attachments(), **texts}.items():
@@ -100,7 +100,7 @@ def attached(path: Path, session_info, **texts: str) -> Path:
     ],
     ids=lambda text: text[:12],
 )
-def test_every_toml_is_read_or_refused_in_time(tmp_path: Path, session_info, text: str) -> None:
+def test_every_toml_is_read_or_rejected_in_time(tmp_path: Path, session_info, text: str) -> None:
     started = time.process_time()
     path = attached(tmp_path / "a.mcap", session_info, **{"hand.toml": text})
     started = time.process_time()
@@ -115,7 +115,7 @@ NAMES = ["a,b", "=cmd|' /C calc'!A0,x\\ny", "../../x y", "k" * 300_000, "a\\u001
 
 @pytest.mark.parametrize("name", NAMES, ids=range(len(NAMES)))
 @pytest.mark.parametrize("where", ["keypoint", "imu"])
-def test_names_that_lead_elsewhere_are_refused_by_line(session_info, name: str, where: str) -> None:
+def test_path_traversal_is_rejected_with_its_line(session_info, name: str, where: str) -> None:
     from tracker.glove.files import parse_glove
 
     place = 'segment = "dorsum"\nposition = [0, 0, 0]\n'
@@ -131,7 +131,7 @@ def test_names_that_lead_elsewhere_are_refused_by_line(session_info, name: str, 
 
 
 @pytest.mark.parametrize("wall", [str(2**63 - 1), "1" * 30, "-1", str(2**31 * 10**9)])
-def test_an_impossible_clock_is_told_and_leaves_nothing(
+def test_an_impossible_clock_is_reported_and_leaves_nothing(
     tmp_path: Path, session_info, maker, wall: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     good = tmp_path / "good.mcap"
@@ -173,7 +173,7 @@ def test_messages_of_the_far_future_are_damage(tmp_path: Path, session_info) -> 
         assert list(reader.messages()) == []
 
 
-def test_events_nested_too_deep_are_notes(tmp_path: Path, session_info) -> None:
+def test_deeply_nested_events_are_notes(tmp_path: Path, session_info) -> None:
     from tracker.session.ros import motion, topics
 
     path = tmp_path / "a.mcap"
@@ -190,7 +190,7 @@ def test_events_nested_too_deep_are_notes(tmp_path: Path, session_info) -> None:
     assert found.text == deep
 
 
-def test_what_a_file_says_does_not_steer_the_terminal(
+def test_file_contents_do_not_control_the_terminal(
     tmp_path: Path, session_info, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = McapOutput(tmp_path / "a.mcap", sync=False)
@@ -206,7 +206,7 @@ def test_what_a_file_says_does_not_steer_the_terminal(
     assert "version 12" in text.replace("31m", "")
 
 
-def test_a_flipped_bit_names_what_saves_the_rest(session: Path) -> None:
+def test_a_flipped_bit_is_reported_with_the_remedy(session: Path) -> None:
     data = bytearray(session.read_bytes())
     source = McapInput(session)
     span = source.contents.spans[len(source.contents.spans) // 2]
@@ -219,7 +219,7 @@ def test_a_flipped_bit_names_what_saves_the_rest(session: Path) -> None:
     assert is_ok(verify(recover(bad).path))
 
 
-def test_a_damaged_attachment_costs_no_other(session: Path, session_info) -> None:
+def test_a_damaged_attachment_does_not_affect_others(session: Path, session_info) -> None:
     data = bytearray(session.read_bytes())
     at = data.index(session_info.hand_text.encode()[:100])
     data[at + 50] ^= 1
@@ -235,10 +235,10 @@ def test_a_damaged_attachment_costs_no_other(session: Path, session_info) -> Non
 @pytest.mark.parametrize(
     ("summed", "ms"), [(True, 200), (False, 1500)], ids=["with a checksum", "without"]
 )
-def test_verify_sees_every_flipped_bit(
+def test_verify_detects_every_flipped_bit(
     tmp_path: Path, record: Record, maker, summed: bool, ms: int
 ) -> None:
-    """Of the whole file in one with a checksum of its data; of records and indexes in others."""
+    """Of the whole file for one with a checksum of its data; of records and indexes for others."""
     session = record(tmp_path / "a.mcap", list(maker.stream(ms, images=False)))
     data, rng = session.read_bytes(), np.random.default_rng(5)
     if not summed:
@@ -264,7 +264,9 @@ def written(session: Path, data: bytes) -> Path:
     return path
 
 
-def test_json_of_a_hostile_file_is_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_about_a_malicious_file_is_valid(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     out = McapOutput(tmp_path / "a.mcap", sync=False)
     out.metadata("glovetrack", {"engine": '"\x1b]0;\\', "version": "\ud7ff"})
     out.finish()
@@ -272,7 +274,7 @@ def test_json_of_a_hostile_file_is_json(tmp_path: Path, capsys: pytest.CaptureFi
     assert json.loads(capsys.readouterr().out)["engine"] == '"\x1b]0;\\'
 
 
-def test_more_channels_than_the_format_counts_are_refused_in_words(tmp_path: Path) -> None:
+def test_too_many_channels_are_rejected(tmp_path: Path) -> None:
     """Reading allows all 65,536 ids; a writer has one fewer, since it begins with 1."""
 
     def record_of(kind: int, body: bytes) -> bytes:

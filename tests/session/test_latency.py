@@ -1,4 +1,4 @@
-"""How late commands left, told by a session that holds known delays."""
+"""Latency of commands, measured in a session with known delays."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tracker.session.reader import SessionReader
 
 
 def motor(of: float, late: float) -> Event:
-    """A motor is told ``late`` ms after the sample of ``of`` ms."""
+    """A motor command sent ``late`` ms after the sample of ``of`` ms."""
     return Event(at(of + late), "motor", "", {"channel": 0, "amplitude": 90, "of": at(of)})
 
 
@@ -40,7 +40,7 @@ def session(tmp_path: Path, record: Callable[..., Path]) -> Path:
     return record(tmp_path / "late.mcap", recorded)
 
 
-def test_a_session_tells_how_late_motors_and_robots_were_told(session: Path) -> None:
+def test_a_session_contains_the_latency_of_motors_and_robots(session: Path) -> None:
     found = latencies_of(session)
     assert set(found) == {"motor", "robot claw_left"}
     motors, robot = found["motor"], found["robot claw_left"]
@@ -51,7 +51,7 @@ def test_a_session_tells_how_late_motors_and_robots_were_told(session: Path) -> 
     assert 5.0 < motors["p99_ms"] < 25.0
 
 
-def test_when_a_command_left_is_read_back_and_is_unknown_of_one_that_a_recording_drove(
+def test_the_time_of_a_command_is_read_back_and_unknown_for_a_replay(
     session: Path,
 ) -> None:
     with SessionReader(session) as reader:
@@ -60,7 +60,7 @@ def test_when_a_command_left_is_read_back_and_is_unknown_of_one_that_a_recording
     assert states[-1].t_told != states[-1].t_told  # NaN
 
 
-def test_the_command_tells_it_to_people_and_programs(
+def test_the_command_reports_it_as_text_and_json(
     session: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["info", "--latency", str(session)]) == 0

@@ -1,4 +1,4 @@
-"""What a take's motion measures, against motion that is known."""
+"""Measures of a take's motion, compared with known motion."""
 
 from __future__ import annotations
 
@@ -51,34 +51,34 @@ def swinging() -> Take:
     )  # fmt: skip
 
 
-def test_range_and_fastest_of_a_swing() -> None:
+def test_range_and_maximum_rate_of_a_swing() -> None:
     angle, _ = measures(swinging(), [APERTURE])
     assert (angle.least, angle.greatest) == pytest.approx((0.2 - SWING, 0.2 + SWING), abs=1e-4)
     assert angle.range == pytest.approx(2 * SWING, abs=2e-4)
-    # the mean slope over 50 ms around the fastest instant: sin(x)/x of 0.05 rad below it
+    # the mean slope over 50 ms around the fastest time: sin(x)/x of 0.05 rad below it
     assert angle.fastest == pytest.approx(SWING * TURN, rel=1e-3)
     assert (angle.measured, angle.inferred, angle.lost) == (1.0, 0.0, 0.0)
     assert np.isnan(angle.claimed_sd)
 
 
-def test_a_distance_forgets_where_the_hand_is_and_what_is_lost() -> None:
+def test_a_distance_is_independent_of_position_and_of_lost_rows() -> None:
     _, aperture = measures(swinging(), [APERTURE])
     assert (aperture.least, aperture.greatest) == pytest.approx((0.03, 0.05))
     assert aperture.mean == pytest.approx((2 * 0.03 + 0.05) / 3)
     shares = aperture.measured, aperture.inferred, aperture.lost
     assert shares == pytest.approx((0.5, 0.25, 0.25))
     assert aperture.claimed_sd == pytest.approx(0.003 * np.sqrt(2))
-    assert aperture.fastest == pytest.approx(0.0, abs=1e-9)  # no speed over what was lost
+    assert aperture.fastest == pytest.approx(0.0, abs=1e-9)  # no speed across lost rows
 
 
 def with_hole(take: Take, start: float, stop: float) -> Take:
-    """Without the estimates between two instants (s)."""
+    """Without the estimates between two times (s)."""
     rows = (take.t < start) | (take.t >= stop)
     of_rows = ("t", "angles", "angle_state", "points", "point_sd", "point_state")
     return replace(take, **{name: getattr(take, name)[rows] for name in of_rows})
 
 
-def test_time_without_estimates_is_lost_and_no_line_is_drawn_across_it() -> None:
+def test_time_without_estimates_is_lost_and_not_bridged() -> None:
     take = with_hole(swinging(), 1.0, 2.0)
     angle, aperture = measures(take, [APERTURE])
     shares = angle.measured, angle.inferred, angle.lost
@@ -92,7 +92,7 @@ def test_time_without_estimates_is_lost_and_no_line_is_drawn_across_it() -> None
     assert lost[(t > 1.0) & (t < 3.0)].all() and not lost[(t < 1.0) | (t >= 3.0)].any()
 
 
-def test_noise_of_one_estimate_is_no_speed_and_a_gap_has_none() -> None:
+def test_noise_of_one_estimate_and_gaps_give_no_speed() -> None:
     t = np.arange(0.0, 1.0, 0.01)
     values = 3.0 * t
     np.testing.assert_allclose(speed(t, values), 3.0)
@@ -104,7 +104,7 @@ def test_noise_of_one_estimate_is_no_speed_and_a_gap_has_none() -> None:
     assert np.isnan(speed(np.array([0.0]), np.array([1.0]))).all()
 
 
-def test_nothing_known_gives_no_numbers() -> None:
+def test_without_known_rows_there_are_no_numbers() -> None:
     take = swinging()
     take.angles[:] = np.nan
     angle = measures(take, [])[0]
@@ -113,7 +113,7 @@ def test_nothing_known_gives_no_numbers() -> None:
 
 
 @pytest.mark.parametrize(("degrees", "factor"), [(True, 180 / np.pi), (False, 1.0)])
-def test_the_table_is_in_the_units_asked_for(degrees: bool, factor: float) -> None:
+def test_the_table_has_the_requested_units(degrees: bool, factor: float) -> None:
     rows = measures(swinging(), [APERTURE])
     read = list(csv.DictReader(io.StringIO(table(rows, Units(degrees)))))
     assert tuple(read[0]) == COLUMNS
@@ -132,7 +132,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return simulated, tracked
 
 
-def test_a_simulated_take_measures_what_the_simulated_hand_did(
+def test_a_simulated_take_has_the_simulated_motion(
     sessions: tuple[Path, Path],
 ) -> None:
     with SessionReader(sessions[1]) as reader:
@@ -147,12 +147,14 @@ def test_a_simulated_take_measures_what_the_simulated_hand_did(
     true = np.array([np.nan if k is None else np.linalg.norm(k[a] - k[b]) for k in at])
     late = (take.t > 3.0) & np.isfinite(true) & np.isfinite(away)
     assert late.sum() > 30
-    assert np.sqrt(np.mean((away - true)[late] ** 2)) < 0.012  # the hand's size is still learnt
+    assert (
+        np.sqrt(np.mean((away - true)[late] ** 2)) < 0.012
+    )  # the hand's size is still being estimated
     assert (np.abs(away - true)[late] < 3 * sd[late]).mean() > 0.9
     assert set(np.unique(state)) <= {0, 1, 2}
     assert -0.02 < take.t[0] < 1.0 and take.t[-1] == pytest.approx(6.0, abs=0.5)
 
 
-def test_a_session_without_estimates_is_refused_in_words(sessions: tuple[Path, Path]) -> None:
+def test_a_session_without_estimates_is_rejected(sessions: tuple[Path, Path]) -> None:
     with SessionReader(sessions[0]) as reader, raises(FileError, "session.not_tracked"):
         read_take(reader)

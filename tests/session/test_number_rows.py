@@ -1,4 +1,4 @@
-"""Columns that are read fast say what estimates read one by one say."""
+"""Columns read at once equal estimates read one at a time."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,7 +15,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import motion
 
 
-def test_columns_are_those_of_estimates_to_the_last_bit(
+def test_columns_equal_estimates_bit_for_bit(
     tmp_path: Path, record: Callable[..., Path], maker
 ) -> None:
     found = [maker.estimate(10.0 * k, lost=k % 10 > 6) for k in range(60)]
@@ -44,8 +44,8 @@ def test_columns_are_those_of_estimates_to_the_last_bit(
     assert (columns.state == 1).sum() == 3 and np.isnan(columns.angles).any()
 
 
-def test_joints_are_found_among_zeros_and_under_changing_names() -> None:
-    """Eight bytes of zero stand in a message in more places than one."""
+def test_joints_are_found_among_zeros_and_with_changing_names() -> None:
+    """A message contains eight zero bytes in several positions."""
     rows_in = [
         (("a",), [0.0]),
         (("a",), [1.5]),
@@ -64,7 +64,7 @@ def test_joints_are_found_among_zeros_and_under_changing_names() -> None:
     assert np.array_equal(values, wanted, equal_nan=True)
 
 
-def test_a_session_without_estimates_says_so(
+def test_a_session_without_estimates_is_reported(
     tmp_path: Path, record: Callable[..., Path], maker
 ) -> None:
     path = record(tmp_path / "in.mcap", [maker.imu(0.0)])

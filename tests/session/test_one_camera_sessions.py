@@ -1,4 +1,4 @@
-"""Sessions of one camera and of none: one image stream or no stream, tracked again and exported."""
+"""Sessions with one camera and with none: one image stream or none, tracked again and exported."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def one(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return simulate(tmp_path_factory.mktemp("one") / "one.mcap", "--lenses", "one")
 
 
-def test_it_has_one_image_stream_and_a_camera_that_is_one(one: Path) -> None:
+def test_it_has_one_image_stream_and_one_camera(one: Path) -> None:
     with SessionReader(one) as reader:
         assert not [name for name in reader.topic_names if name.startswith("/camera/right")]
         assert reader.rig().one_camera
@@ -35,7 +35,7 @@ def test_it_has_one_image_stream_and_a_camera_that_is_one(one: Path) -> None:
     assert all(f.left is not None and f.right is None for f in frames)
 
 
-def test_it_is_whole_tracked_again_and_exported(one: Path, tmp_path: Path) -> None:
+def test_it_is_complete_tracked_again_and_exported(one: Path, tmp_path: Path) -> None:
     out, again, report = tmp_path / "out.mcap", tmp_path / "again.mcap", tmp_path / "r.json"
     command = ["track", str(one), "-o", str(out), "--with-sensors", "--json", str(report)]
     assert main(command) == 0
@@ -51,7 +51,9 @@ def test_it_is_whole_tracked_again_and_exported(one: Path, tmp_path: Path) -> No
     assert len((tmp_path / "out.csv").read_text().splitlines()) > 100
 
 
-def test_vist_and_smoothing_say_that_they_need_two(one: Path, tmp_path: Path, capsys) -> None:
+def test_vist_and_smoothing_report_that_they_need_two_cameras(
+    one: Path, tmp_path: Path, capsys
+) -> None:
     command = ["track", str(one), "-o", str(tmp_path / "o.mcap")]
     assert main([*command, "--engine", "vist"]) == 1
     assert "requires both lenses" in capsys.readouterr().err
@@ -69,7 +71,7 @@ def test_a_measured_hand_has_its_length(one: Path, tmp_path: Path, capsys) -> No
     assert main([*command, "--hand-length", "186"]) == 0
 
 
-def test_without_a_camera_there_is_the_glove_alone(tmp_path: Path) -> None:
+def test_without_a_camera_it_contains_the_glove_alone(tmp_path: Path) -> None:
     source = simulate(tmp_path / "none.mcap", "--lenses", "none")
     with SessionReader(source) as reader:
         assert not [name for name in reader.topic_names if name.startswith("/camera")]

@@ -1,4 +1,4 @@
-"""A recorded state of tracking is read whatever was imported before."""
+"""A recorded tracking state can be read regardless of earlier imports."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ print(*RECORDS)
 
 
 def output(script: str, *arguments: str) -> str:
-    """What a fresh Python process prints that runs ``script``."""
+    """The output of a new Python process that runs ``script``."""
     command = [sys.executable, "-c", script, *arguments]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

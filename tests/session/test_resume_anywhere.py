@@ -1,8 +1,8 @@
-"""Whatever happened before and whenever it is cut, a run goes on identically from its state.
+"""A run resumes identically from its state at any point, after any events.
 
-Runs are drawn at random: an engine, one hand or two, one camera or two, a camera that stands or is
-worn on the head, and what happens: images without a hand, silent gloves, guided poses, another
-wearer, a measured hand, a frozen or forgotten calibration. The state is written and read back.
+Runs are drawn at random: an engine, one hand or two, one camera or two, a static or head-mounted
+camera, and events: images without a hand, missing packets, guided poses, another wearer, a measured
+hand, a frozen or reset calibration. The state is written and read back.
 """
 
 from __future__ import annotations
@@ -49,11 +49,11 @@ HAPPENS = (
 QUIET = settings(
     deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow], print_blob=False
 )
-"""A run takes seconds on a busy computer, and the same ones are drawn each time."""
+"""A run takes seconds on a loaded computer, and the same ones are drawn each time."""
 
 
 class Scene(NamedTuple):
-    """Who is tracked: by side a hand and a glove; the camera, and all that is sensed."""
+    """The tracked hands: by side a hand and a glove; the camera, and all sensor data."""
 
     worn: dict[str, tuple[Any, Any]]
     rig: StereoRig
@@ -62,7 +62,7 @@ class Scene(NamedTuple):
 
 @functools.cache
 def one_hand(lenses: str, camera: str) -> Scene:
-    """Fingertips are seen by the glove's cloth."""
+    """Fingertips are measured by the glove's cloth."""
     options = SimulateOptions(
         seed=6, duration=DURATION, fps=FPS, images=False, lenses=lenses, camera=camera
     )
@@ -91,7 +91,7 @@ def two_hands() -> Scene:
 
 
 def with_cloth(frame: BlobFrame, sim: Simulation) -> BlobFrame:
-    """The frame with discs of cloth where the true hand is."""
+    """The frame with discs of cloth at the true hand."""
     (truth,) = sim.truths(np.array([frame.t]))
     rig = sim.rig
     pose = frame.pose or rig.pose
@@ -120,8 +120,8 @@ def pixels_within(along: NDArray[np.int64], centre: float, radius: float) -> sli
 
 @dataclass(frozen=True)
 class Course:
-    """One run: what happens (when, what, of which hand), and when it is cut; both in thousandths of
-    the messages."""
+    """One run: its events (when, what, which hand), and when it is cut; both in thousandths of the
+    messages."""
 
     engine: str
     scene: Callable[[], Scene]
@@ -142,7 +142,7 @@ def courses(draw: st.DrawFn, engines: Sequence[str], both: bool) -> Course:
 
 
 class Run:
-    """One or two hands that a course's messages are fed to."""
+    """One or two hands that process a course's messages."""
 
     def __init__(self, course: Course) -> None:
         scene, chosen = course.scene(), Settings(engine=course.engine)
@@ -165,7 +165,7 @@ class Run:
         return None
 
     def command(self, what: str, side: int) -> None:
-        """What a user asks of the calibration."""
+        """A user's commands on the calibration."""
         pipelines = list(self.hands.pipelines.values())
         engine = pipelines[side % len(pipelines)].engine
         if not isinstance(engine, ChainEngine):
@@ -183,7 +183,7 @@ class Run:
 
 
 def steps(course: Course) -> Iterator[Message | Sided | tuple[str, int]]:
-    """Messages as the course leaves them, and commands."""
+    """Messages modified by the course, and commands."""
     hidden = silent = 0
     waiting = list(course.happens)
     pose_ends: list[Event] = []
@@ -214,7 +214,7 @@ def steps(course: Course) -> Iterator[Message | Sided | tuple[str, int]]:
 
 
 def check(course: Course) -> None:
-    """The run that goes on, and the one from its bytes, have the same estimates."""
+    """The uninterrupted run and the one resumed from bytes have the same estimates."""
     run, again, after = Run(course), Run(course), 0
     cut = course.cut * len(course.scene().messages) // 1000
     for k, step in enumerate(steps(course)):
@@ -248,19 +248,19 @@ def assert_same(a: Estimate, b: Estimate) -> None:
 @pytest.mark.timeout(600)
 @settings(QUIET, max_examples=10)
 @given(courses(("chain",), both=False))
-def test_one_hand_goes_on_from_any_instant(course: Course) -> None:
+def test_one_hand_resumes_from_any_time(course: Course) -> None:
     check(course)
 
 
 @pytest.mark.timeout(600)
 @settings(QUIET, max_examples=10)
 @given(courses([e for e in ENGINES.names() if e != "chain"], both=False))
-def test_every_other_engine_goes_on_from_any_instant(course: Course) -> None:
+def test_every_other_engine_resumes_from_any_time(course: Course) -> None:
     check(course)
 
 
 @pytest.mark.timeout(600)
 @settings(QUIET, max_examples=5)
 @given(courses(("chain", "vist"), both=True))
-def test_both_hands_go_on_from_any_instant(course: Course) -> None:
+def test_both_hands_resume_from_any_time(course: Course) -> None:
     check(course)

@@ -1,4 +1,4 @@
-"""Sessions carry the hand as a URDF, which a library that is not ours reads."""
+"""Sessions contain the hand as a URDF, which an independent library can read."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,10 +15,10 @@ from tracker.session.description import describe
 from tracker.session.writer import RecorderParams, SessionRecorder
 
 
-def test_its_links_stand_where_the_sessions_frames_do(
+def test_its_links_match_the_sessions_frames(
     tmp_path: Path, record: Callable[..., Path], maker, session_info
 ) -> None:
-    """With the angles of the JointState, for a hand of the size of its file."""
+    """With the angles of the JointState, for a hand of the size in its file."""
     hand = session_info.hand
     rng = np.random.default_rng(3)
     angles = rng.uniform(*hand.angle_limits.T)
@@ -43,7 +43,7 @@ def test_its_links_stand_where_the_sessions_frames_do(
         assert np.allclose(found[:3, :3], R[hand.root].T @ R[i], atol=1e-6)
 
 
-def test_of_both_hands_each_has_its_own(tmp_path: Path, session_info) -> None:
+def test_each_of_both_hands_has_its_own(tmp_path: Path, session_info) -> None:
     hand = (RESOURCES / "hands" / "reference-left.toml").read_text()
     glove = (RESOURCES / "gloves" / "vist-small-left.toml").read_text()
     both = replace(session_info, others=(describe(hand, glove, ANCHOR),))

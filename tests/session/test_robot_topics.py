@@ -1,4 +1,4 @@
-"""A robot in a session: read back to the last bit, and by another reader of ROS messages."""
+"""A robot in a session: read back bit for bit, and by another reader of ROS messages."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ def recorded(tmp_path: Path, record: Callable[..., Path]) -> Path:
     return record(tmp_path / "s.mcap", written)
 
 
-def test_a_robot_is_read_back_to_the_last_bit(tmp_path: Path, record: Callable[..., Path]) -> None:
+def test_a_robot_is_read_back_bit_for_bit(tmp_path: Path, record: Callable[..., Path]) -> None:
     with SessionReader(recorded(tmp_path, record)) as reader:
         assert robot_names(reader) == ("claw_left",)
         assert robot_model(reader, "claw_left") == MODEL
         found = list(read_robot(reader, "claw_left"))
     states = [m for m in found if isinstance(m, RobotState)]
     memories = [m for m in found if isinstance(m, RobotMemory)]
-    assert len(states) == 5 and len(found) == 7  # it is said once what the robot is
+    assert len(states) == 5 and len(found) == 7  # the description is written once
     for k, got in enumerate(states, start=1):
         want = state(10.0 * k, k)
         assert (got.t, got.engaged, got.holding) == (want.t, want.engaged, want.holding)
@@ -52,9 +52,7 @@ def test_a_robot_is_read_back_to_the_last_bit(tmp_path: Path, record: Callable[.
     assert memories[0].t == at(20) and (memories[0].values == np.arange(9.0)).all()
 
 
-def test_another_reader_finds_joint_states_as_ros_has_them(
-    tmp_path: Path, record: Callable[..., Path]
-) -> None:
+def test_another_reader_finds_ros_joint_states(tmp_path: Path, record: Callable[..., Path]) -> None:
     path = recorded(tmp_path, record)
     topics = ["/robot/claw_left/joint_states", "/robot/claw_left/robot_description"]
     with path.open("rb") as file:
@@ -65,7 +63,7 @@ def test_another_reader_finds_joint_states_as_ros_has_them(
     assert content[topics[1]].data == "<robot/>"
 
 
-def test_a_state_before_it_is_said_what_the_robot_is_has_no_names_and_is_left_out(
+def test_a_state_before_the_robots_description_is_skipped(
     tmp_path: Path, record: Callable[..., Path]
 ) -> None:
     path = record(tmp_path / "s.mcap", [state(10, 1), MODEL, state(20, 2)])
@@ -74,7 +72,7 @@ def test_a_state_before_it_is_said_what_the_robot_is_has_no_names_and_is_left_ou
     assert [m.t for m in found if isinstance(m, RobotState)] == [at(20)]
 
 
-def test_a_part_of_a_session_still_says_what_its_robot_is(
+def test_a_part_of_a_session_contains_its_robots_description(
     tmp_path: Path, record: Callable[..., Path]
 ) -> None:
     out = tmp_path / "part.mcap"
@@ -88,7 +86,7 @@ def test_a_part_of_a_session_still_says_what_its_robot_is(
 
 
 @pytest.mark.parametrize("content", ["[" * 100_000, "{", "[1]", '{"joints": 3}'])
-def test_what_is_said_of_a_robot_may_be_damaged_and_is_told_in_words(
+def test_a_damaged_robot_description_is_reported(
     tmp_path: Path, record: Callable[..., Path], content: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tracker.session.encode_robot.json.dumps", lambda _said: content)

@@ -1,4 +1,4 @@
-"""What is written comes back: the same floats, in the order in which it was fed."""
+"""Written data is read back: the same floats, in the order of feeding."""
 
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass, replace
@@ -27,11 +27,11 @@ from tracker.session.writer import SessionRecorder
 
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
 Record = Callable[..., Path]
-LOOSE = {"segment_R", "rejected_left", "rejected_right"}  # a quaternion's rounding; not stored
+LOOSE = {"segment_R", "rejected_left", "rejected_right"}  # rounding of a quaternion; not stored
 
 
 def same(a: object, b: object) -> bool:
-    """Equal to the last bit, NaN equal to NaN."""
+    """Bitwise equal, with NaN equal to NaN."""
     if isinstance(a, np.ndarray):
         return a.dtype == b.dtype and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")  # type: ignore[attr-defined,arg-type]
     if is_dataclass(a) and type(a) is type(b):
@@ -52,7 +52,7 @@ def session(tmp_path: Path, record: Record, maker) -> tuple[Path, list]:
 @pytest.mark.parametrize(
     "kind", [ImuSample, StereoFrame, BlobFrame, Estimate, Calibration, Event, Status]
 )
-def test_each_kind_returns_to_the_last_bit(session, kind: type) -> None:
+def test_each_kind_is_read_back_bit_for_bit(session, kind: type) -> None:
     path, messages = session
     with SessionReader(path) as reader:
         found = list(reader.messages([kind]))
@@ -61,7 +61,7 @@ def test_each_kind_returns_to_the_last_bit(session, kind: type) -> None:
     assert all(same(a, b) for a, b in zip(wanted, found, strict=True))
 
 
-def test_segments_return_but_for_a_rounding(session) -> None:
+def test_segments_are_read_back_except_for_rounding(session) -> None:
     path, messages = session
     with SessionReader(path) as reader:
         found = [m.segment_R for m in reader.messages([Estimate])]
@@ -69,7 +69,7 @@ def test_segments_return_but_for_a_rounding(session) -> None:
     assert np.allclose(found, wanted, atol=1e-14)
 
 
-def test_sensor_messages_come_in_the_order_in_which_they_were_fed(session) -> None:
+def test_sensor_messages_are_in_the_order_of_feeding(session) -> None:
     path, messages = session
     fed = [m for m in messages if type(m) in (ImuSample, BlobFrame)]
     with SessionReader(path) as reader:
@@ -77,7 +77,9 @@ def test_sensor_messages_come_in_the_order_in_which_they_were_fed(session) -> No
     assert [(type(m), m.t) for m in found] == [(type(m), m.t) for m in fed]
 
 
-def test_two_packets_of_one_arrival_stay_two(tmp_path: Path, record: Record, maker) -> None:
+def test_two_packets_with_one_arrival_time_remain_two(
+    tmp_path: Path, record: Record, maker
+) -> None:
     first, second = maker.imu(0), maker.imu(10)
     second = replace(second, t_arrival=first.t_arrival)
     nothing = replace(maker.imu(20), valid=np.zeros(7, bool), accel=np.full((7, 3), np.nan))
@@ -89,7 +91,7 @@ def test_two_packets_of_one_arrival_stay_two(tmp_path: Path, record: Record, mak
     assert all(same(a, b) for a, b in zip([first, second, nothing], found, strict=True))
 
 
-def test_a_moving_camera_keeps_its_pose_to_the_last_bit(
+def test_a_moving_cameras_pose_is_read_back_bit_for_bit(
     tmp_path: Path, session_info, maker
 ) -> None:
     info = replace(session_info, moving_camera=True)
@@ -103,7 +105,7 @@ def test_a_moving_camera_keeps_its_pose_to_the_last_bit(
     assert all(same(a, b) for a, b in zip(frames, found, strict=True))
 
 
-def test_the_description_returns(session, session_info) -> None:
+def test_the_description_is_read_back(session, session_info) -> None:
     path, _ = session
     with SessionReader(path) as reader:
         info = reader.info
@@ -117,7 +119,7 @@ def test_the_description_returns(session, session_info) -> None:
     assert np.array_equal(rig.pose.p_GC, wanted.pose.p_GC)
 
 
-def test_seeking_gives_the_tail_with_the_states_that_hold(session) -> None:
+def test_seeking_returns_the_rest_with_the_valid_states(session) -> None:
     path, messages = session
     estimates = [m for m in messages if type(m) is Estimate]
     start = estimates[93].t - 0.001
@@ -128,7 +130,7 @@ def test_seeking_gives_the_tail_with_the_states_that_hold(session) -> None:
     assert all(same(a, b) for a, b in zip(tail, found, strict=True))
 
 
-def test_states_are_written_at_changes_only(session) -> None:
+def test_states_are_written_only_on_changes(session) -> None:
     path, messages = session
     states = [(m.tracking, m.keypoint_state.tobytes()) for m in messages if type(m) is Estimate]
     changes = 1 + sum(a != b for a, b in pairwise(states))
@@ -162,7 +164,7 @@ def test_lost_is_nan_in_the_file(session) -> None:
             assert lost.any() == (m.tracking == Tracking.COASTING)
 
 
-def test_truth_is_kept_apart(tmp_path: Path, session_info, maker) -> None:
+def test_truth_is_stored_separately(tmp_path: Path, session_info, maker) -> None:
     truth, estimate = maker.estimate(0), maker.estimate(0)
     with SessionRecorder(tmp_path / "a.mcap", session_info) as recorder:
         recorder.write(estimate)
@@ -175,7 +177,7 @@ def test_truth_is_kept_apart(tmp_path: Path, session_info, maker) -> None:
     assert np.array_equal(other.keypoints, estimate.keypoints)
 
 
-def test_jpeg_images_return_nearly(tmp_path: Path, record: Record, maker) -> None:
+def test_jpeg_images_are_read_back_approximately(tmp_path: Path, record: Record, maker) -> None:
     frame = maker.image(0, 0)
     smooth = np.broadcast_to(np.arange(64, dtype=np.uint8)[None, :, None] * 3, (48, 64, 3)).copy()
     frame = replace(frame, left=smooth, right=None)
@@ -186,7 +188,7 @@ def test_jpeg_images_return_nearly(tmp_path: Path, record: Record, maker) -> Non
     assert np.abs(found.left.astype(int) - smooth).max() < 12
 
 
-def test_replaced_attachments_count(session) -> None:
+def test_the_last_of_several_attachments_is_used(session) -> None:
     path, _ = session
     text = (RESOURCES / "gloves" / "vist-small-distal.toml").read_text()
     with SessionReader(path, {"glove.toml": text}) as reader:
@@ -201,7 +203,7 @@ def test_quaternions_in_the_file_are_those_of_the_segments(session) -> None:
     assert np.allclose(so3.matrix_from_quat(found.keypoint_q[0]), wanted.segment_R[0])
 
 
-def test_two_estimates_of_one_arrival_keep_their_segments(
+def test_two_estimates_with_one_arrival_time_keep_their_segments(
     tmp_path: Path, record: Record, maker
 ) -> None:
     late = replace(maker.imu(0), t_arrival=maker.imu(40).t_arrival)

@@ -1,4 +1,4 @@
-"""Seeking: what is read does not grow with the session, forward or back."""
+"""Seeking: the amount of data read does not grow with the session, forward or backward."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -56,7 +56,7 @@ def test_a_seek_reads_no_more_in_a_longer_session(
     assert max(costs[LONG_MS]) < 0.1 * (tmp_path / f"{LONG_MS}.mcap").stat().st_size
 
 
-def test_a_seek_gives_what_reading_through_gives(
+def test_a_seek_returns_the_same_as_sequential_reading(
     tmp_path: Path, record: Callable[..., Path], maker
 ) -> None:
     path = session(tmp_path / "a.mcap", record, maker, SHORT_MS)

@@ -1,4 +1,4 @@
-"""For how long nothing came from a device."""
+"""Intervals without data from a device."""
 
 import numpy as np
 import pytest
@@ -11,11 +11,11 @@ GLOVE = topics.imu("right", "dorsum")
 
 
 def every(period: float, *spans: tuple[float, float]) -> list[int]:
-    """Log times (ns) of a stream that is there in these spans (s)."""
+    """Log times (ns) of a stream present in these intervals (s)."""
     return [round(t * S) for a, b in spans for t in np.arange(a, b, period)]
 
 
-def test_a_glove_that_was_away_for_five_seconds_was_silent_for_five():
+def test_a_glove_disconnected_for_five_seconds_is_reported_for_five():
     times = {
         GLOVE: every(0.01, (0, 4), (9, 20)),
         topics.image("left"): every(1 / 30, (0, 20)),
@@ -24,19 +24,19 @@ def test_a_glove_that_was_away_for_five_seconds_was_silent_for_five():
     assert silences(times, (0, 20 * S)) == {"/glove/right": pytest.approx(5.0, abs=0.02)}
 
 
-def test_silence_at_the_ends_counts():
+def test_missing_data_at_the_ends_counts():
     times = {topics.blobs("left"): every(1 / 30, (2, 8)), topics.STATUS: every(1.0, (0, 12))}
     assert silences(times, (0, 12 * S)) == {"/camera": pytest.approx(2 + 4, abs=0.05)}
 
 
-def test_a_recording_that_was_held_back_is_not_silent():
+def test_a_delayed_recording_has_no_missing_data():
     held_back = ((0, 4), (12, 20))
     times = {name: every(0.01, *held_back) for name in (GLOVE, topics.image("left"))}
     times[topics.STATUS] = every(1.0, *held_back)
     assert silences(times, (0, 20 * S)) == {}
 
 
-def test_one_imu_or_one_of_two_images_alone_makes_no_silence():
+def test_one_imu_or_one_of_two_images_alone_does_not_count():
     times = {
         GLOVE: every(0.01, (0, 3)),
         topics.imu("right", "thumb_proximal"): every(0.01, (0, 10)),
@@ -46,5 +46,5 @@ def test_one_imu_or_one_of_two_images_alone_makes_no_silence():
     assert silences(times, (0, 10 * S)) == {}
 
 
-def test_what_is_no_device_of_the_session_is_not_silent():
+def test_devices_outside_the_session_do_not_count():
     assert silences({topics.EVENTS: [0, 9 * S]}, (0, 10 * S)) == {}

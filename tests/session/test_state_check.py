@@ -1,4 +1,4 @@
-"""A state is checked against what its records declare, in all its parts."""
+"""All parts of a state are checked against the declarations of its records."""
 
 import dataclasses
 import enum
@@ -42,15 +42,15 @@ def test_every_array_of_a_record_has_a_declared_shape() -> None:
     kinds = ("Array", "Vector", "Matrix", "Stack")
     for known in RECORDS.values():
         if issubclass(known.kind, enum.Enum) or known.name == "chain.guided.told":
-            continue  # of a guided pose's list `calibration` each array has another shape
+            continue  # in a guided pose's list `calibration` each array has another shape
         arrays = {name for name, text in annotations(known) if any(k in text for k in kinds)}
         assert arrays == known.shapes.keys(), f"shapes of the record {known.name!r}"
 
 
-def test_what_is_empty_at_rest_may_have_grown(
+def test_arrays_empty_at_rest_may_have_grown(
     state: PipelineSavedState, fresh: PipelineSavedState
 ) -> None:
-    """Ends of fingers that were seen once: the first recording that was refused."""
+    """Fingertips that were seen once: the first recording that was rejected."""
     bends = TipBendsSavedState(np.zeros((5, 2)), np.zeros(5), np.zeros((5, 2, 2)), 1.0)
     state.engine.tracker.tips = bends
     assert mismatch(state, fresh) is None
@@ -58,7 +58,7 @@ def test_what_is_empty_at_rest_may_have_grown(
     assert "state.engine.tracker.tips.drive has the shape (4,)" in str(mismatch(state, fresh))
 
 
-def test_parts_in_lists_and_those_not_there_at_rest_are_checked(
+def test_parts_in_lists_and_optional_parts_are_checked(
     state: PipelineSavedState, fresh: PipelineSavedState
 ) -> None:
     assert fresh.engine.timeline.waiting == [] and len(state.engine.timeline.waiting) == 1
@@ -81,7 +81,7 @@ def test_parts_in_lists_and_those_not_there_at_rest_are_checked(
         ("pair", [], "not a PairOffsetSavedState"),
     ],
 )
-def test_a_part_of_another_kind_is_refused(
+def test_a_part_of_another_type_is_rejected(
     state: PipelineSavedState, fresh: PipelineSavedState, part: str, value: object, why: str
 ) -> None:
     changed = dataclasses.replace(state, **{part: value})

@@ -1,4 +1,4 @@
-"""Killed processes, full disks, damaged and hostile files."""
+"""Killed processes, full disks, damaged and malicious files."""
 
 import json
 import os
@@ -59,7 +59,7 @@ def test_recovered_messages_are_those_of_the_file(session: Path) -> None:
         assert np.array_equal(a.accel, b.accel, equal_nan=True)
 
 
-def test_every_truncation_is_read_or_refused_in_words(session: Path) -> None:
+def test_every_truncated_file_is_read_or_rejected(session: Path) -> None:
     data = session.read_bytes()
     cut = session.with_name("cut.mcap")
     for end in range(0, len(data), len(data) // 60):
@@ -71,7 +71,7 @@ def test_every_truncation_is_read_or_refused_in_words(session: Path) -> None:
         assert not is_ok(verdict)
 
 
-def test_flipped_bits_end_in_words(session: Path) -> None:
+def test_flipped_bits_are_reported(session: Path) -> None:
     data, rng = session.read_bytes(), np.random.default_rng(8)
     bad = session.with_name("bad.mcap")
     refused = 0
@@ -90,7 +90,7 @@ def test_flipped_bits_end_in_words(session: Path) -> None:
     assert refused > 12
 
 
-def test_a_chunk_that_swells_is_refused(tmp_path: Path, session: Path) -> None:
+def test_a_decompression_bomb_is_rejected(tmp_path: Path, session: Path) -> None:
     bomb = lz4.frame.compress(bytes(2**26))
     head = struct.pack("<QQQII", 0, 1, 2**20, 0, 3) + b"lz4" + struct.pack("<Q", len(bomb))
     body = head + bomb
@@ -103,7 +103,7 @@ def test_a_chunk_that_swells_is_refused(tmp_path: Path, session: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["lz4", "zstd"])
-def test_a_chunk_that_admits_to_swell_is_not_unpacked(
+def test_a_chunk_that_declares_a_huge_size_is_not_decompressed(
     tmp_path: Path, kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     size, zeros = 2**27, bytes(2**20)
@@ -123,7 +123,7 @@ def test_a_chunk_that_admits_to_swell_is_not_unpacked(
     assert any(f"its header declares {size} bytes" in f.what for f in found) and not is_ok(found)
 
 
-def test_names_of_attachments_lead_nowhere(tmp_path: Path, session_info) -> None:
+def test_attachment_names_cannot_escape_the_folder(tmp_path: Path, session_info) -> None:
     out = McapOutput(tmp_path / "a.mcap", sync=False)
     for name in ("../hand.toml", "/etc/glove.toml", "..\\colours.toml", "C:\\hand.toml"):
         out.attach(name, "x = 1", 0)
@@ -137,7 +137,7 @@ def test_names_of_attachments_lead_nowhere(tmp_path: Path, session_info) -> None
 
 
 @pytest.mark.parametrize("content", [b"", b"\x89MCAP0\r\n", b"not a session", bytes(5000)])
-def test_what_is_no_session_is_refused(tmp_path: Path, content: bytes) -> None:
+def test_other_files_are_rejected(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "x.mcap"
     path.write_bytes(content)
     codes = ("session.not_mcap", "session.part_missing")
@@ -156,12 +156,12 @@ def test_a_recording_never_overwrites(session: Path, session_info) -> None:
     assert names == ["2025-10-09_08-53-20_P-07.mcap", "2025-10-09_08-53-20_P-07_2.mcap"]
 
 
-def test_a_missing_folder_is_told_in_words(tmp_path: Path, session_info) -> None:
+def test_a_missing_folder_is_reported(tmp_path: Path, session_info) -> None:
     with raises(FileError, "file.not_writable"):
         SessionRecorder(tmp_path / "no" / "a.mcap", session_info)
 
 
-def test_a_disk_that_runs_low_warns_and_then_stops(tmp_path: Path, session_info, maker) -> None:
+def test_low_disk_space_warns_and_then_stops(tmp_path: Path, session_info, maker) -> None:
     bytes_left = iter([9e9, 4e9, 0.5e9])
     path = tmp_path / "a.mcap"
     recorder = SessionRecorder(path, session_info, free=lambda _: int(next(bytes_left)))
@@ -173,10 +173,10 @@ def test_a_disk_that_runs_low_warns_and_then_stops(tmp_path: Path, session_info,
     assert is_ok(verify(path))
 
 
-def test_a_file_that_is_made_fits_on_a_disk_too_full_to_record_on(
+def test_a_tracked_file_may_be_written_with_too_little_space_to_record(
     tmp_path: Path, session_info, maker, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A recording needs room for what is to come; a tracked file is small, and made again."""
+    """A recording needs a reserve; a tracked file is small, and can be computed again."""
     left = SimpleNamespace(total=10**12, used=10**12, free=50 * 10**6)
     monkeypatch.setattr("tracker.base.files.shutil.disk_usage", lambda folder: left)
     with pytest.raises(FileError) as caught:
@@ -189,7 +189,9 @@ def test_a_file_that_is_made_fits_on_a_disk_too_full_to_record_on(
     assert sorted(p.name for p in tmp_path.iterdir()) == ["made.mcap"]
 
 
-def test_a_full_disk_leaves_whole_chunks(tmp_path: Path, session_info, maker, monkeypatch) -> None:
+def test_a_full_disk_leaves_complete_chunks(
+    tmp_path: Path, session_info, maker, monkeypatch
+) -> None:
     path = tmp_path / "a.mcap"
     recorder = SessionRecorder(path, session_info)
     write, left = os.write, [200_000]
@@ -214,7 +216,7 @@ def test_a_full_disk_leaves_whole_chunks(tmp_path: Path, session_info, maker, mo
         recorder.write(maker.imu(0))
 
 
-def test_overload_costs_images_and_nothing_else(tmp_path: Path, session_info, maker) -> None:
+def test_overload_loses_only_images(tmp_path: Path, session_info, maker) -> None:
     path = tmp_path / "a.mcap"
     with SessionRecorder(path, session_info) as recorder:
         for k in range(20):
@@ -236,11 +238,11 @@ def test_verify_finds_gaps_jumps_and_missing_topics(tmp_path: Path, record: Reco
     assert is_ok(found)
 
 
-def test_a_sound_session_has_no_findings(session: Path) -> None:
+def test_an_intact_session_has_no_findings(session: Path) -> None:
     assert verify(session) == []
 
 
-def test_compare_measures_what_was_changed(tmp_path: Path, record: Record, maker) -> None:
+def test_compare_measures_the_changes(tmp_path: Path, record: Record, maker) -> None:
     from dataclasses import replace
 
     estimates = [maker.estimate(10.0 * k) for k in range(30)]
@@ -254,7 +256,7 @@ def test_compare_measures_what_was_changed(tmp_path: Path, record: Record, maker
     assert (tmp_path / "f.png").read_bytes()[:4] == b"\x89PNG"
 
 
-def test_commands_speak_json(session: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_commands_have_json_output(session: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["info", str(session), "--json", "-"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["topics"]["/hand/right/keypoints"]["count"] == 150
@@ -295,7 +297,9 @@ def test_a_channel_may_be_defined_at_the_end_of_a_chunk_before_its_messages(tmp_
         source.close()
 
 
-def test_a_disk_that_goes_away_is_told(tmp_path: Path, session_info, maker, monkeypatch) -> None:
+def test_a_disk_that_is_removed_is_reported(
+    tmp_path: Path, session_info, maker, monkeypatch
+) -> None:
     recorder = SessionRecorder(tmp_path / "a.mcap", session_info)
 
     def gone(*_: object) -> int:
@@ -311,7 +315,7 @@ def test_a_disk_that_goes_away_is_told(tmp_path: Path, session_info, maker, monk
     assert recorder.closed
 
 
-def test_chunks_are_short_in_time_and_size(session: Path) -> None:
+def test_chunks_are_limited_in_time_and_size(session: Path) -> None:
     source = McapInput(session)
     spans = [source.contents.spans[i] for i in range(len(source.contents.spans))]
     source.close()
@@ -320,9 +324,7 @@ def test_chunks_are_short_in_time_and_size(session: Path) -> None:
     assert all(s.length < 80_000 for s in spans)
 
 
-def test_chunks_are_short_in_time_where_packets_come_late(
-    tmp_path: Path, session_info, maker
-) -> None:
+def test_chunks_are_limited_in_time_with_late_packets(tmp_path: Path, session_info, maker) -> None:
     """Packets up to 2.5 s behind the images; none is lost or out of order for a reader."""
     path, rng = tmp_path / "a.mcap", np.random.default_rng(2)
     wrote = []
@@ -349,8 +351,8 @@ def test_chunks_are_short_in_time_where_packets_come_late(
     assert is_ok(verify(path))
 
 
-def test_spoilt_messages_in_sound_chunks_cost_themselves_alone(session: Path, maker) -> None:
-    """Checksums are right here, so the damage reaches the decoders."""
+def test_damaged_messages_in_intact_chunks_affect_no_others(session: Path, maker) -> None:
+    """Checksums are correct here, so the damage reaches the decoders."""
     rng = np.random.default_rng(12)
     spoilt = 0
     with SessionReader(session) as reader:

@@ -1,4 +1,4 @@
-"""`verify` tells a computer that had no time for its messages from a clock that jumps."""
+"""`verify` distinguishes an overloaded computer from a clock that jumps."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Change = Callable[[int, RawMessage], RawMessage | None]
 
 def changed(session: Path, out: Path, change: Change) -> Path:
     """A copy in which ``change`` of (ns since the start, message) replaces each Imu message; None
-    leaves it out."""
+    removes it."""
     source, output = McapInput(session), McapOutput(out, sync=False)
     try:
         for record in source.metadata():
@@ -50,7 +50,7 @@ def held_back(begin: float, end: float) -> Change:
 
 
 def stamps_moved(begin: float, seconds: float, end: float = 1e9) -> Change:
-    """The clock of the stamps jumps by ``seconds`` at ``begin`` and back at ``end``."""
+    """The clock of the timestamps jumps by ``seconds`` at ``begin`` and back at ``end``."""
 
     def change(t: int, m: RawMessage) -> RawMessage:
         if not begin * NS <= t < end * NS:
@@ -74,13 +74,15 @@ def of_one_imu(path: Path) -> list[str]:
     return [f.what for f in findings if f.where == topic and "gap" not in f.what]
 
 
-def test_a_starved_host_is_not_called_a_clock_that_jumps(session: Path, tmp_path: Path) -> None:
+def test_an_overloaded_computer_is_not_reported_as_a_clock_jump(
+    session: Path, tmp_path: Path
+) -> None:
     (finding,) = of_one_imu(changed(session, tmp_path / "b.mcap", held_back(2.0, 3.2)))
     assert finding == "messages arrived up to 1.2 s late, once: the computer was overloaded"
 
 
-def test_a_delay_that_ends_at_once_is_no_jump_of_the_clock(session: Path, tmp_path: Path) -> None:
-    """Messages were lost behind the late ones."""
+def test_a_delay_that_ends_suddenly_is_not_a_clock_jump(session: Path, tmp_path: Path) -> None:
+    """Messages were lost after the late ones."""
 
     def change(t: int, m: RawMessage) -> RawMessage | None:
         if 2.0 <= t / NS < 2.05:

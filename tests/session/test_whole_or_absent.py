@@ -1,4 +1,4 @@
-"""Exports and tracked files on full disks, under limits and signals: words, and all or nothing."""
+"""Exports and tracked files with full disks, limits and signals: error messages, all or nothing."""
 
 import json
 import os
@@ -36,10 +36,10 @@ def filmed(tmp_path: Path, record: Record, maker) -> Path:
 
 
 def command(*words: object, limit: int | None = None) -> subprocess.CompletedProcess[str]:
-    """The command line in a process of its own, which may write files of ``limit`` bytes.
+    """The command line in a subprocess that may write files of ``limit`` bytes.
 
-    It keeps no compiled modules: Python 3.11 puts half of one in its place where no more
-    can be written (CPython issue 126606), and nothing could import that module again.
+    It writes no compiled modules: Python 3.11 writes half of one where no more fits (CPython issue
+    126606), and that module could not be imported again.
     """
 
     def limited() -> None:
@@ -62,7 +62,7 @@ def others(folder: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("form", [f for f in FORMATS.names() if f not in {"urdf", *PICTURES, *RAW}])
-def test_a_disk_without_room_leaves_nothing(tracked: Path, form: str) -> None:
+def test_a_full_disk_leaves_nothing(tracked: Path, form: str) -> None:
     out = tracked.with_name(f"o.{form}")
     done = command("export", tracked, "--format", form, "-o", out, limit=LIMIT)
     assert done.returncode == 1, done.stderr
@@ -73,7 +73,7 @@ def test_a_disk_without_room_leaves_nothing(tracked: Path, form: str) -> None:
 
 
 @pytest.mark.parametrize("form", sorted(PICTURES))
-def test_a_disk_without_room_for_images_leaves_nothing(filmed: Path, form: str) -> None:
+def test_a_full_disk_for_images_leaves_nothing(filmed: Path, form: str) -> None:
     out = filmed.with_name(f"o.{form}")
     done = command("export", filmed, "--format", form, "-o", out, limit=4_000)
     assert done.returncode == 1
@@ -100,7 +100,7 @@ def test_nothing_existing_is_overwritten(tracked: Path) -> None:
     assert main([*words, str(out), "--force"]) == 0
 
 
-def test_a_sidecar_that_a_kill_left_alone_does_not_block(tracked: Path) -> None:
+def test_a_sidecar_left_by_a_kill_does_not_block(tracked: Path) -> None:
     words = ["export", str(tracked), "--format", "csv", "-o", str(tracked.with_name("o.csv"))]
     assert main(words) == 0
     tracked.with_name("o.csv").unlink()
@@ -108,7 +108,7 @@ def test_a_sidecar_that_a_kill_left_alone_does_not_block(tracked: Path) -> None:
     assert json.loads(tracked.with_name("o.csv.json").read_text())["rows"] == 150
 
 
-def test_nor_does_the_trajectory_of_a_urdf_that_never_came(tracked: Path) -> None:
+def test_nor_does_the_trajectory_of_a_missing_urdf(tracked: Path) -> None:
     words = ["export", str(tracked), "--format", "urdf", "-o", str(tracked.with_name("o.urdf"))]
     assert main(words) == 0
     assert main(words) == 1, "all is there already"
@@ -128,7 +128,7 @@ def test_a_signal_leaves_nothing_that_blocks(tmp_path: Path, number: signal.Sign
         [sys.executable, "-m", "tracker.cli", *words, "3600"],
         cwd=ROOT,
         stderr=subprocess.PIPE,
-        # a shell lets what it starts in the background ignore Ctrl+C
+        # a shell makes background processes ignore Ctrl+C
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     deadline = time.monotonic() + 60
@@ -145,7 +145,7 @@ def test_a_signal_leaves_nothing_that_blocks(tmp_path: Path, number: signal.Sign
     assert list(tmp_path.iterdir()) == [out]
 
 
-def test_a_full_standard_output_is_told(tracked: Path) -> None:
+def test_a_full_standard_output_is_reported(tracked: Path) -> None:
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
             [sys.executable, "-m", "tracker.cli", "info", str(tracked)],
@@ -159,7 +159,7 @@ def test_a_full_standard_output_is_told(tracked: Path) -> None:
     assert done.stderr == "glovetrack: standard output cannot be written: the disk is full.\n"
 
 
-def test_a_terminal_without_unicode_is_enough(tracked: Path) -> None:
+def test_a_terminal_without_unicode_is_sufficient(tracked: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "tracker.cli", "compare", str(tracked), str(tracked)],
         cwd=ROOT,

@@ -1,4 +1,4 @@
-"""Estimates with known contents, and a wait for what other threads do."""
+"""Estimates with known contents, and a wait for other threads."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def make_estimate(hand: HandModel, glove: GloveModel) -> MakeEstimate:
 
 @pytest.fixture
 def wait_for() -> Callable[[Callable[[], object]], None]:
-    """Wait at most 5 s until something holds."""
+    """Wait at most 5 s for a condition."""
 
     def wait(holds: Callable[[], object]) -> None:
         end = time.monotonic() + 5

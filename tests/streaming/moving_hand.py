@@ -13,7 +13,7 @@ __all__ = ["turning"]
 
 
 def turning(e: Estimate, names: Names) -> Estimate:
-    """The estimate of a rigid hand that turns about G's z with 2 rad/s and rises with 0.5 m/s."""
+    """The estimate of a rigid hand that rotates about G's z at 2 rad/s and rises at 0.5 m/s."""
     w = np.array([0.0, 0.0, 2.0])
     linear = np.cross(w, e.keypoints) + [0.0, 0.0, 0.5]
     k, j = len(names.keypoints), len(names.angles)

@@ -19,7 +19,7 @@ def side_names(side: str) -> Names:
 
 
 def posed_estimate(names: Names, seed: int, t: float = 1.25) -> Estimate:
-    """A hand for ``names``, of a bundled glove, that stands anywhere."""
+    """A hand for ``names``, of a bundled glove, in an arbitrary pose."""
     hand, rng = names.model, np.random.default_rng(seed)
     _, glove = library.load(GLOVES[names.side])
     angles = rng.uniform(*hand.angle_limits.T)

@@ -1,4 +1,4 @@
-"""Estimates that were tracked, recorded and read back, for end-to-end tests of streams."""
+"""Tracked, recorded and reloaded estimates for end-to-end tests of streams."""
 
 from __future__ import annotations
 

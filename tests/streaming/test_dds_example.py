@@ -1,4 +1,4 @@
-"""The hand on DDS, heard by a second process through Eclipse Cyclone DDS."""
+"""The hand on DDS, received by a second process through Eclipse Cyclone DDS."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ print(json.dumps({
 
 @pytest.fixture
 def stream(hand, glove, make_estimate) -> Iterator[int]:
-    """The port of a stream that goes on until the test ends."""
+    """The port of a stream that runs until the test ends."""
     server = WebSocketPublisher(Names.of(hand, glove, OPENXR), port=0)
     estimate = make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7})
     ending = threading.Event()
@@ -67,7 +67,9 @@ def stream(hand, glove, make_estimate) -> Iterator[int]:
     server.close()
 
 
-def test_a_second_process_hears_angles_poses_and_frames(stream, hand, glove, make_estimate) -> None:
+def test_a_second_process_receives_angles_poses_and_frames(
+    stream, hand, glove, make_estimate
+) -> None:
     environment = {**os.environ, "ROS_DOMAIN_ID": str(DOMAIN)}
     talker = subprocess.Popen(
         [sys.executable, str(EXAMPLE / "glovetrack_dds.py"), f"ws://127.0.0.1:{stream}/"],

@@ -1,7 +1,7 @@
 """The teleoperator for LeRobot on a live stream.
 
-LeRobot itself is not here (it brings PyTorch): what the example takes from it are stand-ins in the
-documented shape of its version 0.4.4.
+LeRobot itself is not installed (it requires PyTorch): the parts the example uses are stand-ins in
+the documented form of its version 0.4.4.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ class DeviceAlreadyConnectedError(ConnectionError):
 
 @pytest.fixture
 def package(monkeypatch: pytest.MonkeyPatch) -> Iterator[ModuleType]:
-    """As LeRobot imports it, by its name."""
+    """Imported by its name, as by LeRobot."""
     parts = {
         "lerobot": {},
         "lerobot.teleoperators": {},
@@ -123,7 +123,7 @@ def package(monkeypatch: pytest.MonkeyPatch) -> Iterator[ModuleType]:
 
 
 class Sending:
-    """Sends one estimate again and again, as a tracked hand would, until it is ended."""
+    """Sends one estimate repeatedly, like a tracked hand, until it is stopped."""
 
     def __init__(self, server: WebSocketPublisher, estimate) -> None:
         self.estimate = estimate
@@ -187,7 +187,7 @@ def test_its_names_are_those_of_hand_and_openxr(package, teleoperator, hand) -> 
         package.GlovetrackConfig(side="both")
 
 
-def test_an_action_is_what_is_streamed_and_keeps_what_is_lost(
+def test_an_action_is_the_streamed_hand_and_retains_lost_values(
     teleoperator, stream, make_estimate, hand, glove, wait_for
 ) -> None:
     teleoperator.connect()
@@ -209,7 +209,7 @@ def test_an_action_is_what_is_streamed_and_keeps_what_is_lost(
     assert after["index_tip.x"] == action["index_tip.x"]
 
 
-def test_a_stream_that_falls_silent_is_no_action(teleoperator, stream, wait_for) -> None:
+def test_an_interrupted_stream_gives_no_action(teleoperator, stream, wait_for) -> None:
     teleoperator.config.patience = 5.0
     teleoperator.connect()
     assert teleoperator.get_action()
@@ -245,7 +245,7 @@ def test_feedback_moves_the_gloves_motors(teleoperator, remote, wait_for) -> Non
     ]
 
 
-def test_a_hand_of_the_other_side_is_said(package, stream) -> None:
+def test_a_hand_of_the_other_side_is_reported(package, stream) -> None:
     config = package.GlovetrackConfig(
         url=f"ws://127.0.0.1:{stream[1].port}/", feedback_url="", side="left", connect_patience=0.3
     )

@@ -1,4 +1,4 @@
-"""Contacts that other programs tell of: when they begin and end, and what a motor makes of them."""
+"""Contacts reported by other programs: their begin and end, and the motor commands for them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def phases(events: list[Event]) -> list[tuple[float, object, object]]:
     return [(e.t, e.data["finger"], e.data["phase"]) for e in events]
 
 
-def test_json_and_words_tell_the_same_contact() -> None:
+def test_json_and_plain_text_describe_the_same_contact() -> None:
     line = b'{"do": "contact", "finger": "index", "strength": 0.5, "object": "cup"}'
     want = Request("contact", 1.0, finger="index", strength=0.5, object="cup")
     assert parse(line, 1.0) == want
@@ -39,12 +39,12 @@ def test_json_and_words_tell_the_same_contact() -> None:
         ('{"do": "contact", "finger": "index", "object": "' + "x" * 65 + '"}', "request.object"),
     ],
 )
-def test_what_is_no_contact_is_refused_in_words(line: str, code: str) -> None:
+def test_an_invalid_contact_is_rejected(line: str, code: str) -> None:
     with raises(RequestError, code):
         parse(line, 0.0)
 
 
-def test_a_contact_begins_once_however_often_it_is_told_and_ends_when_it_is_let_go() -> None:
+def test_a_repeated_contact_begins_once_and_ends_on_release() -> None:
     book = ContactBook()
     touches = [e for k in range(50) for e in book.tell(touch(0.02 * k, 0.3 + 0.01 * k))]
     assert phases(touches) == [(0.0, "index", "begin")]
@@ -54,15 +54,15 @@ def test_a_contact_begins_once_however_often_it_is_told_and_ends_when_it_is_let_
     assert book.tell(touch(1.6, 0.0)) == []
 
 
-def test_who_hangs_up_leaves_no_contact_standing() -> None:
+def test_a_disconnected_client_leaves_no_contact() -> None:
     book = ContactBook()
     book.tell(touch(0.0))
     assert book.expired(LASTS) == []
     assert phases(book.expired(LASTS + 0.3)) == [(LASTS, "index", "end")]
-    assert motor_of(1.0)[1] <= 1e3 * LASTS  # nor a motor running
+    assert motor_of(1.0)[1] <= 1e3 * LASTS  # nor a running motor
 
 
-def test_a_finger_on_two_things_feels_the_stronger_until_it_leaves_both() -> None:
+def test_a_finger_on_two_objects_feels_the_stronger_until_it_leaves_both() -> None:
     book = ContactBook()
     book.tell(touch(0.0, 0.2, "cup"))
     book.tell(touch(0.0, 0.9, "spoon"))
@@ -72,7 +72,7 @@ def test_a_finger_on_two_things_feels_the_stronger_until_it_leaves_both() -> Non
     assert book.strength("thumb") == 0.0
 
 
-def test_a_motor_stops_at_once_and_is_never_told_what_it_cannot() -> None:
+def test_a_motor_stops_at_once_and_unsupported_commands_are_not_sent() -> None:
     assert motor_of(0.0) == (0, 1)
     amplitudes = [motor_of(k / 100)[0] for k in range(1, 101)]
     assert amplitudes == sorted(amplitudes)
@@ -87,7 +87,7 @@ def test_a_motor_stops_at_once_and_is_never_told_what_it_cannot() -> None:
         max_size=200,
     )
 )
-def test_every_contact_that_began_ends_once_and_no_other_does(touches: list) -> None:
+def test_every_begin_of_a_contact_has_exactly_one_end(touches: list) -> None:
     book, t, open_now = ContactBook(), 0.0, set()
     for finger, thing, strength, later in touches:
         t += later

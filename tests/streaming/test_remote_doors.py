@@ -30,7 +30,7 @@ HERE = "127.0.0.1"
 
 
 class Window:
-    """Acts at once, unless it is busy."""
+    """Executes at once, unless it is busy."""
 
     def __init__(self) -> None:
         self.asked: list[Request] = []
@@ -73,7 +73,7 @@ def client() -> Iterator[socket.socket]:
         yield out
 
 
-def test_a_datagram_is_done_and_answered(udp: Door, desk: Window) -> None:
+def test_a_datagram_is_executed_and_answered(udp: Door, desk: Window) -> None:
     before = monotonic()
     answer = json.loads(ask({"do": "note", "text": "now", "id": 4}, HERE, udp.port))
     assert answer == {"ok": True, "do": "note", "text": "Done.", "id": 4}
@@ -82,7 +82,7 @@ def test_a_datagram_is_done_and_answered(udp: Door, desk: Window) -> None:
     assert udp.counts().asked == 1 and len(udp.counts().peers) == 1
 
 
-def test_a_request_is_stamped_as_it_arrives_however_busy_the_window_is(
+def test_a_request_is_timestamped_on_arrival_even_if_the_window_is_busy(
     udp: Door, desk: Window, client: socket.socket, wait_for
 ) -> None:
     desk.busy = True
@@ -97,7 +97,7 @@ def test_a_request_is_stamped_as_it_arrives_however_busy_the_window_is(
     assert [json.loads(client.recv(9999))["text"] for _ in range(2)] == ["a", "b"]
 
 
-def test_nonsense_is_answered_in_words_and_an_answer_not_at_all(
+def test_invalid_requests_are_answered_and_answers_are_not(
     udp: Door, desk: Window, client: socket.socket
 ) -> None:
     client.sendto(b'{"ok": true}', (HERE, udp.port))
@@ -108,20 +108,20 @@ def test_nonsense_is_answered_in_words_and_an_answer_not_at_all(
     assert desk.asked == []
 
 
-def test_a_flood_is_held_back(udp: Door, desk: Window, client: socket.socket, wait_for) -> None:
+def test_a_flood_is_throttled(udp: Door, desk: Window, client: socket.socket, wait_for) -> None:
     for _ in range(3000):
         client.sendto(b"note x", (HERE, udp.port))
     wait_for(lambda: udp.counts().refused > 100)
     assert len(desk.asked) < 200
-    time.sleep(0.3)  # its allowance fills again
+    time.sleep(0.3)  # its allowance is replenished
     client.settimeout(0.1)
     with pytest.raises(TimeoutError):
         while True:
-            client.recv(9999)  # the answers of before
+            client.recv(9999)  # the earlier answers
     assert json.loads(ask({"do": "status"}, HERE, udp.port))["ok"]
 
 
-def test_a_web_socket_is_answered_in_turn(web: WebSocketDoor, desk: Window) -> None:
+def test_web_socket_requests_are_answered_in_order(web: WebSocketDoor, desk: Window) -> None:
     with connect(f"ws://{HERE}:{web.port}/") as page:
         page.send('{"do": "start"}')
         assert json.loads(page.recv(timeout=5)) == {"ok": True, "do": "start", "text": "Done."}
@@ -131,7 +131,7 @@ def test_a_web_socket_is_answered_in_turn(web: WebSocketDoor, desk: Window) -> N
     assert [r.do for r in desk.asked] == ["start"]
 
 
-def test_a_page_of_another_site_controls_nothing(web: WebSocketDoor) -> None:
+def test_a_page_of_another_site_is_rejected(web: WebSocketDoor) -> None:
     with pytest.raises(InvalidStatus) as refused:
         connect(f"ws://{HERE}:{web.port}/", origin="https://example.com")
     assert refused.value.response.status_code == 403
@@ -151,23 +151,23 @@ def test_a_client_that_sends_too_much_is_disconnected(web: WebSocketDoor, sent_t
     ("kind", "code"),
     [(udp_door, "remote.not_started"), (WebSocketDoor, "stream.server_not_started")],
 )
-def test_only_this_computer_is_listened_to_and_the_port_is_freed(kind, code, desk: Window) -> None:
+def test_only_the_loopback_address_is_used_and_the_port_is_freed(kind, code, desk: Window) -> None:
     door = kind(desk.answer, HERE, 0)
     port = door.port
     with raises(StreamError, code):
         kind(desk.answer, HERE, port)
-    kind(desk.answer, "127.0.0.2", port).close()  # another address is free: it is not taken up
+    kind(desk.answer, "127.0.0.2", port).close()  # another address is free: it is not used
     door.close()
     door.close()
     kind(desk.answer, HERE, port).close()
 
 
-def test_a_window_that_does_not_answer_is_said_to(client: socket.socket) -> None:
+def test_an_unresponsive_window_is_reported(client: socket.socket) -> None:
     client.bind((HERE, 0))
     with pytest.raises(StreamError, match="Is remote control by UDP switched on"):
         ask({"do": "status"}, HERE, client.getsockname()[1], wait=0.2)
 
 
-def test_what_is_open_to_others_is_known() -> None:
+def test_external_access_is_detected() -> None:
     assert all(map(is_loopback, ("127.0.0.1", "localhost", "::1", "127.3.2.1")))
     assert not any(map(is_loopback, ("0.0.0.0", "192.168.1.5", "::", "lab-pc")))

@@ -1,4 +1,4 @@
-"""What may be asked and what is answered, without sockets."""
+"""Requests and replies of remote control, without sockets."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from tracker.streaming.remote.request import (
 )
 
 
-def test_words_and_json_ask_for_the_same() -> None:
+def test_plain_text_and_json_are_equivalent() -> None:
     assert parse(b"start", 1.0) == parse(b'{"do": "start"}', 1.0) == Request("start", 1.0)
     note = Request("note", 2.0, text="the cup is taken")
     assert parse("note the cup is taken\n", 2.0) == note
@@ -43,14 +43,14 @@ def test_words_and_json_ask_for_the_same() -> None:
     assert parse("vibrate index", 3.0) == Request("vibrate", 3.0, finger="index")
 
 
-def test_an_id_comes_back() -> None:
+def test_an_id_is_returned() -> None:
     asked = parse('{"do": "stop", "id": "a-7"}', 0.0)
     assert asked is not None
     line = json.loads(Reply(True, "stop", "Done.", Path("takes/x.mcap"), id=asked.id).as_json())
     assert line == {"ok": True, "do": "stop", "text": "Done.", "file": "x.mcap", "id": "a-7"}
 
 
-def test_only_this_computers_user_is_told_the_folder() -> None:
+def test_only_the_local_user_gets_the_folder() -> None:
     reply = Reply(True, "start", "Recording.", Path("takes/x.mcap"))
     assert json.loads(reply.as_json())["file"] == "x.mcap"
     assert json.loads(reply.as_json(with_folder=True))["file"] == str(Path("takes/x.mcap"))
@@ -79,29 +79,29 @@ def test_only_this_computers_user_is_told_the_folder() -> None:
         (b"\xff\xfe", "request.not_readable"),
     ],
 )
-def test_what_cannot_be_meant_is_refused_in_words(line: bytes, code: str) -> None:
+def test_invalid_requests_are_rejected(line: bytes, code: str) -> None:
     with raises(RequestError, code):
         parse(line, 0.0)
 
 
 @given(st.binary(max_size=300))
-def test_no_bytes_do_harm(data: bytes) -> None:
+def test_arbitrary_bytes_are_harmless(data: bytes) -> None:
     with contextlib.suppress(RequestError):
         parse(data, 0.0)
 
 
-def test_a_note_cannot_steer_a_terminal() -> None:
+def test_a_note_cannot_control_a_terminal() -> None:
     asked = parse(json.dumps({"do": "note", "text": "a\x1b[2Jb\nc"}), 0.0)
     assert asked is not None and asked.text == "a [2Jb c"
 
 
-def test_an_answer_is_not_answered() -> None:
-    """Two programs that answer each other would never end."""
+def test_a_reply_is_not_answered() -> None:
+    """Two programs that answer each other would never stop."""
     assert parse(Reply(False, "", "What?").as_json(), 0.0) is None
 
 
 class Desk:
-    """Somebody who acts, or who lets wait."""
+    """A handler that executes requests, or leaves them pending."""
 
     def __init__(self, acts: bool = True) -> None:
         self.acts, self.asked, self.now = acts, [], 100.0
@@ -122,8 +122,8 @@ class Desk:
         return future.result(0) if future is not None and future.done() else None
 
 
-def test_nobody_can_ask_faster_than_is_of_use() -> None:
-    """The bucket holds two seconds' worth and fills at its rate."""
+def test_the_rate_of_requests_is_limited() -> None:
+    """The bucket contains two seconds' worth and is filled at its rate."""
     desk = Desk()
     answers = [desk.say("vibrate index") for _ in range(1000)]
     assert sum(a is not None for a in answers) == 2 * PER_PEER_HZ
@@ -133,7 +133,7 @@ def test_nobody_can_ask_faster_than_is_of_use() -> None:
     assert desk.say("vibrate index", peer="b") is not None, "another one is not to suffer for it"
 
 
-def test_notes_are_taken_slower_and_the_rest_is_told_why() -> None:
+def test_notes_have_a_lower_limit_and_rejections_state_the_reason() -> None:
     desk = Desk()
     answers = [desk.say("note hello") for _ in range(100)]
     taken = [a for a in answers if a is not None and a.ok]
@@ -147,7 +147,7 @@ def test_notes_are_taken_slower_and_the_rest_is_told_why() -> None:
     assert (counts.asked, counts.refused) == (20, 80)
 
 
-def test_what_waits_and_who_is_known_are_bounded() -> None:
+def test_pending_requests_and_known_clients_are_bounded() -> None:
     desk = Desk(acts=False)
     for k in range(10 * MOST_WAITING):
         desk.now += 0.2
@@ -156,7 +156,7 @@ def test_what_waits_and_who_is_known_are_bounded() -> None:
     assert len(desk.reception.counts("x", None).peers) == MOST_PEERS
 
 
-def test_nothing_is_open_and_the_command_line_opens_it() -> None:
+def test_nothing_is_open_by_default() -> None:
     settings = ConnectionSettings()
     assert not any(map(settings.is_on, door_kinds()))
     assert list(door_kinds()) == ["udp", "osc", "websocket", "lsl", "vmt"]

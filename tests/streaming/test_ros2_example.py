@@ -1,4 +1,4 @@
-"""The example node's messages, from a payload of ours; rclpy itself is not here."""
+"""The example node's messages, from one of our payloads; rclpy itself is not installed."""
 
 from __future__ import annotations
 
@@ -25,9 +25,7 @@ ENOUGH = 3
 NODE = Path(__file__).parents[2] / "docs" / "examples" / "ros2" / "glovetrack_node.py"
 
 
-def test_the_node_has_every_pose_in_order_and_nothing_for_what_is_lost(
-    make_estimate, hand, glove
-) -> None:
+def test_the_node_has_every_pose_in_order_and_omits_lost_ones(make_estimate, hand, glove) -> None:
     node = runpy.run_path(str(NODE))
     e = make_estimate(lost=("index_tip", "thumb_ip_flexion"), angles={"index_pip_flexion": 0.7})
     names = Names.of(hand, glove, OPENXR)
@@ -54,7 +52,7 @@ def test_a_stream_of_schema_1_has_no_velocities(make_estimate, hand, glove) -> N
 
 
 class Message:
-    """Any ROS message: its fields come to be as they are named."""
+    """A generic ROS message: fields are created on access."""
 
     def __init__(self) -> None:
         self.__dict__["poses"] = []
@@ -65,7 +63,7 @@ class Message:
 
 
 class Node:
-    """Keeps what is published, and ends the stream when that is enough."""
+    """Stores published messages, and ends the stream when there are enough."""
 
     def __init__(self, name: str) -> None:
         self.name, self.received, self.ending = name, {}, threading.Event()
@@ -79,7 +77,7 @@ class Node:
         return SimpleNamespace(publish=publish)
 
 
-def test_the_node_publishes_what_the_stream_tells(
+def test_the_node_publishes_the_stream(
     make_estimate, hand, glove, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With stand-ins for rclpy and its messages, on a live stream until that ends."""

@@ -1,5 +1,5 @@
-"""What is on, what a settings file and the command line say, and what is reported if a package is
-absent."""
+"""Enabled streams, their settings in files and on the command line, and the report of missing
+packages."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def free_port() -> int:
         return int(s.getsockname()[1])
 
 
-def test_nothing_is_on_and_nothing_leaves_the_machine(names: Names) -> None:
+def test_nothing_is_enabled_by_default_and_no_data_leaves_the_computer(names: Names) -> None:
     settings = StreamSettings()
     assert open_streams(settings, [names]) == {} and settings.on == []
     for kind in stream_kinds().values():
@@ -63,7 +63,7 @@ def test_every_option_has_a_help_text() -> None:
         assert all(kind.fields.values()), kind.name
 
 
-def test_what_is_on_is_opened(names: Names, make_estimate) -> None:
+def test_enabled_streams_are_opened(names: Names, make_estimate) -> None:
     table = {"udp": True, "websocket": True, "vmc": True, "websocket_port": free_port()}
     out = open_streams(StreamSettings(table), [names])
     assert [p.name.split()[0] for (p,) in out.values()] == ["UDP", "WebSocket", "VMC"]
@@ -76,7 +76,7 @@ def test_what_is_on_is_opened(names: Names, make_estimate) -> None:
     ("name", "module"),
     [("lsl", "extensions.lsl.outlet"), ("foxglove", "extensions.foxglove.live")],
 )
-def test_an_absent_package_is_named_and_the_rest_closed(
+def test_a_missing_package_is_named_and_the_rest_closed(
     names: Names, monkeypatch, name: str, module: str
 ) -> None:
     monkeypatch.setitem(sys.modules, module, None)  # import fails
@@ -88,7 +88,7 @@ def test_an_absent_package_is_named_and_the_rest_closed(
         assert s.connect_ex(("127.0.0.1", port)) != 0, "the WebSocket server is still there"
 
 
-def test_a_stream_that_makes_too_few_publishers_is_refused(names: Names) -> None:
+def test_a_stream_with_too_few_publishers_is_rejected(names: Names) -> None:
     @dataclass(frozen=True)
     class Options:
         pass
@@ -98,7 +98,7 @@ def test_a_stream_that_makes_too_few_publishers_is_refused(names: Names) -> None
         open_stream(kind, Options(), [names])
 
 
-def test_words_of_the_command_line() -> None:
+def test_command_line_options() -> None:
     settings = with_streams(StreamSettings(), "udp, WebSocket:9000,lsl", "10.0.0.2")
     assert settings.on == ["udp", "websocket", "lsl"] and settings.host == "10.0.0.2"
     options = settings.options(STREAMS.get("websocket"))
@@ -118,7 +118,7 @@ def test_words_of_the_command_line() -> None:
         ("lsl:5", "stream.no_port"),
     ],
 )
-def test_a_wrong_word_is_named(words: str, code: str) -> None:
+def test_an_invalid_option_is_named(words: str, code: str) -> None:
     with raises(ConfigError, code):
         with_streams(StreamSettings(), words)
 

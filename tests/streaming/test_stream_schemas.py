@@ -48,7 +48,7 @@ def valid(text: str) -> dict[str, Any]:
 @pytest.mark.parametrize("schema", SCHEMAS)
 @pytest.mark.parametrize("openxr", [False, True])
 @pytest.mark.parametrize("moving", [False, True])
-def test_every_kind_of_message_follows_its_schema(
+def test_every_kind_of_message_matches_its_schema(
     make_estimate, dated: Names, schema: int, openxr: bool, moving: bool
 ) -> None:
     names = dated.with_openxr() if openxr else dated
@@ -62,8 +62,8 @@ def test_every_kind_of_message_follows_its_schema(
         assert ("joints" if openxr else "keypoints") in message
 
 
-def test_the_first_schema_has_not_changed(make_estimate, names: Names) -> None:
-    """Key by key as version 0.1 of the program sent it, whatever is known beyond that."""
+def test_the_first_schema_is_unchanged(make_estimate, names: Names) -> None:
+    """Key by key as sent by version 0.1 of the program, without later additions."""
     text = to_json(turning(make_estimate(), names), names)
     message = valid(text)
     assert list(message) == ["schema", "side", "t", "tracking", "keypoints", "angles"]
@@ -72,7 +72,7 @@ def test_the_first_schema_has_not_changed(make_estimate, names: Names) -> None:
     assert list(message["angles"]["index_mcp_flexion"]) == ["state", "value"]
 
 
-def test_the_second_schema_has_all_of_the_first(make_estimate, dated: Names) -> None:
+def test_the_second_schema_includes_the_first(make_estimate, dated: Names) -> None:
     e = turning(make_estimate(lost=("thumb_tip",)), dated)
     first, second = (valid(to_json(e, dated, None, s)) for s in SCHEMAS)
     for name, angle in first["angles"].items():
@@ -103,8 +103,8 @@ def test_velocities_are_those_of_the_estimate(make_estimate, dated: Names) -> No
 
 
 def test_openxr_joints_move_in_openxrs_world(make_estimate, dated: Names) -> None:
-    """A hand that turns rigidly about the vertical: every joint has v = w x p + rise, also those
-    on the dorsum that are no keypoints."""
+    """A hand that rotates rigidly about the vertical: every joint has v = w x p + rise, including
+    those on the dorsum that are not keypoints."""
     e = turning(make_estimate(lost=("little_mcp",)), dated)
     message = valid(to_json(e, dated.with_openxr(), None, LATEST))
     w, rise = np.array([0.0, 2.0, 0.0]), np.array([0.0, 0.5, 0.0])  # y is up
@@ -127,10 +127,10 @@ def test_an_engine_without_velocities_sends_null(make_estimate, names: Names) ->
     assert message["angles"]["index_mcp_flexion"]["rate"] is None
 
 
-def test_numbers_have_no_gap_but_where_estimates_were_left_out(
+def test_numbers_are_consecutive_except_for_dropped_estimates(
     make_estimate, names: Names, wait_for: Callable[[Callable[[], object]], None]
 ) -> None:
-    """An output that hangs for longer than its queue lasts."""
+    """An output that blocks for longer than its queue can buffer."""
     seen: list[int] = []
     entered = threading.Event()
 
@@ -159,9 +159,7 @@ def test_numbers_have_no_gap_but_where_estimates_were_left_out(
 @pytest.mark.parametrize(
     ("words", "schema"), [("udp", LATEST), ("udp?schema=1", FIRST), ("udp:{}?schema=2", LATEST)]
 )
-def test_udp_sends_the_schema_that_is_set(
-    words: str, schema: int, make_estimate, dated: Names
-) -> None:
+def test_udp_uses_the_selected_schema(words: str, schema: int, make_estimate, dated: Names) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind((LOOPBACK, 0))
         client.settimeout(2)
@@ -173,7 +171,7 @@ def test_udp_sends_the_schema_that_is_set(
         assert valid(client.recv(65536).decode())["schema"] == schema
 
 
-def test_an_unknown_schema_is_refused(names: Names) -> None:
+def test_an_unknown_schema_is_rejected(names: Names) -> None:
     with pytest.raises(StreamError, match="1 or 2, not 3"):
         UdpPublisher(names, schema=3)
 
@@ -192,7 +190,7 @@ def test_options_of_the_command_line_are_checked(words: str, pattern: str) -> No
         with_streams(StreamSettings(), words)
 
 
-def test_options_of_the_command_line_have_their_fields_types() -> None:
+def test_command_line_options_have_their_fields_types() -> None:
     settings = with_streams(StreamSettings(), "udp?schema=1&port=9000,lsl?network=true")
     assert settings.options(STREAMS.get("udp")).schema == 1
     assert settings.options(STREAMS.get("udp")).port == 9000

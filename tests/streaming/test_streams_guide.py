@@ -1,4 +1,4 @@
-"""The user guide's program that listens, run as it stands there."""
+"""The listener program of the user guide, run unchanged."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ BLOCK = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 class _Enough(Exception):
-    """Ends a program that would listen for ever."""
+    """Ends a program that would listen forever."""
 
 
 def free_port() -> int:
@@ -27,7 +27,7 @@ def free_port() -> int:
 
 
 def test_the_guides_program_prints_an_estimate(make_estimate, names: Names) -> None:
-    """Its own lines, on a port that is free."""
+    """Its own lines, on a free port."""
     (text,) = BLOCK.findall(PAGE.read_text("utf-8"))
     assert str(DEFAULT_PORT) in text
     port = free_port()

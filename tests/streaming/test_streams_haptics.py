@@ -22,21 +22,21 @@ def on_x(x: float) -> np.ndarray:
 
 
 def moved(e: Estimate, names: Names, tip: str, to: np.ndarray | None) -> Estimate:
-    """The estimate with one keypoint elsewhere, or lost."""
+    """The estimate with one keypoint moved, or lost."""
     points, state = np.array(e.keypoints), np.array(e.keypoint_state)
     i = names.keypoints.index(tip)
     points[i], state[i] = (np.nan, 0) if to is None else (to, 2)
     return replace(e, keypoints=points, keypoint_state=state)
 
 
-def test_entering_tells_once_and_leaving_needs_a_margin() -> None:
+def test_entering_triggers_once_and_leaving_needs_a_margin() -> None:
     rule = ContactRule([BALL], leave=0.005)
     path = [0.040, 0.031, 0.029, 0.0, 0.034, 0.029, 0.036, 0.029]
     is_new = [rule.entered("index_tip", on_x(x)) for x in path]
     assert is_new == [False, False, True, False, False, False, False, True]
 
 
-def test_fingers_and_spheres_are_told_apart() -> None:
+def test_fingers_and_spheres_are_distinguished() -> None:
     other = Sphere(BALL.center_G + [0.05, 0, 0], 0.03)  # overlaps the first
     rule = ContactRule([BALL, other], leave=0.0)
     assert rule.entered("index_tip", on_x(0.0))
@@ -45,7 +45,7 @@ def test_fingers_and_spheres_are_told_apart() -> None:
     assert not ContactRule([], 0.0).entered("index_tip", on_x(0.0))
 
 
-def test_a_lost_fingertip_neither_touches_nor_leaves(make_estimate, names: Names) -> None:
+def test_a_lost_fingertip_neither_enters_nor_leaves(make_estimate, names: Names) -> None:
     calls: list[tuple[int, int, int]] = []
     out = HapticPublisher(names, [BALL], lambda *a: calls.append(a))
     e = make_estimate()
@@ -57,7 +57,7 @@ def test_a_lost_fingertip_neither_touches_nor_leaves(make_estimate, names: Names
 
 
 class Port:
-    """A serial port that keeps what is written."""
+    """A serial port that stores what is written."""
 
     timeout = 0.0
     in_waiting = 0
@@ -97,6 +97,6 @@ def test_contact_reaches_the_glove_as_a_haptic_frame(make_estimate, names: Names
         {"motors": {"thumb_tip": 256}},
     ],
 )
-def test_what_a_frame_cannot_hold_is_refused(wrong: dict) -> None:
+def test_values_that_do_not_fit_a_frame_are_rejected(wrong: dict) -> None:
     with pytest.raises(ValueError, match=r"amplitude|leave"):
         HapticParams(**wrong)

@@ -34,7 +34,7 @@ class Broken:
 
 
 def datagrams(client: socket.socket) -> list[dict]:
-    """All that waits in the socket."""
+    """All data waiting in the socket."""
     out = []
     client.setblocking(False)
     while True:
@@ -44,7 +44,7 @@ def datagrams(client: socket.socket) -> list[dict]:
             return out
 
 
-def test_a_client_reads_the_states_that_were_recorded(hand: HandModel, glove: GloveModel) -> None:
+def test_a_client_receives_the_recorded_states(hand: HandModel, glove: GloveModel) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=1.0), 1, fps=30)
     names, tape = Names.of(hand, glove), Tape()
     tracker, stream = live(sim, load_profile(RESOURCES / "colours" / "fabric-default.toml"), tape)

@@ -1,4 +1,4 @@
-"""OpenXR's joints on every way out: the same hand as `to_openxr` gives, and nothing where lost."""
+"""OpenXR's joints in every output: the same hand as `to_openxr`, without lost parts."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def openxr(hand: HandModel, glove: GloveModel) -> Names:
     return Names.of(hand, glove, OPENXR)
 
 
-def test_json_has_26_joints_and_null_for_what_is_lost(make_estimate, openxr: Names, hand) -> None:
+def test_json_has_26_joints_and_null_for_lost_ones(make_estimate, openxr: Names, hand) -> None:
     e = make_estimate(lost=LOST)
     read = json.loads(to_json(e, openxr))
     wanted = to_openxr(e, openxr.keypoints, joint_radii(hand))
@@ -45,7 +45,7 @@ def test_json_has_26_joints_and_null_for_what_is_lost(make_estimate, openxr: Nam
     assert tuple(read["angles"]) == openxr.angles
 
 
-def test_the_choice_is_made_for_all_outputs_and_refused_in_words(hand, glove) -> None:
+def test_the_option_applies_to_all_outputs_and_is_validated(hand, glove) -> None:
     settings = with_streams(StreamSettings(), "udp", joints=OPENXR)
     assert settings.joints == OPENXR
     with raises(StreamError, "stream.joints"):

@@ -45,7 +45,7 @@ def test_lost_is_null_and_not_zero(make_estimate, names: Names) -> None:
     assert read["keypoints"]["thumb_ip"]["position"] is not None
 
 
-def test_numbers_of_a_lost_row_do_not_leak(make_estimate, names: Names) -> None:
+def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None:
     e = make_estimate()
     state = np.array(e.keypoint_state)
     state[0] = 0  # lost, though a finite position is still in the row
@@ -71,12 +71,12 @@ def test_udp_arrives_as_one_datagram_per_estimate(make_estimate, names: Names) -
         out.close()
 
 
-def test_udp_without_a_listener_goes_on(make_estimate, names: Names) -> None:
+def test_udp_without_a_listener_continues(make_estimate, names: Names) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
         client.bind(("127.0.0.1", 0))
         port = client.getsockname()[1]
     out = UdpPublisher(names, port=port)
-    for _ in range(5):  # an ICMP "port unreachable" must not come back as an error
+    for _ in range(5):  # an ICMP "port unreachable" must not be raised as an error
         out.send(make_estimate())
     out.close()
 
@@ -89,12 +89,14 @@ def test_udp_without_a_listener_goes_on(make_estimate, names: Names) -> None:
         ("127.0.0.1", 0, "stream.port_range"),
     ],
 )
-def test_udp_to_nowhere_is_said_in_words(names: Names, host: str, port: int, code: str) -> None:
+def test_udp_to_an_invalid_address_is_reported(
+    names: Names, host: str, port: int, code: str
+) -> None:
     with raises(StreamError, code):
         UdpPublisher(names, host, port)
 
 
-def test_gestures_are_told_with_their_values() -> None:
+def test_gestures_are_sent_with_their_values() -> None:
     names = Names.of(HAND, GLOVE)
     gestures, here = names.recogniser(), (0.17, 0.0, 0.1)
     assert gestures is not None

@@ -1,4 +1,4 @@
-"""Slow, dead and hanging outputs next to a healthy one; trackers that publish or are polled."""
+"""Slow, failing and blocked outputs next to a working one; trackers that publish or are polled."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tracker.streaming.streams import BACKLOG, Streams, of_all_hands
 
 
 class Sink:
-    """An output that keeps what it gets, and can be blocked or broken."""
+    """An output that stores what it receives, and can be blocked or broken."""
 
     def __init__(self, name: str = "sink") -> None:
         self.name, self.closed = name, 0
@@ -34,7 +34,7 @@ class Sink:
 
 
 class Tracker:
-    """Offers a new estimate whenever the test says so."""
+    """Offers a new estimate on request of the test."""
 
     def __init__(self) -> None:
         self.estimate: Estimate | None = None
@@ -43,7 +43,7 @@ class Tracker:
         return self.estimate
 
 
-def test_a_blocked_output_holds_up_neither_caller_nor_neighbour(make_estimate, wait_for) -> None:
+def test_a_blocked_output_delays_neither_caller_nor_other_outputs(make_estimate, wait_for) -> None:
     slow, healthy = Sink("slow"), Sink("healthy")
     slow.open.clear()
     streams = Streams([slow, healthy])
@@ -63,7 +63,7 @@ def test_a_blocked_output_holds_up_neither_caller_nor_neighbour(make_estimate, w
     streams.close()
 
 
-def test_a_failing_output_is_told_once_and_recovers(make_estimate, wait_for) -> None:
+def test_a_failing_output_is_reported_once_and_recovers(make_estimate, wait_for) -> None:
     reported: list[Notice] = []
     sink = Sink("UDP")
     sink.fault = OSError("network is unreachable")
@@ -82,7 +82,7 @@ def test_a_failing_output_is_told_once_and_recovers(make_estimate, wait_for) -> 
     assert sink.closed == 1
 
 
-def test_closing_does_not_wait_for_an_output_that_hangs(make_estimate) -> None:
+def test_closing_does_not_wait_for_a_blocked_output(make_estimate) -> None:
     sink = Sink()
     sink.open.clear()
     streams = Streams([sink])
@@ -109,7 +109,7 @@ def test_a_tracker_is_polled_and_each_estimate_sent_once(make_estimate, wait_for
     assert not [t for t in threading.enumerate() if t.name == "glovetrack-streams"]
 
 
-def test_the_rate_is_held(make_estimate) -> None:
+def test_the_rate_is_limited(make_estimate) -> None:
     tracker, sink = Tracker(), Sink()
     attached = attach(tracker, [sink], rate_hz=20)
     end = time.monotonic() + 0.5
@@ -136,10 +136,10 @@ class Publishing(Tracker):
             subscriber(estimate)
 
 
-def test_a_burst_of_a_tracker_that_publishes_is_sent_whole(make_estimate, wait_for) -> None:
+def test_a_burst_of_a_publishing_tracker_is_sent_completely(make_estimate, wait_for) -> None:
     tracker, sink = Publishing(), Sink()
     attached = attach(tracker, [sink])
-    burst = [k / 100 for k in range(BACKLOG)]  # as after half a second without the processor
+    burst = [k / 100 for k in range(BACKLOG)]  # as after half a second without a processor
     for t in burst:
         tracker.publish(make_estimate(t))
     wait_for(lambda: len(sink.got) == len(burst))
@@ -152,7 +152,7 @@ def test_a_burst_of_a_tracker_that_publishes_is_sent_whole(make_estimate, wait_f
     assert not tracker.subscribers and sink.closed == 1
 
 
-def test_a_lower_rate_thins_by_the_estimates_times(make_estimate, wait_for) -> None:
+def test_a_lower_rate_drops_estimates_by_their_times(make_estimate, wait_for) -> None:
     tracker, sink = Publishing(), Sink()
     attached = attach(tracker, [sink], rate_hz=25)
     for k in range(40):
@@ -175,6 +175,6 @@ def test_both_hands_are_counted_together(make_estimate, wait_for) -> None:
 
 
 @pytest.mark.parametrize("rate", [0.0, -1.0, 1000.0])
-def test_an_impossible_rate_is_refused(rate: float) -> None:
+def test_an_impossible_rate_is_rejected(rate: float) -> None:
     with pytest.raises(ValueError, match="rate"):
         attach(Tracker(), [], rate_hz=rate)

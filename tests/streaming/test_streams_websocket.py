@@ -1,4 +1,4 @@
-"""The WebSocket server: read by the library's client, and by bare sockets that misbehave."""
+"""The WebSocket server: with the library's client, and with misbehaving bare sockets."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def url(server: WebSocketPublisher) -> str:
 
 
 def bare_client(server: WebSocketPublisher) -> socket.socket:
-    """A client that shakes hands and then reads nothing, with a small window."""
+    """A client that completes the handshake and then reads nothing, with a small window."""
     client = socket.socket()
     client.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 2048)
     client.connect(("127.0.0.1", server.port))
@@ -47,7 +47,7 @@ def bare_client(server: WebSocketPublisher) -> socket.socket:
     return client
 
 
-def test_every_client_gets_the_estimates(server, make_estimate, names, wait_for) -> None:
+def test_every_client_receives_the_estimates(server, make_estimate, names, wait_for) -> None:
     with connect(url(server)) as a, connect(url(server)) as b:
         wait_for(lambda: server.clients == 2)
         for t in (1.0, 2.0):
@@ -59,7 +59,7 @@ def test_every_client_gets_the_estimates(server, make_estimate, names, wait_for)
     wait_for(lambda: not server.clients or server.send(make_estimate()))
 
 
-def test_connections_add_nothing_to_the_log(server, wait_for, caplog) -> None:
+def test_connections_are_not_logged(server, wait_for, caplog) -> None:
     with caplog.at_level(logging.INFO):
         with connect(url(server)):
             wait_for(lambda: server.clients == 1)
@@ -67,11 +67,11 @@ def test_connections_add_nothing_to_the_log(server, wait_for, caplog) -> None:
     assert [r.message for r in caplog.records if "client" not in r.name] == []
 
 
-def test_a_client_that_does_not_read_slows_nobody(server, make_estimate, wait_for) -> None:
+def test_a_client_that_does_not_read_delays_no_one(server, make_estimate, wait_for) -> None:
     with contextlib.closing(bare_client(server)), connect(url(server)) as healthy:
         wait_for(lambda: server.clients == 2)
         estimate, longest = make_estimate(), 0.0
-        for k in range(1500):  # some 6 MB: far more than the buffers between them hold
+        for k in range(1500):  # about 6 MB: far more than the buffers in between
             started = time.perf_counter()
             server.send(replace(estimate, t=float(k)))
             longest = max(longest, time.perf_counter() - started)
@@ -82,14 +82,14 @@ def test_a_client_that_does_not_read_slows_nobody(server, make_estimate, wait_fo
     wait_for(lambda: server.missed()[""] > 0)
 
 
-def test_a_client_that_vanishes_is_forgotten(server, make_estimate, wait_for) -> None:
+def test_a_client_that_disappears_is_removed(server, make_estimate, wait_for) -> None:
     client = bare_client(server)
     wait_for(lambda: server.clients == 1)
     client.close()
     wait_for(lambda: not server.clients or server.send(make_estimate()))
 
 
-def test_pages_of_other_sites_are_turned_away(server) -> None:
+def test_pages_of_other_sites_are_rejected(server) -> None:
     with pytest.raises(InvalidStatus) as refused:
         connect(url(server), origin="https://example.com")
     assert refused.value.response.status_code == 403
@@ -100,7 +100,7 @@ def test_pages_of_other_sites_are_turned_away(server) -> None:
             pass
 
 
-def test_clients_are_limited(server, wait_for) -> None:
+def test_the_number_of_clients_is_limited(server, wait_for) -> None:
     with contextlib.ExitStack() as stack:
         for _ in range(MAX_CLIENTS):
             stack.enter_context(connect(url(server)))
@@ -110,13 +110,13 @@ def test_clients_are_limited(server, wait_for) -> None:
         assert refused.value.rcvd is not None and refused.value.rcvd.code == 1013
 
 
-def test_only_this_machine_is_listened_to(server) -> None:
-    with socket.socket() as other:  # another address of the loopback net stands for the network
+def test_only_the_loopback_address_is_used(server) -> None:
+    with socket.socket() as other:  # another loopback address represents the network
         other.settimeout(1)
         assert other.connect_ex(("127.0.0.2", server.port)) != 0
 
 
-def test_a_taken_port_is_said_in_words(names: Names) -> None:
+def test_a_port_in_use_is_reported(names: Names) -> None:
     with socket.socket() as holder:
         holder.bind(("127.0.0.1", 0))
         holder.listen()
@@ -124,7 +124,9 @@ def test_a_taken_port_is_said_in_words(names: Names) -> None:
             WebSocketPublisher(names, port=holder.getsockname()[1])
 
 
-def test_closing_lets_clients_go_and_frees_the_port(names: Names, make_estimate, wait_for) -> None:
+def test_closing_disconnects_clients_and_frees_the_port(
+    names: Names, make_estimate, wait_for
+) -> None:
     server = WebSocketPublisher(names, port=0)
     with connect(url(server)) as client:
         wait_for(lambda: server.clients == 1)
@@ -137,7 +139,7 @@ def test_closing_lets_clients_go_and_frees_the_port(names: Names, make_estimate,
     WebSocketPublisher(names, port=server.port).close()
 
 
-def test_a_client_chooses_its_schema_by_the_address(server, make_estimate, wait_for) -> None:
+def test_a_client_selects_its_schema_by_the_address(server, make_estimate, wait_for) -> None:
     with connect(url(server)) as new, connect(url(server) + "?schema=1") as old:
         wait_for(lambda: server.clients == 2)
         server.send(make_estimate())
@@ -146,7 +148,7 @@ def test_a_client_chooses_its_schema_by_the_address(server, make_estimate, wait_
         assert json.loads(old.recv(timeout=2))["schema"] == 1
 
 
-def test_a_client_that_asks_for_an_unknown_schema_is_turned_away(server) -> None:
+def test_a_client_that_requests_an_unknown_schema_is_rejected(server) -> None:
     with connect(url(server) + "?schema=9") as client, pytest.raises(ConnectionClosed) as closed:
         client.recv(timeout=2)
     assert closed.value.rcvd is not None and "schema is one of" in closed.value.rcvd.reason

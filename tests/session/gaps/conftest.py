@@ -1,4 +1,4 @@
-"""A hand that swings."""
+"""A swinging hand."""
 
 import numpy as np
 import pytest
@@ -9,5 +9,5 @@ from tracker.session.description import SessionInfo
 
 @pytest.fixture
 def swing(session_info: SessionInfo) -> Swing:
-    """Once there and back within a second."""
+    """There and back within a second."""
     return made(session_info, lambda t: 0.5 * np.sin(2 * np.pi * t))

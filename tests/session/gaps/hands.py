@@ -1,4 +1,4 @@
-"""A hand whose motion is known at every instant."""
+"""A hand with known motion."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ class Swing:
         return list(range(len(self.skeleton.names)))
 
     def uniform(self) -> Swing:
-        """The same hand at constant speeds."""
+        """The same hand with constant velocities."""
         return made(self.info, lambda t: t)
 
 
 def made(info: SessionInfo, phase: object) -> Swing:
-    """``phase``: how far the motion is at a time (s), s."""
+    """``phase``: the phase of the motion at a time (s), s."""
     t = np.arange(ROWS) / RATE
     hand, glove = info.hand, info.glove
     flexions = np.array([name.endswith("_flexion") for name in hand.joint_names])

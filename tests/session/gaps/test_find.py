@@ -1,4 +1,4 @@
-"""Gaps in made-up states, whose every limit is known."""
+"""Gaps in synthetic states with known limits."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def evenly(n: int) -> np.ndarray:
     return np.arange(n) / 10.0
 
 
-def test_what_is_measured_throughout_has_no_gap() -> None:
+def test_a_hand_measured_throughout_has_no_gap() -> None:
     assert found(evenly(20), [M] * 20) == []
 
 
@@ -57,15 +57,15 @@ def test_inferred_rows_are_a_gap_beyond_the_limit(rows: int, listed: bool) -> No
     assert found(evenly(len(states)), states) == expected
 
 
-def test_an_inferred_stretch_beside_a_lost_one_ends_at_its_own_row() -> None:
+def test_an_inferred_span_next_to_a_lost_one_ends_at_its_own_row() -> None:
     states = [M, *[I] * 8, L, L, M]
     assert found(evenly(12), states) == [Interval(INFERRED, 0, 8), Interval(LOST, 8, 11)]
 
 
-def test_what_is_never_measured_is_one_gap_whatever_is_lost_between() -> None:
+def test_a_point_never_measured_is_one_gap_including_lost_spans() -> None:
     states = [I] * 4 + [L] + [I] * 4
     assert sorted(found(evenly(9), states)) == [Interval(INFERRED, -1, 9), Interval(LOST, 3, 5)]
 
 
-def test_what_is_never_known_is_one_lost_gap() -> None:
+def test_a_point_never_known_is_one_lost_gap() -> None:
     assert found(evenly(9), [L] * 9) == [Interval(LOST, -1, 9)]

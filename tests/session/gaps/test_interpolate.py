@@ -1,4 +1,4 @@
-"""Interpolated hands against motion that is known."""
+"""Interpolated hands compared with known motion."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def filled(
 
 @pytest.mark.parametrize("method", [LINEAR, CUBIC])
 def test_uniform_motion_is_filled_exactly(swing: Swing, method: str) -> None:
-    """A hand that moves and turns at constant speeds, its fingers bending at constant rates."""
+    """A hand with constant velocities and constant joint rates."""
     uniform = swing.uniform()
     motion = filled(uniform, method, uniform.all_points)
     np.testing.assert_allclose(motion.keypoints, uniform.motion.keypoints, atol=1e-9)
@@ -43,7 +43,7 @@ def test_uniform_motion_is_filled_exactly(swing: Swing, method: str) -> None:
     assert (turns.inv() * truth).magnitude().max() < 1e-7
 
 
-def test_bones_keep_their_lengths(swing: Swing) -> None:
+def test_bone_lengths_are_constant(swing: Swing) -> None:
     motion = filled(swing, LINEAR, swing.all_points)
     for a, b in (("index_mcp", "index_pip"), ("wrist", "middle_mcp"), ("thumb_ip", "thumb_tip")):
         i, j = swing.skeleton.names.index(a), swing.skeleton.names.index(b)
@@ -60,8 +60,8 @@ def test_a_cubic_follows_a_swing_more_closely_than_a_line(swing: Swing) -> None:
     assert errors[CUBIC] < 0.4 * errors[LINEAR]
 
 
-def test_a_finger_is_filled_on_the_hand_that_is_known(swing: Swing) -> None:
-    """Its hand goes on moving in the gap, and so does the finger."""
+def test_a_finger_is_filled_on_a_known_hand(swing: Swing) -> None:
+    """Its hand continues to move in the gap, and so does the finger."""
     names = swing.skeleton.names
     index = [k for k, n in enumerate(names) if n.startswith("index_")]
     motion = filled(swing, LINEAR, index)
@@ -72,8 +72,8 @@ def test_a_finger_is_filled_on_the_hand_that_is_known(swing: Swing) -> None:
     assert np.linalg.norm(away, axis=2).max() < 0.2 * np.linalg.norm(moved, axis=1).max()
 
 
-def test_measured_angles_are_kept_in_a_gap_of_the_place(swing: Swing) -> None:
-    """Where the hand is lost but its glove goes on, fingers bend as the glove says."""
+def test_measured_angles_are_preserved_in_a_gap_of_the_position(swing: Swing) -> None:
+    """Where the hand is lost but its packets continue, fingers bend as measured."""
     motion, rows = swing.motion.copy(), HAND_ROWS
     motion.keypoints[rows] = np.nan
     motion.q[rows] = np.nan
@@ -95,15 +95,15 @@ def test_measured_angles_are_kept_in_a_gap_of_the_place(swing: Swing) -> None:
     np.testing.assert_allclose(local[0], local[1], atol=1e-6)
 
 
-def test_the_course_of_another_tracking_is_followed(swing: Swing) -> None:
-    """One that is 5 mm off: its shape is taken over, and both ends fit."""
+def test_the_trajectory_of_another_tracking_is_followed(swing: Swing) -> None:
+    """One that is 5 mm off: its shape is used, and both ends match."""
     shape = swing.motion.copy()
     shape.keypoints = shape.keypoints + [0.003, 0.004, 0.0]
     motion = filled(swing, LINEAR, swing.all_points, shape)
     np.testing.assert_allclose(motion.keypoints, swing.motion.keypoints, atol=1e-9)
 
 
-def test_a_gap_without_an_end_stays(swing: Swing) -> None:
+def test_a_gap_without_an_end_is_unchanged(swing: Swing) -> None:
     motion = swing.motion.copy()
     motion.keypoints[50:] = motion.q[50:] = np.nan
     before = motion.copy()

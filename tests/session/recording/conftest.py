@@ -1,4 +1,4 @@
-"""Recorders in processes of their own, and a look at what they leave behind."""
+"""Recorders in separate processes, and checks of what they leave behind."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ NAME = "glovetrack-recorder"
 
 
 def shared_names() -> set[str]:
-    """Of blocks of memory that anyone has made here and not given up yet."""
+    """Names of shared memory blocks created here and not freed yet."""
     return {p.name for p in SHARED.glob("psm_*")} if SHARED.is_dir() else set()
 
 
 def left_since(before: set[str]) -> set[str]:
-    """Names that stay; those of tests beside this one are gone in a moment."""
+    """Names that persist; those of parallel tests disappear soon."""
     deadline = time.monotonic() + 10
     while (left := shared_names() - before) and time.monotonic() < deadline:
         time.sleep(0.05)
@@ -30,7 +30,7 @@ def left_since(before: set[str]) -> set[str]:
 
 @pytest.fixture
 def recorders() -> Iterator[Callable[..., RecorderProcesses]]:
-    """``recorders(prepare)``; in the end no process and no shared memory of them is left."""
+    """``recorders(prepare)``; afterwards no process and no shared memory of them is left."""
     before, made = shared_names(), []
 
     def make(prepare: Callable[[], None] | None = None) -> RecorderProcesses:

@@ -1,8 +1,8 @@
-"""Kills a window that records, its recorder, or both, at random moments, in real time.
+"""Kills a recording window, its recorder, or both, at random times, in real time.
 
     python -m tests.session.recording.process_drill --kills 20
 
-The tests do the same with fewer.
+The tests do the same with fewer kills.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from tracker.session.recover import needs_recovery, recover
 
 
 def killed(path: Path, what: str, wait: float) -> tuple[float, bool]:
-    """s lost, and whether the file was finished all the same."""
+    """s lost, and whether the file was finished nevertheless."""
     context = multiprocessing.get_context("spawn")
     last_put, pid = (context.Value(c_long, -1, lock=False) for _ in range(2))
     window = context.Process(target=victim, args=(path, last_put, pid))

@@ -1,4 +1,4 @@
-"""What is done to a recorder's process before it records: disks that are small, slow or broken."""
+"""Preparations of a recorder's process: disks that are small, slow or defective."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from tracker.session.recording import child
 
 @dataclass(frozen=True)
 class SmallFiles:
-    """The system lets no file grow beyond ``limit`` bytes, as with ``ulimit -f``."""
+    """Limits the size of files to ``limit`` bytes, as ``ulimit -f``."""
 
     limit: int
 
     def __call__(self) -> None:
         import resource
 
-        # Python 3.11 would leave half of a compiled module there (CPython issue 126606).
+        # Python 3.11 would write half of a compiled module there (CPython issue 126606).
         sys.dont_write_bytecode = True
         resource.setrlimit(resource.RLIMIT_FSIZE, (self.limit, self.limit))
 
 
 @dataclass(frozen=True)
 class FullDisk:
-    """``room`` bytes can be written, part of the last write too, as on a full disk."""
+    """``room`` bytes can be written, including part of the last write, as on a full disk."""
 
     room: int
 
@@ -47,7 +47,7 @@ class FullDisk:
 
 @dataclass(frozen=True)
 class SlowDisk:
-    """Bringing anything down to the disk takes ``s``; writing to the system's memory does not."""
+    """Synchronising to the disk takes ``s``; writing to the system's memory does not."""
 
     s: float
 
@@ -58,7 +58,7 @@ class SlowDisk:
 
 @dataclass(frozen=True)
 class BrokenSync:
-    """The disk fails when it is to hold what was written, from the ``after``-th time on."""
+    """The disk fails when synchronised, from the ``after``-th time on."""
 
     after: int
 

@@ -1,4 +1,4 @@
-"""Images in shared memory: places are taken, given back, and no more than the system has."""
+"""Images in shared memory: slots are allocated and freed, within the system's limits."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def slots():
     assert not left_since(before)
 
 
-def test_every_place_can_be_taken_once_and_again_after_it_is_freed(slots) -> None:
+def test_every_slot_can_be_allocated_again_after_it_is_freed(slots) -> None:
     reader, sent = SlotReader(slots.opened), [frame(k) for k in range(slots.opened.slots)]
     put = [slots.put(f) for f in sent]
     assert slots.put(frame(99)) is None
@@ -44,7 +44,7 @@ def test_every_place_can_be_taken_once_and_again_after_it_is_freed(slots) -> Non
     reader.close()
 
 
-def test_the_name_is_gone_once_both_sides_are_there(slots) -> None:
+def test_the_name_is_removed_once_both_sides_are_attached(slots) -> None:
     name = slots.opened.name
     assert not shared_names() or name in shared_names()
     reader = SlotReader(slots.opened)
@@ -52,12 +52,12 @@ def test_the_name_is_gone_once_both_sides_are_there(slots) -> None:
     reader.close()
 
 
-def test_memory_of_which_nobody_heard_leaves_nothing(slots) -> None:
-    """The fixture looks: the other side never attached."""
+def test_memory_that_was_never_attached_is_freed(slots) -> None:
+    """Checked by the fixture: the other side never attached."""
 
 
 @pytest.mark.skipif(not hasattr(os, "posix_fallocate"), reason="the system's own way to say no")
-def test_a_system_with_little_room_gives_fewer_places_and_none_in_words(monkeypatch) -> None:
+def test_a_system_with_little_memory_gives_fewer_slots_and_reports_none(monkeypatch) -> None:
     before, take, left = shared_names(), os.posix_fallocate, [3 * bytes_of(frame(0)) + 100]
 
     def little(handle: int, start: int, size: int) -> None:

@@ -1,4 +1,4 @@
-"""SIGKILL of either process: at most half a second is lost, and nothing is left in memory."""
+"""SIGKILL of either process: at most half a second is lost, and no shared memory is left."""
 
 from __future__ import annotations
 
@@ -59,14 +59,14 @@ def packets(path: Path) -> list[int]:
 
 
 def lost_s(path: Path, last: int) -> float:
-    """Of what was put; nothing is missing in between."""
+    """Packets of the file; none is missing in between."""
     found = packets(path)
     assert found == list(range(len(found)))
     return (last + 1 - len(found)) * PERIOD
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
-def test_a_recorder_that_is_killed_is_said_and_the_next_one_records_at_once(
+def test_a_killed_recorder_is_reported_and_the_next_one_records_at_once(
     tmp_path, recorders, seed
 ) -> None:
     path, reports, last_put = tmp_path / "a.mcap", [], c_long(-1)
@@ -95,7 +95,7 @@ def test_a_recorder_that_is_killed_is_said_and_the_next_one_records_at_once(
     assert is_ok(verify(tmp_path / "b.mcap"))
 
 
-def test_a_recorder_killed_while_it_waits_is_replaced(tmp_path, recorders) -> None:
+def test_a_recorder_killed_while_idle_is_replaced(tmp_path, recorders) -> None:
     processes, about = recorders(), info()
     first = processes.record(tmp_path / "a.mcap", about)
     first.close()
@@ -110,8 +110,8 @@ def test_a_recorder_killed_while_it_waits_is_replaced(tmp_path, recorders) -> No
 
 
 def victim(path: Path, last_put: c_long, pid: c_long) -> None:
-    """A window that records for ever, and dies when its terminal does (who runs the tests may have
-    said otherwise, nohup does)."""
+    """A window that records endlessly, and ends when its terminal does (the test runner may have
+    changed that, as nohup does)."""
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     maker = MessageMaker(info())
     recorder = RecorderProcesses().record(path, maker.info)
@@ -121,7 +121,7 @@ def victim(path: Path, last_put: c_long, pid: c_long) -> None:
 
 @pytest.fixture
 def window(tmp_path):
-    """``window()`` begins one and gives (process, the recorder's pid, last packet put)."""
+    """``window()`` starts one and returns (process, the recorder's pid, last packet sent)."""
     context, begun = multiprocessing.get_context("spawn"), []
 
     def begin(path: Path):
@@ -147,14 +147,14 @@ def has_ended(pid: int, timeout: float) -> bool:
     deadline = time.monotonic() + timeout
     while psutil.pid_exists(pid) and time.monotonic() < deadline:
         if psutil.Process(pid).status() == psutil.STATUS_ZOMBIE:
-            return True  # its parent is dead, and nobody here may reap it
+            return True  # its parent has ended, and only init may reap it
         time.sleep(0.02)
     return not psutil.pid_exists(pid)
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGHUP, signal.SIGINT])
-def test_of_a_window_that_is_killed_the_file_is_finished(tmp_path, window, number) -> None:
-    """A terminal that closes, or Ctrl+C in it, is told to both processes at once."""
+def test_the_file_of_a_killed_window_is_finished(tmp_path, window, number) -> None:
+    """Closing a terminal, or Ctrl+C in it, signals both processes at once."""
     path, before = tmp_path / "a.mcap", shared_names()
     process, pid, last_put = window(path)
     if number != signal.SIGKILL:
@@ -168,7 +168,7 @@ def test_of_a_window_that_is_killed_the_file_is_finished(tmp_path, window, numbe
     assert not left_since(before)
 
 
-def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, window) -> None:
+def test_the_file_of_both_killed_processes_can_be_recovered(tmp_path, window) -> None:
     path, before = tmp_path / "a.mcap", shared_names()
     process, pid, last_put = window(path)
     os.kill(pid, signal.SIGKILL)
@@ -180,7 +180,7 @@ def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, w
     assert not left_since(before)
 
 
-def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(
+def test_a_stopped_recorder_is_replaced_and_finishes_when_resumed(
     tmp_path, recorders, monkeypatch
 ) -> None:
     monkeypatch.setattr("tracker.session.recording.process.SEND_TIMEOUT", 1)
@@ -205,8 +205,8 @@ def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(
     assert packets(path) == list(range(last_put.value + 1))
 
 
-def test_a_recorder_told_to_end_finishes_its_file(tmp_path, recorders) -> None:
-    """As at the end of a login session, where every process is told to end."""
+def test_a_terminated_recorder_finishes_its_file(tmp_path, recorders) -> None:
+    """As at the end of a login session, where every process gets SIGTERM."""
     path, about = tmp_path / "a.mcap", info()
     recorder, maker = recorders().record(path, about), MessageMaker(about)
     for k in range(50):

@@ -1,4 +1,4 @@
-"""Recording in another process: the same file, the same sentences, and nobody waits."""
+"""Recording in another process: the same file, the same messages, and no blocking."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def attachments(path: Path) -> list[tuple[str, int, bytes]]:
 
 
 def play(recorder, messages, together: int = 20) -> None:
-    """Write and close as the disk's thread does, but wait where an image has no room."""
+    """Write and close as the disk thread does, but wait while an image has no slot."""
     for i, message in enumerate(messages):
         while not recorder.write(message):
             recorder.flush()
@@ -57,7 +57,7 @@ def play(recorder, messages, together: int = 20) -> None:
     recorder.close()
 
 
-def test_the_file_is_that_of_a_recorder_in_the_same_process(
+def test_the_file_equals_that_of_a_recorder_in_the_same_process(
     tmp_path, recorders, session_info, maker
 ) -> None:
     state = EngineState(at(3), "chain", (np.arange(6.0), [2.5]))
@@ -74,7 +74,7 @@ def test_the_file_is_that_of_a_recorder_in_the_same_process(
     assert np.array_equal(found.state[0], np.arange(6.0)) and found.state[1] == [2.5]
 
 
-def test_recordings_follow_each_other_in_the_same_process(
+def test_successive_recordings_use_the_same_process(
     tmp_path, recorders, session_info, maker
 ) -> None:
     processes, pids = recorders(), set()
@@ -89,7 +89,7 @@ def test_recordings_follow_each_other_in_the_same_process(
             assert len(list(reader.messages((ImuSample,)))) == n
 
 
-def test_two_recordings_at_once_have_a_process_each(
+def test_two_simultaneous_recordings_use_a_process_each(
     tmp_path, recorders, session_info, maker
 ) -> None:
     processes = recorders()
@@ -100,7 +100,7 @@ def test_two_recordings_at_once_have_a_process_each(
     assert is_ok(verify(tmp_path / "a.mcap")) and is_ok(verify(tmp_path / "b.mcap"))
 
 
-def test_a_process_that_waits_begins_at_once(tmp_path, recorders, session_info) -> None:
+def test_an_idle_process_begins_at_once(tmp_path, recorders, session_info) -> None:
     processes = recorders()
     processes.record(tmp_path / "a.mcap", session_info).close()
     times = []
@@ -109,7 +109,7 @@ def test_a_process_that_waits_begins_at_once(tmp_path, recorders, session_info) 
         recorder = processes.record(tmp_path / f"b{n}.mcap", session_info)
         times.append(time.monotonic() - started)
         recorder.close()
-    assert min(times) < 0.1  # the first of a process takes what Python's start takes
+    assert min(times) < 0.1  # the first includes the start of Python
 
 
 LOADED = """
@@ -124,13 +124,13 @@ assert "tracker.session.export.urdf" in sys.modules
 """
 
 
-def test_what_the_first_file_needs_is_loaded_before_it_is_asked_for() -> None:
-    """With scipy, which took two seconds on a busy machine, missing from the recording."""
+def test_the_first_file_needs_no_further_imports() -> None:
+    """With scipy, two seconds were missing from the recording on a loaded computer."""
     done = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 
 
-def test_refusals_are_those_of_a_recorder_in_the_same_process(
+def test_errors_are_those_of_a_recorder_in_the_same_process(
     tmp_path, recorders, session_info
 ) -> None:
     processes, taken = recorders(), tmp_path / "a.mcap"
@@ -146,7 +146,7 @@ def test_refusals_are_those_of_a_recorder_in_the_same_process(
 
 
 def until_it_fails(recorder, maker: MessageMaker) -> FileError:
-    """The error that writing ends with; the recorder is closed after it as after any other."""
+    """The error that ends writing; afterwards the recorder is closed as after any other."""
     try:
         for k in range(3000):
             recorder.write(maker.imu(10.0 * k, k))
@@ -168,7 +168,7 @@ def until_it_fails(recorder, maker: MessageMaker) -> FileError:
         (BrokenSync(4), "cannot be written: the disk failed or was taken away."),
     ],
 )
-def test_a_disk_that_fails_is_told_in_the_same_words_and_leaves_whole_chunks(
+def test_a_failing_disk_is_reported_alike_and_leaves_complete_chunks(
     tmp_path, recorders, session_info, maker, spoiler, words
 ) -> None:
     path = tmp_path / "a.mcap"
@@ -193,8 +193,8 @@ def test_after_a_full_disk_the_same_process_records_elsewhere(
     assert is_ok(verify(tmp_path / "b.mcap"))
 
 
-def test_a_slow_disk_costs_nothing(tmp_path, recorders, session_info, maker) -> None:
-    """Each sync takes 0.2 s, and there are over a hundred chunks: half a minute in a row."""
+def test_a_slow_disk_loses_nothing(tmp_path, recorders, session_info, maker) -> None:
+    """Each sync takes 0.2 s, and there are over a hundred chunks: half a minute in total."""
     path, messages = tmp_path / "a.mcap", list(maker.stream(2000))
     params = RecorderParams(images="png", chunk_bytes=16 * 1024)
     recorder = recorders(SlowDisk(0.2)).record(path, session_info, params)
@@ -207,10 +207,10 @@ def test_a_slow_disk_costs_nothing(tmp_path, recorders, session_info, maker) -> 
     assert (kinds.count("ImuSample"), kinds.count("StereoFrame")) == (200, 100)
 
 
-def test_a_slow_encoder_costs_images_which_are_counted_and_no_packet(
+def test_a_slow_encoder_loses_images_which_are_counted_but_no_packets(
     tmp_path, recorders, session_info, maker
 ) -> None:
-    """Two threads at 0.1 s per image: ten pairs a second, of a hundred within a moment."""
+    """Two threads at 0.1 s per image: ten pairs per second, of a hundred at once."""
     path, reports = tmp_path / "a.mcap", []
     recorder = recorders(SlowEncoder(0.1)).record(path, session_info)
     thread = RecordingThread(recorder, lambda *report: reports.append(report))
@@ -228,7 +228,7 @@ def test_a_slow_encoder_costs_images_which_are_counted_and_no_packet(
     assert images == sorted(images) and len(images) == 100 - thread.thinned
 
 
-def test_handing_over_never_waits_for_a_process_that_does_not_get_on(
+def test_sending_never_blocks_on_a_stalled_process(
     tmp_path, recorders, session_info, maker
 ) -> None:
     recorder = recorders(SlowEncoder(0.5)).record(tmp_path / "a.mcap", session_info)
@@ -245,7 +245,7 @@ def test_handing_over_never_waits_for_a_process_that_does_not_get_on(
     assert thread.thinned > 200
 
 
-def test_images_of_another_size_and_of_one_camera_come_through(
+def test_images_of_another_size_and_of_one_camera_are_recorded(
     tmp_path, recorders, session_info, maker
 ) -> None:
     path, rng = tmp_path / "a.mcap", np.random.default_rng(3)
