@@ -25,7 +25,7 @@ for cell in json.load(open(sys.argv[1], encoding="utf-8"))["cells"]:
 """
 
 
-def test_it_runs_and_shows_what_its_text_says(tmp_path: Path) -> None:
+def test_it_runs_and_shows_the_results_in_its_text(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-c", RUN, str(NOTEBOOK)],
         cwd=tmp_path,

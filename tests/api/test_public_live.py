@@ -54,7 +54,7 @@ def test_both_hands_without_a_camera_come_in_one_stream() -> None:
     live.close()  # again
 
 
-def test_what_is_not_there_is_said_in_words(tmp_path: Path) -> None:
+def test_missing_devices_are_reported(tmp_path: Path) -> None:
     with pytest.raises(glovetrack.DeviceError, match="No glove found"):
         glovetrack.LiveTracker.from_devices(str(tmp_path / "ttyUSB9"))
     with pytest.raises(glovetrack.ConfigError, match="Hands can be"):

@@ -62,7 +62,7 @@ def test_the_truth_of_a_simulated_session(simulated: glovetrack.Recording) -> No
         assert np.median(np.abs(away)) < 0.02, "the truth is that of this hand (usual error 4 mm)"
 
 
-def test_a_slice_has_the_same_instants(live: glovetrack.Recording) -> None:
+def test_a_slice_has_the_same_times(live: glovetrack.Recording) -> None:
     part = live[1.0:2.0]
     inside = (live.t >= 1.0) & (live.t < 2.0)
     np.testing.assert_array_equal(part.t, live.t[inside])
@@ -134,7 +134,7 @@ def test_another_engine(live: glovetrack.Recording, tmp_path: Path) -> None:
         live.track(out=tmp_path / "vist.mcap")
 
 
-def test_exports_hold_the_same_numbers(live: glovetrack.Recording, tmp_path: Path) -> None:
+def test_exports_contain_the_same_numbers(live: glovetrack.Recording, tmp_path: Path) -> None:
     done = live.export("csv", tmp_path / "hand.csv")
     with (tmp_path / "hand.csv").open() as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -157,14 +157,14 @@ def test_both_hands(live_recordings: LiveRecordings) -> None:
     assert both.track().compare(both)["identical"]
 
 
-def test_events_are_notes_and_what_happened(live: glovetrack.Recording) -> None:
+def test_events_are_notes_and_incidents(live: glovetrack.Recording) -> None:
     (begun,) = [e for e in live.events if e.kind == "recording"]
     assert abs(begun.t) < 1.0
     # an event of an image has the image's time: a loaded computer reports it seconds later
     assert all(-30.0 < e.t < live.duration + 1.0 for e in live.events)
 
 
-def test_what_is_not_a_session_is_refused_in_words(tmp_path: Path) -> None:
+def test_other_files_are_rejected(tmp_path: Path) -> None:
     with pytest.raises(glovetrack.FileError):
         glovetrack.open(tmp_path / "missing.mcap")
     (tmp_path / "text.mcap").write_text("not a session")
@@ -187,7 +187,7 @@ def test_a_difference_is_located(simulated: glovetrack.Recording) -> None:
 def test_a_slice_is_compared_and_exported_as_a_slice(
     simulated: glovetrack.Recording, tmp_path: Path
 ) -> None:
-    """Files are cut at the instants at which messages arrived, which a loaded computer delays."""
+    """Files are cut at the arrival times of messages, which a loaded computer delays."""
     tracked = simulated.track()
     part = tracked[1.0:2.0]
     found = part.compare(tracked)
@@ -197,7 +197,7 @@ def test_a_slice_is_compared_and_exported_as_a_slice(
     assert done["rows"] == pytest.approx(len(part.t), abs=3)
 
 
-def test_nothing_is_left_where_tracking_fails(
+def test_a_failed_tracking_leaves_nothing(
     live: glovetrack.Recording, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))

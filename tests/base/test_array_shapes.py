@@ -1,4 +1,4 @@
-"""Shapes as they are declared, against arrays of known shapes."""
+"""Declared shapes, compared with arrays of known shapes."""
 
 import numpy as np
 import pytest
@@ -28,11 +28,11 @@ from tracker.base.array_shapes import ArrayShape
         ("0 | M M", np.zeros((6, 6)), {"M": 6}),
     ],
 )
-def test_a_shape_matches_what_it_says(text: str, array: np.ndarray, found: object) -> None:
+def test_a_shape_matches_its_declaration(text: str, array: np.ndarray, found: object) -> None:
     assert ArrayShape.of(text).match(array, {}) == found
 
 
-def test_a_known_size_holds() -> None:
+def test_a_known_size_is_checked() -> None:
     shape = ArrayShape.of("0 2 | d 2")
     assert shape.match(np.zeros((3, 2)), {"d": 3}) == {}
     assert shape.match(np.zeros((4, 2)), {"d": 3}) is None
@@ -40,6 +40,6 @@ def test_a_known_size_holds() -> None:
 
 
 @pytest.mark.parametrize("text", ["n, 3", "float32 n", "nm", "-1"])
-def test_what_is_no_shape_is_refused(text: str) -> None:
+def test_an_invalid_shape_is_rejected(text: str) -> None:
     with pytest.raises(TypeError, match="not a shape"):
         ArrayShape.of(text)

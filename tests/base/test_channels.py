@@ -1,4 +1,4 @@
-"""Channels under several threads: nothing is lost without being counted, nobody waits for ever."""
+"""Channels with several threads: every loss is counted, no thread waits forever."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_backlog_discards_the_oldest_and_counts() -> None:
         Backlog(0)
 
 
-def test_fifo_refuses_what_it_cannot_hold() -> None:
+def test_fifo_rejects_values_when_full() -> None:
     queue: Fifo[int] = Fifo(3)
     assert [queue.put(n) for n in range(5)] == [True, True, True, False, False]
     assert queue.overflowed == 2
@@ -44,7 +44,7 @@ def test_fifo_refuses_what_it_cannot_hold() -> None:
         Fifo(0)
 
 
-def test_closed_fifo_gives_what_is_left_then_says_so() -> None:
+def test_closed_fifo_returns_the_rest_then_reports_closure() -> None:
     queue: Fifo[int] = Fifo(3)
     queue.put(1)
     queue.close()
@@ -56,7 +56,7 @@ def test_closed_fifo_gives_what_is_left_then_says_so() -> None:
 
 
 @pytest.mark.parametrize("channel", [Latest(), Fifo(1)])
-def test_close_wakes_whoever_waits(channel: Latest[int] | Fifo[int]) -> None:
+def test_close_wakes_waiting_threads(channel: Latest[int] | Fifo[int]) -> None:
     woken = threading.Event()
 
     def wait() -> None:
@@ -71,7 +71,7 @@ def test_close_wakes_whoever_waits(channel: Latest[int] | Fifo[int]) -> None:
     thread.join()
 
 
-def test_timeout_is_kept() -> None:
+def test_timeout_is_respected() -> None:
     started = time.monotonic()
     assert Fifo[int](1).get(0.05) is None
     assert 0.04 < time.monotonic() - started < 0.5

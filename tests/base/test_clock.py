@@ -1,4 +1,4 @@
-"""Every instant survives the way to a float and back, however long the computer runs."""
+"""Every time survives the conversion to a float and back, for any uptime."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_seconds_and_nanoseconds_are_inverse(ns: int) -> None:
 
 
 @given(INSTANTS)
-def test_the_next_instant_is_later_also_as_a_float(ns: int) -> None:
+def test_the_next_time_is_later_also_as_a_float(ns: int) -> None:
     after = next_instant(ns)
     assert after > ns and seconds(after) > seconds(ns) and after - ns <= 2 * COARSE_NS
     assert nanoseconds(seconds(after)) == after
@@ -40,8 +40,8 @@ def test_the_next_instant_is_later_also_as_a_float(ns: int) -> None:
 @given(
     st.lists(st.integers(0, 10**6), min_size=2, max_size=20), st.sampled_from([0, YEARS_34 // 2])
 )
-def test_packets_are_fed_in_an_order_that_their_stamps_keep(steps: list[int], begun: int) -> None:
-    """Also of several that arrive in one instant."""
+def test_packets_are_fed_in_the_order_of_their_timestamps(steps: list[int], begun: int) -> None:
+    """Including several that arrive at one time."""
     order, fed = ArrivalOrder(), []
     for step in np.cumsum(steps):
         t = seconds(begun + int(step) // 100)

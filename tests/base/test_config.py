@@ -1,4 +1,4 @@
-"""Settings out of tables and TOML: everything comes back, and what is wrong is named."""
+"""Settings from tables and TOML: values round-trip, and errors are named."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ numbers = st.floats(allow_nan=False, allow_infinity=False)
 
 
 @given(st.text(), st.booleans(), st.integers(-(2**63), 2**63 - 1), numbers, st.lists(numbers))
-def test_what_is_written_reads_back_equal(name, on, count, share, point):
+def test_written_settings_are_read_back_equal(name, on, count, share, point):
     params = Outer(name, on, count, Inner(share, tuple(point)))
     assert from_toml(Outer, to_toml(params)) == params
 
 
-def test_the_settings_of_a_session_read_back_equal():
+def test_the_settings_of_a_session_are_read_back_equal():
     settings = dataclasses.replace(Settings(), engine="vist")
     text = to_toml(settings)
     assert from_toml(Settings, text) == settings
@@ -64,13 +64,13 @@ def test_the_settings_of_a_session_read_back_equal():
         ("count =", "s.toml is not valid TOML"),
     ],
 )
-def test_what_cannot_be_a_setting_is_named(text, complaint):
+def test_an_invalid_setting_is_named(text, complaint):
     with pytest.raises(ConfigError) as caught:
         from_toml(Outer, text, "s.toml")
     assert str(caught.value).startswith(complaint)
 
 
-def test_who_reads_decides_what_is_dropped():
+def test_the_reader_decides_what_is_dropped():
     wrong = {"name": 3, "on": True, "new": 1, "inner": {"share": 1, "point": ["x"], "old": {}}}
     problems = []
     read = from_dict(Outer, wrong, lambda path, why: problems.append((path, why == UNKNOWN)))

@@ -1,4 +1,4 @@
-"""What is made is whole or absent, and nothing that exists is lost."""
+"""Files are written atomically, and existing ones are not lost."""
 
 import errno
 import os
@@ -24,7 +24,7 @@ from tracker.base.files import (
 )
 
 
-def test_a_file_appears_when_it_is_whole(tmp_path: Path) -> None:
+def test_a_file_appears_when_it_is_complete(tmp_path: Path) -> None:
     out = tmp_path / "a.txt"
     with whole_file(out) as part:
         part.write_text("all")
@@ -34,7 +34,7 @@ def test_a_file_appears_when_it_is_whole(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt(), OSError(errno.ENOSPC, "full")])
-def test_what_failed_leaves_nothing(tmp_path: Path, error: BaseException) -> None:
+def test_a_failure_leaves_nothing(tmp_path: Path, error: BaseException) -> None:
     wanted = DiskError if isinstance(error, OSError) else KeyboardInterrupt
     with pytest.raises(wanted), whole_file(tmp_path / "a.txt") as part:
         part.write_text("half")
@@ -42,7 +42,7 @@ def test_what_failed_leaves_nothing(tmp_path: Path, error: BaseException) -> Non
     assert not list(tmp_path.iterdir())
 
 
-def test_an_error_names_the_file_that_was_asked_for(tmp_path: Path) -> None:
+def test_an_error_names_the_requested_file(tmp_path: Path) -> None:
     with pytest.raises(FileError) as caught, whole_file(tmp_path / "a.txt") as part:
         raise FileError(f"{part} is bad.")
     assert str(caught.value) == f"{tmp_path / 'a.txt'} is bad."
@@ -60,7 +60,7 @@ def test_nothing_is_overwritten_unless_forced(tmp_path: Path) -> None:
     assert out.read_text() == "new"
 
 
-def test_what_is_read_is_never_written(tmp_path: Path) -> None:
+def test_an_input_file_is_never_written(tmp_path: Path) -> None:
     source, link, hard = tmp_path / "in", tmp_path / "link", tmp_path / "hard"
     source.write_text("precious")
     link.symlink_to(source)
@@ -71,13 +71,13 @@ def test_what_is_read_is_never_written(tmp_path: Path) -> None:
     assert source.read_text() == "precious"
 
 
-def test_folders_and_devices_are_no_files(tmp_path: Path) -> None:
+def test_folders_and_devices_are_not_overwritten(tmp_path: Path) -> None:
     for out in (tmp_path, Path(os.devnull)):
         with raises(FileError, "file.occupied"):
             write_whole(out, "x", force=True)
 
 
-def test_a_name_that_was_taken_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
+def test_a_name_created_meanwhile_is_not_overwritten(tmp_path: Path) -> None:
     first, second = tmp_path / "a.json", tmp_path / "a"
     with raises(FileError, "file.exists"), whole_files(first, second) as parts:
         for part in parts:
@@ -87,7 +87,7 @@ def test_a_name_that_was_taken_meanwhile_is_not_overwritten(tmp_path: Path) -> N
     assert not first.exists(), "all or none"
 
 
-def test_a_dangling_link_counts_as_taken(tmp_path: Path) -> None:
+def test_a_dangling_link_counts_as_existing(tmp_path: Path) -> None:
     link = tmp_path / "a"
     link.symlink_to(tmp_path / "nowhere")
     with raises(FileError, "file.exists_force"):
@@ -104,7 +104,7 @@ with whole_file(pathlib.Path(sys.argv[1])) as part:
 """
 
 
-def test_what_a_killed_process_left_does_not_block_the_next(tmp_path: Path) -> None:
+def test_leftovers_of_a_killed_process_do_not_block(tmp_path: Path) -> None:
     out = tmp_path / "a[1].txt"
     died = subprocess.run([sys.executable, "-c", _KILLED, str(out)], check=False)
     assert died.returncode == -signal.SIGKILL
@@ -113,7 +113,7 @@ def test_what_a_killed_process_left_does_not_block_the_next(tmp_path: Path) -> N
     assert [p.name for p in tmp_path.iterdir()] == [out.name], "and is swept up"
 
 
-def test_one_at_work_is_not_swept_away(tmp_path: Path) -> None:
+def test_files_of_a_running_process_are_not_removed(tmp_path: Path) -> None:
     out = tmp_path / "a.txt"
     with whole_file(out, force=True) as slow:
         slow.write_text("slow")
@@ -121,7 +121,7 @@ def test_one_at_work_is_not_swept_away(tmp_path: Path) -> None:
     assert out.read_text() == "slow"
 
 
-def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: Path) -> None:
+def test_a_stored_file_replaces_the_old_one_and_its_folder_is_created(tmp_path: Path) -> None:
     path = tmp_path / "new" / "a.toml"
     write_with_folder(path, "Größe = 1")
     write_with_folder(path, b"other")
@@ -139,7 +139,7 @@ def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: 
         (" ..", ("unnamed", "", "unnamed")),
     ],
 )
-def test_any_text_gives_a_name_that_every_file_system_takes(
+def test_any_text_is_converted_to_a_portable_file_name(
     text: str, expected: tuple[str, str, str]
 ) -> None:
     assert (slug(text), name_part(text), person_file_name(text)) == expected

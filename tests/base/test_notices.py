@@ -1,4 +1,4 @@
-"""Notices: every code has a text, its values fill it, and files keep it in any language."""
+"""Notices: every code has a text with values, and files can be rendered in any language."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ GERMAN = {
 
 
 def emitted() -> Iterator[tuple[str, str, set[str] | None]]:
-    """Place, code and names of the values of each notice that the code makes; None where these
-    are passed as a mapping."""
+    """File position, code and names of the values of each notice created in the code; None where
+    these are passed as a mapping."""
     for folder in ("tracker", "app", "extensions", "glovetrack"):
         for path in sorted((ROOT / folder).rglob("*.py")):
             if "/tests/" in path.as_posix():
@@ -84,7 +84,7 @@ def placeholders(template: str) -> set[str]:
     return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
 
 
-def test_every_code_that_is_used_has_a_text_whose_values_are_supplied() -> None:
+def test_every_code_in_use_has_a_text_whose_values_are_supplied() -> None:
     templates, found = all_templates(), list(emitted())
     assert len(found) > 60
     unknown = [(where, code) for where, code, _ in found if code not in templates]
@@ -97,7 +97,7 @@ def test_every_code_that_is_used_has_a_text_whose_values_are_supplied() -> None:
     assert wrong == []
 
 
-def test_no_text_is_left_over_that_nothing_reports() -> None:
+def test_every_text_in_the_catalogue_is_used() -> None:
     used = {code for _, code, _ in emitted()} | {PLAIN}
     source = (ROOT / "tracker/firmware/flash.py").read_text("utf-8")  # by what avrdude prints
     left = [code for code in all_templates() if code not in used and f'"{code}"' not in source]
@@ -131,7 +131,7 @@ def test_a_notice_is_rendered_in_the_readers_language_with_its_decimals() -> Non
     assert "2,50 V" in render(warning("glove.battery_low", volts=2.5), german)
 
 
-def test_a_code_of_another_version_is_not_rendered_but_says_what_it_is() -> None:
+def test_a_code_of_another_version_is_shown_as_such() -> None:
     later = Notice("glove.invented_later", Severity.WARNING, {"port": "/dev/x"})
     assert try_render(later) is None
     assert str(later) == "glove.invented_later (port=/dev/x)"
@@ -152,11 +152,11 @@ def test_a_notice_survives_a_file_and_another_process(report: Notice) -> None:
 
 
 @pytest.mark.parametrize("record", [{}, {"code": 3}, {"code": ""}, {"code": "a", "values": 3}])
-def test_what_is_not_a_notice_is_not_taken_for_one(record: dict[str, object]) -> None:
+def test_other_data_are_not_taken_for_a_notice(record: dict[str, object]) -> None:
     assert from_json(record) is None
 
 
-def test_an_unknown_severity_and_strange_values_do_no_harm() -> None:
+def test_an_unknown_severity_and_unusual_values_are_harmless() -> None:
     found = from_json({"code": "a.b", "severity": "??", "values": {"x": None, "y": [1, {}]}})
     assert found is not None and found.severity is Severity.INFO
     assert found.values == {"x": "None", "y": (1, "{}")}
@@ -175,7 +175,7 @@ def test_an_error_carries_its_notice_or_a_plug_ins_sentence() -> None:
     assert isinstance(error, GlovetrackError)
 
 
-def test_an_outbox_gives_each_notice_once_in_order() -> None:
+def test_an_outbox_returns_each_notice_once_in_order() -> None:
     box = Outbox()
     for code in ("camera.swapped", "camera.in_order"):
         box.post(notice(code))
@@ -183,5 +183,5 @@ def test_an_outbox_gives_each_notice_once_in_order() -> None:
     assert box.drain() == []
 
 
-def test_values_that_are_not_numbers_are_written_too() -> None:
+def test_values_that_are_not_numbers_are_rendered_too() -> None:
     assert "nan" in str(warning("glove.battery_low", volts=math.nan))

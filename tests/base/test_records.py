@@ -1,4 +1,4 @@
-"""What may change in a class without making recordings worthless."""
+"""Permitted changes in a class that keep recordings readable."""
 
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -10,11 +10,11 @@ from tracker.base.records import RECORDS, record, record_of
 
 @pytest.fixture(autouse=True)
 def only_here(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Names of these tests are taken in these tests only."""
+    """Names in these tests are registered only there."""
     monkeypatch.setattr("tracker.base.records.RECORDS", dict(RECORDS))
 
 
-def test_an_attribute_goes_by_the_name_that_was_written_first() -> None:
+def test_an_attribute_is_stored_by_its_first_name() -> None:
     @record("test.hand", fingers="digits")
     @dataclass
     class Hand:
@@ -25,7 +25,7 @@ def test_an_attribute_goes_by_the_name_that_was_written_first() -> None:
     assert known.make({"digits": 4}) == Hand(4)
 
 
-def test_what_is_new_takes_its_default_from_recordings_without_it() -> None:
+def test_a_new_field_has_its_default_in_old_recordings() -> None:
     @record("test.glove")
     @dataclass
     class Glove:
@@ -39,7 +39,7 @@ def test_what_is_new_takes_its_default_from_recordings_without_it() -> None:
         known.make({"rate": 50.0})
 
 
-def test_what_is_gone_is_passed_over_and_nothing_else() -> None:
+def test_only_removed_fields_are_ignored() -> None:
     @record("test.point", gone=("w",))
     class Point(NamedTuple):
         u: float
@@ -51,7 +51,7 @@ def test_what_is_gone_is_passed_over_and_nothing_else() -> None:
         known.make({"u": 2.0, "x": 1.0})
 
 
-def test_a_name_is_given_once_and_to_what_there_is() -> None:
+def test_names_are_unique_and_must_exist() -> None:
     @dataclass
     class Other:
         t: float

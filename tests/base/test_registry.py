@@ -1,4 +1,4 @@
-"""Parts that packages declare as entry points."""
+"""Parts that packages register as entry points."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tracker.base.registry import Registry
 
 
 def install(folder: Path, name: str, entries: dict[str, str], kind: str = "fruit") -> None:
-    """A package's metadata in ``folder``, as pip writes it."""
+    """A package's metadata in ``folder``, as written by pip."""
     about = folder / f"{name}-1.dist-info"
     about.mkdir(parents=True)
     (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 1\n")
@@ -38,12 +38,12 @@ def registry(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Registry[str]:
     sys.modules.pop(here, None)
 
 
-def test_our_own_come_first_and_keep_their_names(registry: Registry[str]) -> None:
+def test_our_own_parts_come_first_and_keep_their_names(registry: Registry[str]) -> None:
     assert registry.names() == ["apple", "gone", "stone", "zebra"]
     assert registry.get("apple") == "Apple"
 
 
-def test_what_cannot_be_loaded_costs_itself_alone(
+def test_a_part_that_cannot_be_loaded_affects_no_others(
     registry: Registry[str], caplog: pytest.LogCaptureFixture
 ) -> None:
     assert list(registry.all()) == ["apple", "zebra"]

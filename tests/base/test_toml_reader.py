@@ -1,4 +1,4 @@
-"""TOML is read as the standard library reads it, within bounds of time and size."""
+"""TOML is read as by the standard library, with limits on time and size."""
 
 import os
 import random
@@ -37,7 +37,7 @@ def test_any_text_of_the_largest_size_takes_linear_time(begin: str, part: str) -
     assert time.process_time() - started < SECONDS
 
 
-def test_the_bounds_refuse_no_text_that_is_valid() -> None:
+def test_the_limits_reject_no_valid_text() -> None:
     rng, valid = random.Random(1), 0
     for _ in range(60_000):
         text = "a = " + "".join(rng.choices(PIECES, k=rng.randint(1, 10)))
@@ -52,12 +52,12 @@ def test_the_bounds_refuse_no_text_that_is_valid() -> None:
     assert valid > 1000
 
 
-def test_a_text_without_its_end_is_named_by_its_line() -> None:
+def test_an_unterminated_text_is_reported_by_its_line() -> None:
     with raises(FileError, "config.unclosed_text"):
         parse_toml('a = 1\nb = "x"\nc = "y\n', "a.toml")
 
 
-def test_line_ends_of_all_systems_are_read(tmp_path: Path) -> None:
+def test_line_endings_of_all_systems_are_read(tmp_path: Path) -> None:
     path = tmp_path / "a.toml"
     path.write_bytes(b"a = 1\r\nb = 2\rc = 3\n")
     assert read_text(path) == "a = 1\nb = 2\nc = 3\n"

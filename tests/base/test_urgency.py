@@ -1,4 +1,4 @@
-"""A thread that asks to run soon, as the system itself tells of it."""
+"""A thread that requests low latency, as reported by the system."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ GETS = {"x86_64": 315, "aarch64": 275}  # number of sched_getattr
 
 
 def attributes() -> _Attributes:
-    """What Linux has of the calling thread."""
+    """Linux's scheduling attributes of the calling thread."""
     found = _Attributes()
     call, size = GETS[platform.machine()], ctypes.sizeof(found)
     assert ctypes.CDLL(None).syscall(call, 0, ctypes.byref(found), size, 0) == 0
@@ -26,7 +26,7 @@ def kernel() -> tuple[int, ...]:
     return tuple(int(part) for part in platform.release().split(".")[:2])
 
 
-def test_a_thread_gets_short_slices_and_keeps_its_priority_and_others_theirs() -> None:
+def test_a_thread_gets_short_slices_and_others_keep_their_attributes() -> None:
     if platform.system() != "Linux":
         assert not run_soon()
         return
@@ -42,12 +42,12 @@ def test_a_thread_gets_short_slices_and_keeps_its_priority_and_others_theirs() -
     thread.join()
     ((accepted, after),) = seen
     assert accepted
-    reported_runtime = SLICE_NS if kernel() >= (6, 12) else 0  # an older one takes no notice
+    reported_runtime = SLICE_NS if kernel() >= (6, 12) else 0  # an older kernel ignores it
     assert (after.policy, after.nice, after.runtime) == (0, before.nice + 3, reported_runtime)
     assert attributes().runtime == before.runtime
 
 
-def test_a_machine_whose_call_is_not_known_is_not_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unknown_architecture_is_not_modified(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(platform, "machine", lambda: "vax")
     assert "vax" not in CALLS
     assert not run_soon()

@@ -1,1 +1,1 @@
-"""Speed and accuracy beside peers: make bench."""
+"""Speed and accuracy compared with other software: make bench."""

@@ -1,4 +1,4 @@
-"""The benchmark's command: valid rows, goals judged right, a history that can be compared with."""
+"""The benchmark's command: valid rows, correct evaluation of goals, a comparable history."""
 
 import json
 from pathlib import Path
@@ -63,16 +63,14 @@ def test_second_run_is_compared_with_the_first(
 
 
 @pytest.mark.usefixtures("cheap")
-def test_damaged_history_is_told_in_a_sentence(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_damaged_history_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "history.jsonl").write_text('{"rows": []}\n')
     assert run(tmp_path) == 1
     assert "line 1, is not a run of the benchmark" in capsys.readouterr().err
 
 
-def test_json_that_cannot_be_written(tmp_path: Path) -> None:
+def test_unwritable_json_is_reported(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="could not be written"):
         bench.write_json(tmp_path / "absent" / "b.json", [])
 
@@ -100,13 +98,13 @@ def test_goals(made: BenchRow, expected: bool | None) -> None:
     assert bench_output.reached(made) is expected
 
 
-def test_absent_peer_is_said() -> None:
+def test_missing_peer_is_reported() -> None:
     absent = row("filters", 1.0, "µs", "vqf", None, "0.25")
     assert "not compared, vqf is not here" in bench_output.table([absent])
 
 
 def test_change_is_of_ratios_where_there_are_any() -> None:
-    """A machine twice as slow leaves the ratio as it was."""
+    """A computer half as fast leaves the ratio unchanged."""
     earlier = bench_history.this_run([row("r", 9.0, "ms", "p", 10.0, "-")], 3)
     latest = bench_history.this_run([row("r", 1.0, "ms", "p", 10.0, "-")], 3)
     partial = bench_history.this_run([row("q", 5.0, "ms", "p", 10.0, "-")], 3)

@@ -1,4 +1,4 @@
-"""Gloves of other sizes, long sessions, and the exponent that is read off the costs."""
+"""Gloves of other sizes, long sessions, and the exponent of the costs."""
 
 from pathlib import Path
 
@@ -29,7 +29,9 @@ def test_an_hour_is_measured_by_its_last_minutes(monkeypatch: pytest.MonkeyPatch
     assert min(costs) > 0 and min(memory) > 0
 
 
-def test_further_fingers_wear_what_the_middle_one_wears(hand: HandModel, glove: GloveModel) -> None:
+def test_further_fingers_have_the_sensors_of_the_middle_one(
+    hand: HandModel, glove: GloveModel
+) -> None:
     five = with_fingers(hand, glove, 5)
     assert len(five.imus) == 11 and len(five.markers) == 57
     assert {i.segment for i in five.imus} >= {"ring_proximal", "little_intermediate"}

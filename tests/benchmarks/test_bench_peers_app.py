@@ -1,4 +1,4 @@
-"""Rows that come from other processes: MediaPipe's environment, and the running app."""
+"""Rows from other processes: MediaPipe's environment, and the running app."""
 
 import sys
 from pathlib import Path
@@ -25,7 +25,7 @@ for k, _ in enumerate(sys.stdin):
 
 @pytest.fixture
 def environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An environment whose interpreter is this one, so that only the worker has to be made up."""
+    """An environment with this interpreter, so that only the worker must be faked."""
     python = tmp_path / "bin" / "python"
     python.parent.mkdir()
     python.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')  # a link would lose our numpy
@@ -35,7 +35,7 @@ def environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_peer_takes_turns_and_its_median_leaves_the_first_out(environment: Path) -> None:
+def test_peer_calls_alternate_and_its_median_excludes_the_first(environment: Path) -> None:
     (environment / "worker.py").write_text(WORKER)
     with HandsPeer(PAIRS) as peer:
         for _ in range(4):
@@ -44,13 +44,13 @@ def test_peer_takes_turns_and_its_median_leaves_the_first_out(environment: Path)
         assert peer.found_share == pytest.approx(0.5)
 
 
-def test_peer_that_does_not_start_is_absent(environment: Path) -> None:
+def test_peer_that_does_not_start_is_missing(environment: Path) -> None:
     (environment / "worker.py").write_text("raise ImportError('mediapipe')")
     with pytest.raises(PeerAbsentError, match="does not start there: ImportError: mediapipe"):
         HandsPeer(PAIRS)
 
 
-def test_peer_without_environment_says_how_to_get_it(
+def test_peer_without_environment_explains_how_to_install_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("GLOVETRACK_PEERS", str(tmp_path / "none"))
@@ -66,7 +66,7 @@ def figures(**more: float) -> dict[str, object]:
     }  # fmt: skip
 
 
-def test_rows_of_the_app_are_judged_against_their_goals() -> None:
+def test_rows_of_the_app_are_compared_with_their_goals() -> None:
     rows = bench_app.rows_of(figures())
     assert [r.value for r in rows] == [1.5, 30.0, 2.5, 604.0, 4.0]
     assert [bench_output.reached(r) for r in rows] == [True, False, True, True, None]

@@ -1,4 +1,4 @@
-"""The benchmark's own arithmetic: rows that say what they compare."""
+"""The benchmark's own arithmetic: rows name what they compare."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ def test_each_call_may_have_its_own_number_of_runs() -> None:
 
 
 def test_peer_finds_the_markers_too() -> None:
-    """A peer that sees nothing would make any ratio look good."""
+    """A peer that detects nothing would make any ratio look good."""
     (image,) = make_images(PROFILE, "plain", 1, 1)
     uv, hue = PlainOpenCv(PROFILE, (8.5, 51.2)).detect(image.image)
     d = np.hypot(*np.moveaxis(image.uv[:, None] - uv[None], 2, 0))

@@ -1,4 +1,4 @@
-"""A computer whose devices are fakes, each broken in one way."""
+"""A computer with fake devices, each broken in one way."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HELLO = Hello(glove_id=5, imu_count=N, firmware=(99, 0, 0))
 
 
 class TunableGlove(Scripted):
-    """A scripted glove on a line whose speed matters: at another one it is garbage."""
+    """A scripted glove on a line with a fixed speed: at another one it is garbage."""
 
     baudrate = 250_000
     own_baud = 250_000
@@ -40,7 +40,7 @@ class TunableGlove(Scripted):
 
 @dataclass
 class FakeCapture:
-    """What OpenCV reads of a camera: granted format, exposure that can be locked, stamps."""
+    """The OpenCV properties of a camera: granted format, lockable exposure, timestamps."""
 
     values: dict[int, float]
     has_exposure: bool = True
@@ -55,7 +55,7 @@ class FakeCapture:
         if not self.has_exposure or prop not in self.values:
             return False
         if prop == cv2.CAP_PROP_AUTO_EXPOSURE and not self.keeps_lock:
-            return True  # accepts it and stays automatic
+            return True  # accepts it and remains automatic
         self.values[prop] = value
         return True
 

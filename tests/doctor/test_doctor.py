@@ -1,4 +1,4 @@
-"""The doctor on computers whose devices are broken, each in one way."""
+"""The doctor on computers with broken devices, each in one way."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_a_healthy_glove_and_camera_have_no_complaint(tmp_path: Path) -> None:
     assert bad(found) == []
     values = {k: v for f in found for k, v in f.values.items()}
     assert values["rate_hz"] == pytest.approx(100, abs=0.5)
-    assert values["skew_ppm"] == pytest.approx(-80, abs=40)  # as the scripted glove has it
+    assert values["skew_ppm"] == pytest.approx(-80, abs=40)  # as in the scripted glove
     seen = list(cameras(with_camera(tmp_path, FakeCamera(FakeClock()))))
     assert bad(seen) == []
     assert seen[0].values["measured_fps"] == pytest.approx(30, rel=0.02)
@@ -137,7 +137,7 @@ def test_broken_imus_and_a_low_battery_are_separate_lines(tmp_path: Path) -> Non
 
 
 class Unstreaming(Scripted):
-    """Says HELLO but never streams."""
+    """Sends HELLO but never streams."""
 
     def step(self) -> None:
         self.streaming = False
@@ -149,7 +149,7 @@ def test_a_glove_that_sends_no_samples_is_an_error(tmp_path: Path) -> None:
     assert line.startswith("error") and "sends no samples" in line
 
 
-def test_two_adapters_with_one_serial_number_are_pointed_out(tmp_path: Path) -> None:
+def test_two_adapters_with_one_serial_number_are_reported(tmp_path: Path) -> None:
     twin = PORT._replace(path="/dev/ttyUSB1")
     machine = bare(
         tmp_path, usb_ports=lambda: [PORT, twin], in_use=frozenset({PORT.path, twin.path})

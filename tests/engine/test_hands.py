@@ -1,4 +1,4 @@
-"""A left and a right hand before one camera: what each is together, and what it is alone."""
+"""A left and a right hand in front of one camera: tracked together, and alone."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tracker.session.engine_state import pack, unpack
 from tracker.simulation.two_hands import GlovedHand, Meeting, SidedMessage, TwoHandsSimulation
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
-SETTLED = 2.0  # s, from which on the wearers' sizes are known somewhat
+SETTLED = 2.0  # s, from which on the wearers' sizes are approximately known
 
 
 def simulated(seed: int, duration: float, fps: float = 30.0) -> TwoHandsSimulation:
@@ -37,18 +37,18 @@ def two(sim: TwoHandsSimulation, engine: str = "chain") -> Hands:
 
 @dataclass
 class Track:
-    """Estimates of a hand, and how far they are off the truth of ``hands`` (m)."""
+    """Estimates of a hand, and their errors relative to ``hands`` (m)."""
 
     estimates: list[Estimate] = field(default_factory=list)
 
     @property
     def tracked(self) -> np.ndarray:
-        """(n,) bool, of the same instants as `off`."""
+        """(n,) bool, at the times of `off`."""
         late = [e for e in self.estimates if e.t > SETTLED]
         return np.array([e.tracking == Tracking.TRACKING for e in late])
 
     def off(self, sim: TwoHandsSimulation, side: str) -> np.ndarray:
-        """(n,) m, means over the hand's 21 keypoints, once it has settled."""
+        """(n,) m, means over the hand's 21 keypoints, after convergence."""
         late = [e for e in self.estimates if e.t > SETTLED]
         truths = sim.hands[side].truths(np.array([e.t for e in late]))
         apart = [
@@ -71,7 +71,7 @@ def tracked(hands: Hands, messages: Iterable[SidedMessage]) -> dict[str, Track]:
 
 
 def alone(sim: TwoHandsSimulation, side: str) -> Track:
-    """The same hand where the other is not there."""
+    """The same hand without the other."""
     hand, out = sim.alone[side], Track()
     pipeline = Pipeline(hand.hand, hand.glove, sim.rig)
     for message in hand.feed():
@@ -94,9 +94,9 @@ def longest(wrong: np.ndarray, period: float) -> float:
 
 
 @pytest.mark.parametrize("seed", [1, 2])
-def test_hands_that_cross_and_hide_one_another_are_tracked_as_well_as_alone(seed: int) -> None:
-    """In these two a hand lies wholly under the other for two seconds; there its IMUs carry it on
-    for a while, and then it may be lost."""
+def test_hands_that_cross_and_occlude_each_other_are_tracked_as_well_as_alone(seed: int) -> None:
+    """In these two a hand is completely occluded by the other for two seconds; its IMUs bridge a
+    part of that, and then it may be lost."""
     sim = simulated(seed, 8.0)
     together = tracked(two(sim), sim.messages())
     for side in SIDES:
@@ -104,12 +104,12 @@ def test_hands_that_cross_and_hide_one_another_are_tracked_as_well_as_alone(seed
         seen = together[side].tracked
         assert np.mean(off[seen]) < 1.2 * np.mean(free[seen]) + 0.001
         assert seen.mean() > 0.7 and np.isfinite(off).mean() > 0.75
-        # the palms' middles are 2 to 25 cm apart: an exchange or a pull shows as 35 mm
+        # the palms' centres are 2 to 25 cm apart: an exchange would be visible as 35 mm
         assert longest(off > 0.035, 0.05) <= 0.2
 
 
-def test_each_pipeline_by_itself_would_take_the_others_markers() -> None:
-    """Why blobs are shared out: the first test's bounds do not hold without it."""
+def test_independent_pipelines_would_use_the_others_markers() -> None:
+    """The reason for assigning blobs to hands: the first test's limits are exceeded without it."""
     sim = simulated(2, 8.0)
     hands = two(sim)
     out = {side: Track() for side in SIDES}
@@ -126,7 +126,7 @@ def test_each_pipeline_by_itself_would_take_the_others_markers() -> None:
 
 
 def test_one_glove_alone_is_tracked_to_the_same_bits_as_by_a_pipeline() -> None:
-    """Nothing comes of the left glove, and no blob is of its hand."""
+    """No data arrive from the left glove, and no blob is of its hand."""
     sim = simulated(3, 3.0)
     right = sim.alone["right"]
     hands, pipeline = two(sim), Pipeline(right.hand, right.glove, sim.rig)
@@ -140,8 +140,9 @@ def test_one_glove_alone_is_tracked_to_the_same_bits_as_by_a_pipeline() -> None:
     assert b.tracking == Tracking.TRACKING
 
 
-def test_a_hand_that_comes_later_does_not_disturb_the_one_that_is_there() -> None:
-    """The left glove is put on after two seconds: its packets begin, its blobs were there."""
+def test_a_hand_that_appears_later_does_not_disturb_the_other() -> None:
+    """The left glove is put on after two seconds: its packets begin, its blobs were there
+    before."""
     sim = simulated(5, 5.0)
     late = (m for m in sim.messages() if m.side != "left" or m.message.t > 2.0)
     out = tracked(two(sim), late)
@@ -150,7 +151,7 @@ def test_a_hand_that_comes_later_does_not_disturb_the_one_that_is_there() -> Non
     assert all(e.tracking == Tracking.TRACKING for e in settled)
 
 
-def test_two_hands_go_on_from_their_bytes() -> None:
+def test_two_hands_resume_from_their_bytes() -> None:
     sim = simulated(4, 3.0)
     messages = list(sim.messages())
     first, second = two(sim), two(sim)
@@ -165,14 +166,14 @@ def test_two_hands_go_on_from_their_bytes() -> None:
     assert engine == "chain" and a["left"].estimates
 
 
-def test_a_glove_of_the_other_side_is_refused() -> None:
+def test_a_glove_of_the_other_side_is_rejected() -> None:
     sim = simulated(1, 2.0)
     make = dict.fromkeys(SIDES, sim.hands["right"])
     with raises(ConfigError, "glove.wrong_hand"):
         Hands({s: lambda h=h: Pipeline(h.hand, h.glove, sim.rig) for s, h in make.items()})
 
 
-def test_results_tell_the_rows_of_the_blobs_as_they_were_fed() -> None:
+def test_results_have_the_rows_of_the_blobs_as_fed() -> None:
     sim = simulated(1, 1.5)
     hands = two(sim)
     frames = {}
@@ -194,15 +195,15 @@ def test_results_tell_the_rows_of_the_blobs_as_they_were_fed() -> None:
             assert names == [glove.hues[h] for h in glove.marker_hue[rows >= 0]]
 
 
-def test_hands_of_a_meeting_never_stand_in_each_other() -> None:
-    """A palm is 9 cm wide and 3 cm thick: they are aside, or one is over the other."""
+def test_hands_of_a_meeting_never_intersect() -> None:
+    """A palm is 9 cm wide and 3 cm thick: they are side by side, or one is over the other."""
     offset = Meeting(1, 60.0).offset(np.linspace(0.0, 60.0, 6000))
     aside, over = np.abs(offset[:, 0]) >= 0.085, np.abs(offset[:, 2]) >= 0.03
     assert np.all(aside | over)
     assert (offset[:, 0] < -0.1).any() and (np.abs(offset[:, 0]) < 0.06).any()
 
 
-def test_a_session_of_two_hands_is_the_same_again() -> None:
+def test_a_session_of_two_hands_is_reproducible() -> None:
     a, b = (list(simulated(7, 1.5).messages()) for _ in range(2))
     assert len(a) == len(b)
     for x, y in zip(a, b, strict=True):
@@ -222,8 +223,8 @@ def test_packets_of_one_side_are_of_its_own_wearer() -> None:
         assert np.array_equal(replace(sample, seq=0).accel, first.accel)
 
 
-def test_a_hand_that_is_not_there_is_looked_for_seldom_and_found_soon(monkeypatch) -> None:
-    """A search from nothing takes as long as ten images, and the other hand waits for it."""
+def test_a_missing_hand_is_searched_for_rarely_and_found_soon(monkeypatch) -> None:
+    """A search without a prior takes as long as ten images, and delays the other hand."""
     sim, comes = simulated(3, 2.4, 60.0), 1.6
     hands, searched, found = two(sim), [], []
     starter = hands.pipelines["left"].engine._tracker._starter

@@ -33,7 +33,7 @@ OURS = ["chain", "vist", "switching", "madgwick", "inertial"]
 
 @pytest.fixture
 def tilt(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
-    """The example of the documentation, as pip installs it."""
+    """The example of the documentation, as installed by pip."""
     install(tmp_path, "tilt", {"tilt": "glovetrack_tilt_engine:TILT"}, "engines")
     for folder in (tmp_path, EXAMPLE):
         monkeypatch.syspath_prepend(str(folder))
@@ -42,13 +42,13 @@ def tilt(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     RECORDS.pop("tilt", None)
 
 
-def test_menus_have_our_engines_in_this_order() -> None:
+def test_menus_list_our_engines_in_this_order() -> None:
     assert [name for name in engine_kinds() if name in OURS] == OURS
     assert not capabilities_of(WITHOUT_CAMERA).images
 
 
 @pytest.mark.parametrize("name", OURS)
-def test_an_engine_can_do_what_its_descriptor_states(name: str, hand, glove) -> None:
+def test_an_engine_has_the_capabilities_of_its_descriptor(name: str, hand, glove) -> None:
     kind = engine_kinds()[name]
     engine = build_engine(hand, glove, ideal_rig(), Settings(engine=name))
     assert (learner_of(engine) is not None) == kind.capabilities.wearer
@@ -56,7 +56,7 @@ def test_an_engine_can_do_what_its_descriptor_states(name: str, hand, glove) -> 
 
 
 @pytest.mark.parametrize("name", OURS)
-def test_a_camera_or_lens_that_is_missing_is_an_error(name: str, hand, glove) -> None:
+def test_a_missing_camera_or_lens_is_an_error(name: str, hand, glove) -> None:
     can, settings = capabilities_of(name), Settings(engine=name)
     one = with_one_camera(ideal_rig())
     for have, allowed in ((None, not can.images), (one, can.one_lens)):
@@ -72,7 +72,9 @@ def test_recorded_settings_contain_no_table_of_engines_without_other_packages() 
     assert from_toml(Settings, settings_text(Settings())) == Settings()
 
 
-def test_settings_of_another_packages_engine_are_recorded_whole(tilt: str, hand, glove) -> None:
+def test_settings_of_another_packages_engine_are_recorded_completely(
+    tilt: str, hand, glove
+) -> None:
     kind = engine_kinds()[tilt]
     assert list(engine_kinds())[-1] == tilt
     usual = params_of(kind, Settings())

@@ -1,4 +1,4 @@
-"""A glove of the other hand than its files say is noticed; our left files mirror the right ones."""
+"""A glove of the other hand than in its files is detected; our left files mirror the right ones."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_the_files_of_both_sides_are_mirror_images() -> None:
         (RIGHT, Tracking.SEARCHING, []),
     ],
 )
-def test_a_left_glove_on_a_right_ones_files_is_said_once(worn, not_found, expected) -> None:
+def test_a_left_glove_with_right_files_is_reported_once(worn, not_found, expected) -> None:
     hand, glove = library.load(*worn)
     sim = Simulation(hand, glove, RandomPostures(hand, 0, duration=4.0), 0, fps=20)
     own_hand, own_glove = library.load(*RIGHT)

@@ -1,6 +1,6 @@
 """An Arduino's bootloader on a pseudo terminal: the STK500 protocol, version 1, as Optiboot has it.
 
-Atmel's application note AVR061 describes it. Pages are kept as they are written, so that a test can
+Atmel's application note AVR061 describes it. Pages are stored as written, so that a test can
 compare what a programmer left in the flash.
 """
 
@@ -27,7 +27,7 @@ LOAD_ADDRESS, WRITE_PAGE, READ_PAGE = 0x55, 0x64, 0x74
 
 
 class Bootloader:
-    """Answers until it is closed; ``spoils`` is an address whose byte it cannot keep."""
+    """Answers until it is closed; ``spoils`` is an address whose byte it cannot store."""
 
     def __init__(self, spoils: int | None = None) -> None:
         self.flash = bytearray(b"\xff" * 32768)

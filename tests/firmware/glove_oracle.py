@@ -1,7 +1,7 @@
-"""The glove link decoded from its description alone, and a simulated glove to talk to.
+"""The glove link decoded from its description alone, and a simulated glove to communicate with.
 
-Nothing of ``tracker`` is used here: the firmware is checked against its protocol as described,
-and the engine's decoder against the firmware.
+Nothing of ``tracker`` is used here: the firmware is checked against the description of its
+protocol, and the engine's decoder against the firmware.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ class SimulatedGlove:
     frames: list[Frame] = field(default_factory=list)
     raw: bytearray = field(default_factory=bytearray)
     printed: str = ""
-    cut_off: int = 0  # frames that a reset has cut off, where that may be
+    cut_off: int = 0  # frames that a reset has truncated, if allowed
     may_cut_off: bool = False
     _rest: bytes = b""
 
@@ -97,7 +97,7 @@ class SimulatedGlove:
         self.port.write(encode(kind, struct.pack("<" + layout, *values)))
 
     def tell(self, command: str) -> None:
-        """Lets something happen to the glove now: a command of the simulator."""
+        """Sends a command to the simulator, such as a change of the glove, now."""
         assert self.process.stdin is not None
         self.process.stdin.write(command + "\n")
         self.process.stdin.flush()
@@ -106,7 +106,7 @@ class SimulatedGlove:
         return [f for f in self.frames if f.kind == kind]
 
     def read(self) -> None:
-        """Takes what has arrived; all frames have to be right but one that a reset cut."""
+        """Reads what has arrived; all frames must be valid except one truncated by a reset."""
         data = self.port.read(max(1, self.port.in_waiting))
         self.raw += data
         *whole, self._rest = (self._rest + data).split(b"\0")
@@ -124,7 +124,7 @@ class SimulatedGlove:
             self.read()
 
     def wait_for(self, kind: int, count: int = 1) -> list[Frame]:
-        """Reads until ``count`` more frames of a kind have come; returns them."""
+        """Reads until ``count`` more frames of a kind have arrived; returns them."""
         before = len(self.of(kind))
         self.read_until(lambda: len(self.of(kind)) >= before + count)
         return self.of(kind)[before : before + count]
@@ -134,7 +134,7 @@ class SimulatedGlove:
         self.send(START)
 
     def stop(self) -> dict[str, float]:
-        """Ends the simulation; what it measured."""
+        """Ends the simulation; returns its measurements."""
         self.process.terminate()
         self.printed += self.process.communicate(timeout=PATIENCE_S)[0]
         report: dict[str, float] = json.loads(self.printed.splitlines()[-1])

@@ -30,14 +30,14 @@ from tests.firmware.glove_oracle import (
 )
 
 GRAVITY = 9.80665
-ACCEL_LSB = 16 * GRAVITY / 32768  # of the ranges that HELLO tells
+ACCEL_LSB = 16 * GRAVITY / 32768  # of the ranges in HELLO
 GYRO_LSB = np.radians(2000) / 32768
-INNER_PERIOD_S = 0.001  # an MPU-9250 makes a new sample that often
+INNER_PERIOD_S = 0.001  # sampling period of an MPU-9250
 RAMP_S = 20.0
 
 
 def ramps() -> NDArray[np.float64]:
-    """(7, 6) m/s² and rad/s after RAMP_S of a straight rise from 0: every one another value."""
+    """(7, 6) m/s² and rad/s after RAMP_S of a linear rise from 0: all values differ."""
     share = (1 + np.arange(IMUS * 6).reshape(IMUS, 6)) / (IMUS * 6 + 1)
     sign = np.where(np.arange(IMUS * 6).reshape(IMUS, 6) % 2, -1, 1)
     return sign * share * np.array([15 * GRAVITY] * 3 + [np.radians(1900)] * 3)
@@ -50,17 +50,17 @@ def ramp_file(tmp_path: Path) -> Path:
     return path
 
 
-def test_says_hello_each_second_and_nothing_else_until_start(build: Path) -> None:
+def test_sends_hello_each_second_and_nothing_else_until_start(build: Path) -> None:
     with simulated_glove(build) as glove:
         first = glove.wait_for(HELLO, 4)[0]
         report = glove.stop()
     assert {f.kind for f in glove.frames} == {HELLO}
     assert first.numbers == (1, 1, 3, 0, 7, IMUS, 2000, 16, 100, 3)
-    # Start-up and self-test take half a second, then one a second; a busy machine stops late.
+    # Start-up and self-test take half a second, then one a second; a loaded computer stops late.
     assert 3 < report["simulated_s"] < 7
 
 
-def test_samples_carry_what_each_imu_felt_when_it_felt_it(build: Path, ramp_file: Path) -> None:
+def test_samples_contain_each_imus_readings_at_their_time(build: Path, ramp_file: Path) -> None:
     with simulated_glove(build, motion=ramp_file) as glove:
         glove.start()
         seq, t_us, raw = samples(glove.wait_for(SAMPLES, 200))
@@ -68,8 +68,8 @@ def test_samples_carry_what_each_imu_felt_when_it_felt_it(build: Path, ramp_file
     assert np.all(np.diff(t_us) == 10_000)
     lsb = np.array([ACCEL_LSB] * 3 + [GYRO_LSB] * 3)
     felt = raw * lsb
-    # Read back as times, the ramps tell when each IMU was read: after the instant in t_us by no
-    # more than a round over all IMUs takes, and the chip's newest sample is at most 1 ms old.
+    # Converted to times, the ramps show when each IMU was read: after the time in t_us by at most
+    # one round over all IMUs, and the chip's newest sample is at most 1 ms old.
     late = felt / ramps() * RAMP_S - 1e-6 * t_us[:, None, None]
     rounding = lsb / np.abs(ramps()) * RAMP_S
     assert np.all(late < 0.001 + rounding)
@@ -102,7 +102,7 @@ def test_the_line_and_the_chip_keep_up(
     assert report["awake"] < 0.7
 
 
-def test_115200_baud_refuses_200_hz(build_firmware: Callable[[int], Path]) -> None:
+def test_115200_baud_rejects_200_hz(build_firmware: Callable[[int], Path]) -> None:
     with simulated_glove(build_firmware(115_200)) as glove:
         glove.start()
         glove.send(RATE, "H", 200)
@@ -111,7 +111,7 @@ def test_115200_baud_refuses_200_hz(build_firmware: Callable[[int], Path]) -> No
     assert np.all(np.diff(t_us) == 10_000)
 
 
-def test_a_new_rate_acts_at_once_and_is_told(build: Path) -> None:
+def test_a_new_rate_applies_at_once_and_is_reported(build: Path) -> None:
     with simulated_glove(build) as glove:
         glove.start()
         glove.wait_for(SAMPLES, 5)
@@ -130,7 +130,7 @@ def test_a_new_rate_acts_at_once_and_is_told(build: Path) -> None:
     assert [f.text for f in glove.of(ERROR)] == ["rate must be 50, 100 or 200 Hz"]
 
 
-def test_status_each_second_tells_battery_temperature_and_imus(build: Path) -> None:
+def test_status_each_second_contains_battery_temperature_and_imus(build: Path) -> None:
     with simulated_glove(build, "0:battery 3700") as glove:
         glove.start()
         glove.wait_for(SAMPLES, 310)
@@ -152,7 +152,7 @@ def test_stop_ends_the_samples(build: Path) -> None:
     assert set(after[-1 - after[::-1].index(SAMPLES) + 1 :]) == {HELLO}
 
 
-def test_damaged_commands_are_not_obeyed(build: Path) -> None:
+def test_damaged_commands_are_ignored(build: Path) -> None:
     good = encode(START)
     wrong_crc = good[:2] + bytes([good[2] ^ 1]) + good[3:]
     too_long = encode(START, b"\1")
@@ -166,7 +166,7 @@ def test_damaged_commands_are_not_obeyed(build: Path) -> None:
         glove.wait_for(SAMPLES)
 
 
-def test_an_absent_imu_is_told_and_never_reads_as_rest(build: Path) -> None:
+def test_a_missing_imu_is_reported_and_never_reads_as_rest(build: Path) -> None:
     with simulated_glove(build, "0:unplug 3") as glove:
         glove.start()
         absent = glove.wait_for(SAMPLES, 50)
@@ -180,13 +180,13 @@ def test_an_absent_imu_is_told_and_never_reads_as_rest(build: Path) -> None:
     assert np.all(samples(glove.of(SAMPLES))[2][:, [0, 1, 2, 4, 5, 6], 2] == 2048)
 
 
-def test_no_sample_of_an_imu_that_lost_its_settings_gets_past(build: Path) -> None:
+def test_no_sample_of_an_imu_that_lost_its_settings_is_sent(build: Path) -> None:
     with simulated_glove(build) as glove:
         glove.start()
         glove.wait_for(SAMPLES, 20)
         glove.tell("brownout 1")
         glove.wait_for(ERROR)
-        glove.wait_for(SAMPLES, 130)  # it is started again within the second
+        glove.wait_for(SAMPLES, 130)  # it is restarted within the second
         glove.tell("unplug 5")
         glove.wait_for(ERROR)
         glove.wait_for(SAMPLES, 50)
@@ -199,7 +199,7 @@ def test_no_sample_of_an_imu_that_lost_its_settings_gets_past(build: Path) -> No
     assert [f.text for f in glove.of(ERROR)] == ["no answer from IMU 1", "no answer from IMU 5"]
 
 
-def test_status_tells_of_an_imu_before_any_packet_does(build: Path) -> None:
+def test_status_reports_an_imu_before_any_packet_does(build: Path) -> None:
     with simulated_glove(build, "0:unplug 2") as glove:
         glove.start()
         glove.wait_for(SAMPLES, 20)
@@ -236,7 +236,7 @@ def chip(imu: int, who_am_i: int) -> str:
     return f"0:chip {256 * imu + who_am_i}"
 
 
-def test_relatives_of_the_chip_and_clones_that_pass_are_used(build: Path) -> None:
+def test_related_chips_and_clones_that_pass_are_used(build: Path) -> None:
     """MPU-6500 (0x70), MPU-9255 (0x73), and two ids that no data sheet has."""
     ids = (0x71, 0x70, 0x73, 0x74, 0x75, 0x71, 0x71)
     with simulated_glove(build, *(chip(j, who) for j, who in enumerate(ids))) as glove:
@@ -312,8 +312,8 @@ def test_motors_run_for_their_time_on_their_own_pins(build: Path) -> None:
     assert lasted[2] < 4.9  # stopped before its time
 
 
-def test_a_reset_in_mid_stream_shows_as_a_hello(build: Path) -> None:
-    # In real time, lest simulated seconds go by before a busy host answers the HELLO.
+def test_a_reset_while_streaming_shows_as_a_hello(build: Path) -> None:
+    # In real time, or simulated seconds would pass before a loaded host answers the HELLO.
     with simulated_glove(build, fast=False) as glove:
         glove.start()
         glove.wait_for(SAMPLES, 200)
@@ -329,7 +329,7 @@ def test_a_reset_in_mid_stream_shows_as_a_hello(build: Path) -> None:
     assert t_us[before] < t_us[before - 1]
 
 
-def test_in_real_time_the_packets_come_at_their_rate(build: Path) -> None:
+def test_in_real_time_the_packets_have_their_rate(build: Path) -> None:
     with simulated_glove(build, fast=False) as glove:
         glove.start()
         seq, _, _ = samples(glove.wait_for(SAMPLES, 100))
@@ -338,8 +338,8 @@ def test_in_real_time_the_packets_come_at_their_rate(build: Path) -> None:
     assert report["bytes_lost"] == 0
 
 
-def test_pulses_have_their_instants_within_microseconds(build: Path) -> None:
-    """On the clock of the samples, at any phase of it, though the chip is busy with the IMUs."""
+def test_pulses_have_accurate_times(build: Path) -> None:
+    """On the clock of the samples, at any phase, although the chip is busy with the IMUs."""
     times = [1.0 + 0.0373 * k for k in range(30)]
     events = [f"{t:.4f}:pulse 50" for t in times]
     with simulated_glove(build, *events) as glove:
@@ -354,7 +354,7 @@ def test_pulses_have_their_instants_within_microseconds(build: Path) -> None:
     assert 0 < t_us[-1] - pulses[-1][1] < 2_000_000
 
 
-def test_pulses_before_the_start_are_not_told(build: Path) -> None:
+def test_pulses_before_the_start_are_not_reported(build: Path) -> None:
     with simulated_glove(build, "0.8:pulse 50", "2.5:pulse 50") as glove:
         glove.read_until(lambda: "pulse" in glove.printed or len(glove.of(HELLO)) > 2)
         glove.send(START)

@@ -32,7 +32,7 @@ def bootloader() -> Iterator[Bootloader]:
 
 
 @pytest.mark.parametrize("baud", BAUDS)
-def test_the_image_says_what_it_is_and_takes_a_number(baud: int) -> None:
+def test_the_image_contains_its_version_and_accepts_a_number(baud: int) -> None:
     image = shipped_image(baud)
     other = image.for_glove(0x01020304)
     assert image.version == (1, 3, 0)
@@ -48,12 +48,12 @@ def test_images_for_two_speeds_differ() -> None:
 
 
 @pytest.mark.parametrize("number", [0, -1, 2**32])
-def test_a_number_that_fits_nowhere_is_refused(number: int) -> None:
+def test_an_invalid_number_is_rejected(number: int) -> None:
     with raises(ConfigError, "firmware.number"):
         shipped_image().for_glove(number)
 
 
-def test_a_written_file_is_read_as_it_was(tmp_path: Path) -> None:
+def test_a_written_file_is_read_back(tmp_path: Path) -> None:
     path, image = tmp_path / "glove.hex", shipped_image().for_glove(77)
     path.write_text(image.to_hex())
     assert read_image(path) == image
@@ -67,8 +67,8 @@ def test_objcopy_reads_the_same_bytes(tmp_path: Path) -> None:
     assert out.read_bytes() == image.data
 
 
-def test_what_is_shipped_is_what_is_built(build: Path) -> None:
-    """`make -C resources/firmware images` makes it anew."""
+def test_included_images_are_up_to_date(build: Path) -> None:
+    """`make -C resources/firmware images` rebuilds them."""
     assert read_image(build / "glove.hex") == shipped_image().for_glove(7)
 
 
@@ -88,7 +88,7 @@ def test_what_is_shipped_is_what_is_built(build: Path) -> None:
         ),
     ],
 )
-def test_a_damaged_file_is_refused_in_words(tmp_path: Path, spoil, words: str) -> None:
+def test_a_damaged_file_is_rejected(tmp_path: Path, spoil, words: str) -> None:
     path = tmp_path / "glove.hex"
     path.write_text(spoil(shipped_image().to_hex()))
     with raises(ConfigError, words):
@@ -96,7 +96,7 @@ def test_a_damaged_file_is_refused_in_words(tmp_path: Path, spoil, words: str) -
 
 
 @has_avrdude
-def test_the_chip_holds_the_image_afterwards(
+def test_the_chip_contains_the_image_afterwards(
     bootloader: Bootloader, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tracker.firmware.versions.greeting", lambda _port: None)
@@ -107,7 +107,7 @@ def test_the_chip_holds_the_image_afterwards(
 
 
 @has_avrdude
-def test_a_byte_that_is_not_kept_is_told() -> None:
+def test_a_byte_that_is_not_stored_is_reported() -> None:
     board = Bootloader(spoils=4000)
     try:
         with raises(FlashError, "firmware.not_verified"):
@@ -117,18 +117,18 @@ def test_a_byte_that_is_not_kept_is_told() -> None:
 
 
 @has_avrdude
-def test_a_port_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_a_missing_port_is_reported(tmp_path: Path) -> None:
     with raises(FlashError, "firmware.port_absent"):
         flash(FlashJob(shipped_image(), str(tmp_path / "ttyUSB9")))
 
 
-def test_without_avrdude_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_avrdude_its_package_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tracker.firmware.flash.avrdude_path", lambda: None)
     with raises(FlashError, "firmware.no_avrdude"):
         flash(FlashJob(shipped_image(), "/dev/null"))
 
 
-def test_an_old_version_is_said_and_a_newer_one_is_not() -> None:
+def test_an_old_version_is_reported_and_a_newer_one_is_not() -> None:
     newer = advice((1, 0, 0))
     assert newer is not None and newer.values["installed"] == "1.0.0" and is_old((1, 0, 9))
     assert advice((1, 3, 0)) is None and advice((2, 0, 0)) is None

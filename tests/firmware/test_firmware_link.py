@@ -1,4 +1,4 @@
-"""From simulated silicon to the engine: the firmware heard and commanded by `tracker.sensors`."""
+"""From simulated silicon to the engine: `tracker.sensors` communicates with the firmware."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from tracker.sensors.protocol import (
 )
 
 
-def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
+def test_the_engine_decodes_the_same_as_the_oracle(build: Path) -> None:
     with simulated_glove(build, "0:battery 3900", "0:unplug 6") as glove:
         glove.start()
         glove.wait_for(SAMPLES, 60)
@@ -61,7 +61,7 @@ def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
     assert (status.battery_mV, status.temperature_cC, status.imu_ok, status.dropped) == wire
 
 
-def test_the_firmware_obeys_what_the_engine_sends(build: Path) -> None:
+def test_the_firmware_executes_the_engines_commands(build: Path) -> None:
     with simulated_glove(build) as glove:
         glove.wait_for(HELLO)
         glove.port.write(encode(Rate(200)) + encode(Haptic(1, 77, 50)) + encode(Start()))
@@ -73,7 +73,7 @@ def test_the_firmware_obeys_what_the_engine_sends(build: Path) -> None:
     assert "haptic 1 77 " in glove.printed
 
 
-def test_the_ordinary_serial_code_reads_the_simulated_silicon(build: Path, tmp_path: Path) -> None:
+def test_the_ordinary_serial_code_reads_the_simulated_chip(build: Path, tmp_path: Path) -> None:
     """`GloveLink` opens the port, greets, starts and gives samples in SI units."""
     felt = np.linspace([-30, -20, -10, -6, -4, -2], [30, 20, 10, 6, 4, 2], IMUS)
     motion = tmp_path / "felt.txt"
@@ -101,7 +101,7 @@ def test_the_ordinary_serial_code_reads_the_simulated_silicon(build: Path, tmp_p
     assert warning("glove.imu_silent", imu=5) in reported
 
 
-def test_a_pulse_is_an_event_at_its_instant_on_the_hosts_clock(build: Path) -> None:
+def test_a_pulse_is_an_event_at_its_time_on_the_hosts_clock(build: Path) -> None:
     with simulated_glove(build, fast=False) as glove:
         glove.port.close()
         link = GloveLink(serial_port(glove.port.port), IMUS)

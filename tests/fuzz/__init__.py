@@ -1,1 +1,1 @@
-"""Fuzzing of all that reads what others wrote: `python -m tests.fuzz`."""
+"""Fuzzing of all readers of untrusted data: `python -m tests.fuzz`."""

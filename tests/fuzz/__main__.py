@@ -1,8 +1,8 @@
-"""Fuzz one target for as long as one likes: ``python -m tests.fuzz --minutes 60 records``.
+"""Fuzz one target for any time: ``python -m tests.fuzz --minutes 60 records``.
 
-Needs Atheris (``pip install atheris``), which follows the branches that inputs take; it is no part
-of the environment. What fails, takes over 2 s or over 1 GB ends the run and is left in ``--found``:
-put it into ``tests/fuzz/found/<target>/``, where it is a test from then on.
+Requires Atheris (``pip install atheris``), which measures branch coverage; it is not part of the
+environment. An input that fails, takes over 2 s or over 1 GB ends the run and is stored in
+``--found``: move it to ``tests/fuzz/found/<target>/`` to make it a test.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class TooSlow(Exception):
 
 
 def within_time(target: Callable[[bytes], None]) -> Callable[[bytes], None]:
-    """The target, which must not take longer than it may."""
+    """The target, with a time limit."""
 
     def timed(data: bytes) -> None:
         began = time.process_time()
@@ -42,7 +42,7 @@ def within_time(target: Callable[[bytes], None]) -> Callable[[bytes], None]:
 
 
 def followed(target: str) -> list[str]:
-    """Modules whose branches are followed: what the target is about, for all else costs time."""
+    """Modules with branch coverage: those relevant for the target, since coverage costs time."""
     if target in ("container", "records", "messages"):
         return ["tracker.session"]
     if target == "state":
@@ -53,7 +53,7 @@ def followed(target: str) -> list[str]:
 
 
 def compiled() -> list[str]:
-    """Modules of the engine that hold kernels: numba compiles no function that Atheris changed."""
+    """Modules of the engine with kernels: numba cannot compile functions modified by Atheris."""
     root = Path(tracker.__file__).parent
     files = [path for path in root.rglob("*.py") if "@kernel" in path.read_text("utf-8")]
     return [".".join(path.relative_to(root.parent).with_suffix("").parts) for path in files]

@@ -1,4 +1,4 @@
-"""Good inputs, for a fuzzer to begin with."""
+"""Valid inputs as a starting point for a fuzzer."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def topics_of(info: SessionInfo) -> list[tuple[str, str, bytes]]:
 
 
 def begun(info: SessionInfo) -> bytes:
-    """A file that has its description, and no message yet."""
+    """A file with its description, and no messages yet."""
     whole = _plain(info, [])
     at = len(MAGIC)
     while whole[at] != DATA_END:
@@ -95,7 +95,7 @@ def begun(info: SessionInfo) -> bytes:
 
 
 def _plain(info: SessionInfo, topics: list[tuple[str, str, bytes]]) -> bytes:
-    """A file without compression, in which every byte counts."""
+    """A file without compression, in which every byte matters."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "a.mcap"
         out = McapOutput(path, sync=False)
@@ -110,7 +110,7 @@ def _plain(info: SessionInfo, topics: list[tuple[str, str, bytes]]) -> bytes:
 
 
 def _records(topics: list[tuple[str, str, bytes]]) -> bytes:
-    """Schemas, channels and messages, as they stand in a chunk."""
+    """Schemas, channels and messages, as in a chunk."""
     out = b""
     for k, (topic, kind, data) in enumerate(topics):
         name, schema = topic.encode(), kind.encode()
@@ -160,7 +160,7 @@ def _opencv() -> str:
 
 
 def examples(name: str, info: SessionInfo, topics: list[tuple[str, str, bytes]]) -> list[bytes]:
-    """Inputs that the target of that name reads without a complaint."""
+    """Inputs that the named target reads without an error."""
     if name == "container":
         return [_plain(info, topics)]
     if name == "records":

@@ -1,7 +1,7 @@
-"""What is fuzzed: each takes any bytes, and has read or refused them in words when it returns.
+"""Fuzz targets: each accepts any bytes, and reads or rejects them.
 
-Some are whole files; others are put where a fuzzer would not get by chance, past
-checksums and lengths, which are made true around the bytes.
+Some are whole files; others are inserted where a fuzzer would not get by chance, behind checksums
+and lengths, which are corrected around the bytes.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ _folder = tempfile.TemporaryDirectory(prefix="glovetrack-fuzz-")
 
 @functools.cache
 def topics() -> list[tuple[str, str, bytes]]:
-    """Of a recording, which takes seconds to make: not where the tests are only collected."""
+    """Of a recording, which takes seconds to create: not during test collection."""
     return topics_of(INFO)
 
 
@@ -64,7 +64,7 @@ def _file(data: bytes, name: str = "a.mcap") -> Path:
 
 
 def _read(path: Path) -> None:
-    """All that a command would read of a session."""
+    """Everything a command would read of a session."""
     try:
         verify(path)
         with SessionReader(path) as reader:
@@ -89,7 +89,7 @@ def container(data: bytes) -> None:
 
 
 def records(data: bytes) -> None:
-    """What a chunk holds, with true sizes and no checksum, in a file that was never finished."""
+    """The content of a chunk, with correct sizes and no checksum, in an unfinished file."""
     body = (
         struct.pack("<QQQII", STAMP, STAMP + 10**9, len(data), 0, 0)
         + struct.pack("<Q", len(data))
@@ -99,7 +99,7 @@ def records(data: bytes) -> None:
 
 
 def messages(data: bytes) -> None:
-    """Messages of our own topics in a good session: number of the topic, u16 length, the bytes."""
+    """Messages of our own topics in a valid session: number of the topic, u16 length, the bytes."""
     path = Path(_folder.name) / "b.mcap"
     path.unlink(missing_ok=True)
     out = McapOutput(path, sync=False)
@@ -118,7 +118,7 @@ def messages(data: bytes) -> None:
 
 
 def state(data: bytes) -> None:
-    """What an attachment ``engine_state`` unpacks to, under a true checksum and size."""
+    """The unpacked content of an attachment ``engine_state``, with correct checksum and size."""
     packed = struct.pack("<Q", len(data)) + zstandard.ZstdCompressor(level=1).compress(data)
     whole = b"GTES" + struct.pack("<HI", engine_state.VERSION, zlib.crc32(packed)) + packed
     try:
@@ -132,7 +132,7 @@ def state(data: bytes) -> None:
 
 
 def decoder(data: bytes) -> None:
-    """Bytes from a port, in pieces; what does not depend on the pieces must not."""
+    """Bytes from a port, in pieces; the result must not depend on the division."""
     whole = FrameDecoder()
     frames = whole.feed(data)
     pieces, parts = FrameDecoder(), []
@@ -142,19 +142,20 @@ def decoder(data: bytes) -> None:
 
 
 def link(data: bytes) -> None:
-    """Frames with true checksums, u8 length each, through the whole link on a clock of its own."""
+    """Frames with correct checksums, u8 length each, through the whole link on a simulated
+    clock."""
     port, before = _Port(data), -np.inf
     found = GloveLink(lambda: port, len(GLOVE.imus), clock=lambda: port.t)
     while port.left or port.in_waiting:
         for item in found.poll(0.0):
             if isinstance(item, ImuSample):
-                assert item.t > before  # no time runs backward
+                assert item.t > before  # time is monotonic
                 before = item.t
     found.close()
 
 
 class _Port:
-    """Gives one frame a reading, 10 ms apart, and heeds nothing."""
+    """Returns one frame per read, 10 ms apart, and ignores commands."""
 
     def __init__(self, data: bytes) -> None:
         self.t, self.left = 20.0, [encode(Hello(1, len(GLOVE.imus)))]

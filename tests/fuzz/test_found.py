@@ -1,4 +1,4 @@
-"""What fuzzing found stays read or refused, and what is damaged at random is too."""
+"""Inputs found by fuzzing are still read or rejected, and so are randomly damaged ones."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ CASES = sorted(p.relative_to(FOUND).as_posix() for p in FOUND.rglob("*") if p.is
 
 
 def read(name: str, data: bytes) -> None:
-    """Within the time and the memory that a file of this size may take."""
-    topics()  # are made once, which is not the file's doing
+    """Within the time and memory limits for a file of this size."""
+    topics()  # created once, independent of the file
     tracemalloc.start()
     began = time.process_time()
     TARGETS[name](data)
@@ -30,13 +30,13 @@ def read(name: str, data: bytes) -> None:
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_what_was_found_is_read_or_refused(case: str) -> None:
+def test_found_inputs_are_read_or_rejected(case: str) -> None:
     read(case.split("/")[0], (FOUND / case).read_bytes())
 
 
 @pytest.mark.parametrize("name", sorted(TARGETS))
-def test_examples_and_their_damage_are_read_or_refused(name: str) -> None:
-    """Bytes changed, cut out, doubled and swelled; seldom deep, but here in every run."""
+def test_damaged_examples_are_read_or_rejected(name: str) -> None:
+    """Bytes changed, removed, doubled and inserted; shallow, but in every test run."""
     rng = np.random.default_rng(sorted(TARGETS).index(name))
     for example in examples(name, INFO, topics()):
         read(name, example)

@@ -1,4 +1,4 @@
-"""Allan deviation and fitted noise, against made signals and against data of a real chip."""
+"""Allan deviation and fitted noise, on synthetic signals and data of a real chip."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def made(n: int, seed: int = 1) -> np.ndarray:
     return white + walk
 
 
-def test_white_noise_falls_with_the_root_of_the_time() -> None:
+def test_white_noise_decreases_with_the_square_root_of_time() -> None:
     rng = np.random.default_rng(2)
     curve = allan(WHITE * np.sqrt(RATE_HZ) * rng.standard_normal((60_000, 1)), RATE_HZ)
     short = curve.tau < 5
@@ -30,21 +30,21 @@ def test_white_noise_falls_with_the_root_of_the_time() -> None:
     assert curve.deviation[short, 0] == pytest.approx(expected, rel=0.1)
 
 
-def test_a_constant_has_no_deviation_and_a_ramp_has_one_of_its_own() -> None:
+def test_a_constant_has_no_deviation_and_a_ramp_a_known_one() -> None:
     t = np.arange(5000)[:, None] / RATE_HZ
     assert allan(np.ones((5000, 1)), RATE_HZ).deviation == pytest.approx(0, abs=1e-12)
     curve = allan(0.3 * t, RATE_HZ)
     assert curve.deviation[:, 0] == pytest.approx(0.3 * curve.tau / np.sqrt(2), rel=1e-6)
 
 
-def test_the_densities_of_a_made_signal_are_found_again() -> None:
+def test_the_densities_of_a_synthetic_signal_are_recovered() -> None:
     _, models = noise_of(made(120_000), RATE_HZ)
     for model in models:
         assert model.white == pytest.approx(WHITE, rel=0.05)
         assert model.walk == pytest.approx(WALK, rel=0.5)
 
 
-def test_a_model_is_found_again_from_its_own_curve() -> None:
+def test_a_model_is_recovered_from_its_own_curve() -> None:
     tau = np.logspace(-2, 2, 40)
     model = NoiseModel(1e-4, 5e-5, 1e-6)
     found = fit(tau, model.deviation(tau), np.full(40, 100.0))
@@ -53,7 +53,7 @@ def test_a_model_is_found_again_from_its_own_curve() -> None:
     assert found.walk == pytest.approx(model.walk, rel=1e-2)
 
 
-def test_too_short_a_signal_is_refused() -> None:
+def test_too_short_a_signal_is_rejected() -> None:
     with pytest.raises(ValueError, match="100 samples"):
         allan(np.zeros((50, 3)), RATE_HZ)
 

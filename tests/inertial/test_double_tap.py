@@ -1,4 +1,4 @@
-"""A double tap on the glove is told from movements, one tap and three."""
+"""A double tap on the glove is distinguished from movements, one tap and three."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ UP = np.array([0.3, 0.2, 9.8])
 
 
 def found(taps: Sequence[float], size: float = 20.0, width: int = 2, begin: float = 0.0) -> int:
-    """Double taps in 4 s of a hand at rest that is tapped at these instants (s)."""
+    """Double taps detected in 4 s of a hand at rest that is tapped at these times (s)."""
     rng, tap, count = np.random.default_rng(2), DoubleTap(), 0
     for k in range(400):
         t = k * DT + begin
@@ -51,7 +51,7 @@ def test_two_double_taps_count_twice() -> None:
     assert found([1.0, 1.2, 2.5, 2.7]) == 2
 
 
-def test_the_same_samples_again_are_passed_over_and_a_gap_begins_anew() -> None:
+def test_repeated_samples_are_ignored_and_a_gap_restarts() -> None:
     tap = DoubleTap()
     for k in range(100):
         assert not tap.feed(k * DT, UP, np.zeros(3))

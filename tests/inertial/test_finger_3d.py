@@ -41,7 +41,7 @@ Pose = tuple[Array, Array]
 
 
 def _swell(t: float) -> float:
-    """Time that stands still for 0.3 s and then sets in smoothly."""
+    """Time that is constant for 0.3 s and then starts smoothly."""
     s = max(t - 0.3, 0.0)
     return s**3 / (0.2 + s**2)
 
@@ -72,7 +72,7 @@ def _phalanx_1(t: float) -> Pose:
 
 
 def _sense(pose: Callable[[float], Pose], place: Array, t: float) -> Pose:
-    """Angular rate and specific force that an ideal IMU at ``place`` of a segment reads at t."""
+    """Angular rate and specific force of an ideal IMU at ``place`` of a segment at t."""
     points = [p + R @ place for R, p in (pose(t - H), pose(t), pose(t + H))]
     R = pose(t)[0]
     acceleration = (points[0] - 2 * points[1] + points[2]) / H**2
@@ -114,22 +114,22 @@ def _errors_deg(
 
 
 @pytest.mark.parametrize(("variant", "bound_deg"), [("learned", 0.5), ("madgwick", 1.0)])
-def test_ideal_readings_are_followed(
+def test_ideal_readings_are_tracked(
     recording: list[tuple[DorsumMotion, ImuPair]], variant: str, bound_deg: float
 ) -> None:
     assert _errors_deg(recording, variant).max() < bound_deg
 
 
 @pytest.mark.parametrize("variant", ["switching", "switching_offset"])
-def test_switching_follows_within_its_own_bound(
+def test_switching_is_accurate_within_its_own_bound(
     recording: list[tuple[DorsumMotion, ImuPair]], variant: str
 ) -> None:
-    """While it may drift by 5 °/s for a second or two, ideal gyroscopes lose nothing."""
+    """Although it assumes a drift of 5 °/s for a second or two, ideal gyroscopes cause no error."""
     error = _errors_deg(recording, variant)
     assert np.sqrt(np.mean(error**2)) < 3.0
 
 
-def test_gyroscope_offsets_are_held_by_gravity_and_the_plane(
+def test_gyroscope_offsets_are_bounded_by_gravity_and_the_plane(
     recording: list[tuple[DorsumMotion, ImuPair]],
 ) -> None:
     offset = np.deg2rad(5.0) * np.array([[1.0, -1, 1], [-1, 1, 1]])
@@ -141,7 +141,7 @@ def test_gyroscope_offsets_are_held_by_gravity_and_the_plane(
 def test_the_chains_own_acceleration_is_compensated(
     recording: list[tuple[DorsumMotion, ImuPair]],
 ) -> None:
-    """With levers that are half as long as the finger's the error must be visibly larger."""
+    """With levers half as long as the finger's the error must be visibly larger."""
     half = FingerGeometry(
         GEOMETRY.joint_0,
         0.5 * GEOMETRY.joint_1,
@@ -162,7 +162,7 @@ def test_the_chains_own_acceleration_is_compensated(
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
-def test_an_imu_that_stops_answering_leaves_finite_joints(
+def test_an_invalid_imu_gives_finite_joints(
     recording: list[tuple[DorsumMotion, ImuPair]], variant: str
 ) -> None:
     estimator = FingerEstimator3D(GEOMETRY, DT, variant)
@@ -175,7 +175,7 @@ def test_an_imu_that_stops_answering_leaves_finite_joints(
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
-def test_a_copy_goes_on_identically(
+def test_a_copy_continues_identically(
     recording: list[tuple[DorsumMotion, ImuPair]], variant: str
 ) -> None:
     estimator = FingerEstimator3D(GEOMETRY, DT, variant)
@@ -188,7 +188,7 @@ def test_a_copy_goes_on_identically(
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
-def test_a_bent_start_is_kept_at_rest(variant: str) -> None:
+def test_a_bent_start_is_held_at_rest(variant: str) -> None:
     bent = (0.8, 0.6)
     estimator = FingerEstimator3D(GEOMETRY, DT, variant, bent)
     R_0 = GEOMETRY.R_rest_0 @ so3.ry(bent[0])
@@ -202,7 +202,7 @@ def test_a_bent_start_is_kept_at_rest(variant: str) -> None:
     assert flexion_angle(R_12, GEOMETRY.R_rest_1) == pytest.approx(bent[1], abs=0.01)
 
 
-def test_an_unknown_variant_is_refused_in_words() -> None:
+def test_an_unknown_variant_is_rejected() -> None:
     with raises(ConfigError, "engine.finger_estimator"):
         FingerEstimator3D(GEOMETRY, DT, "kalman")
 
@@ -225,6 +225,6 @@ def test_pairs_and_geometry_come_from_hand_and_glove() -> None:
 
 
 @pytest.mark.parametrize("angle", [-1.2, 0.0, 1.0, 2.5, 4.0])
-def test_flexion_reads_back_a_rotation_about_the_flexion_axis(angle: float) -> None:
+def test_flexion_recovers_a_rotation_about_the_flexion_axis(angle: float) -> None:
     rest = so3.exp(np.array([0.3, -0.2, 0.5]))
     assert flexion_angle(rest @ so3.ry(angle), rest) == pytest.approx(angle)

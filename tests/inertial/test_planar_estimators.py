@@ -47,7 +47,7 @@ def _rms_deg(estimator: Any, readings: PlanarReadings, truth: Array) -> float:
 
 
 @pytest.mark.parametrize("name", MAKERS)
-def test_run_equals_updates_and_a_restored_state_goes_on_identically(name: str) -> None:
+def test_run_equals_updates_and_a_restored_state_continues_identically(name: str) -> None:
     readings, _ = _readings(1.0, "both")
     whole = MAKERS[name]().run(readings)
     first, second = MAKERS[name](), MAKERS[name]()
@@ -55,7 +55,7 @@ def test_run_equals_updates_and_a_restored_state_goes_on_identically(name: str) 
     for i in range(half):
         np.testing.assert_array_equal(first.update(*_sample(readings, i)), whole[i])
     saved = first.state
-    first.update(*_sample(readings, half))  # must not touch the saved state
+    first.update(*_sample(readings, half))  # must not modify the saved state
     second.state = saved
     rest = PlanarReadings(*(a[half:] for a in readings))
     np.testing.assert_array_equal(second.run(rest), whole[half:])
@@ -65,7 +65,7 @@ def _sample(readings: PlanarReadings, i: int) -> tuple[Array, Any, complex]:
     return readings.gyro[i], readings.accel[i], complex(readings.root[i])
 
 
-def test_gravity_is_exact_at_rest_and_errs_by_the_motions_acceleration() -> None:
+def test_gravity_is_exact_at_rest_and_disturbed_by_acceleration() -> None:
     readings, truth = _readings(1.0, "none")
     error = Gravity().run(readings) - truth
     static = slice(0, 20)
@@ -84,7 +84,7 @@ def test_integration_error_is_the_gyroscopes_offset_times_time(t_m: float) -> No
     t = np.arange(len(truth)) * DT
     np.testing.assert_allclose(
         error, np.outer(t, [0.05, -0.02]), atol=5e-4
-    )  # the kink at the start costs 2e-4
+    )  # the discontinuity at the start costs 2e-4
 
 
 def test_integration_converges_with_the_third_power_of_the_sampling_time() -> None:
@@ -95,8 +95,9 @@ def test_integration_converges_with_the_third_power_of_the_sampling_time() -> No
     assert error[0] / error[1] > 6.0
 
 
-def test_switching_takes_the_estimate_with_the_smaller_bound() -> None:
-    """At rest the paper's rule goes to gravity at once; with the offset it waits until drift > it.
+def test_switching_selects_the_estimate_with_the_smaller_bound() -> None:
+    """At rest the paper's rule selects gravity at once; with the offset it waits until the drift
+    exceeds it.
 
     60 mg over 1 g against 5 °/s: 3.44° / 5 °/s = 0.69 s.
     """
@@ -125,7 +126,7 @@ def test_switching_never_uses_gravity_in_a_horizontal_plane() -> None:
 
 
 @pytest.mark.parametrize("t_m", [0.1, 0.6, 1.45, 3.5, 20.0])
-def test_switching_with_the_offset_follows_the_better_of_its_two(t_m: float) -> None:
+def test_switching_with_the_offset_follows_the_better_estimate(t_m: float) -> None:
     squares = dict.fromkeys(("gravity", "integration", "switching_offset"), 0.0)
     for seed in range(8):
         readings, truth = _readings(t_m, "both", seed=seed)
@@ -135,7 +136,7 @@ def test_switching_with_the_offset_follows_the_better_of_its_two(t_m: float) -> 
     assert rms["switching_offset"] <= 1.05 * min(rms["gravity"], rms["integration"])
 
 
-def test_madgwick_moves_by_twice_beta_and_settles_on_gravity() -> None:
+def test_madgwick_moves_by_twice_beta_and_converges_to_gravity() -> None:
     n, beta = 200, 0.2
     still = PlanarReadings(
         np.zeros((n, 2)), np.full((n, 2), -1j * GRAVITY), np.full(n, -1j * GRAVITY)
@@ -169,7 +170,7 @@ def test_small_beta_diverges_on_long_motions_and_large_beta_errs_on_fast_ones() 
     assert rms[100.0, 0.033] > 5 * rms[100.0, 0.33]
 
 
-def test_adaptive_beta_is_calmer_in_fast_motion_and_still_holds_a_swaying_hand() -> None:
+def test_adaptive_beta_is_less_disturbed_by_fast_motion_and_tracks_a_swaying_hand() -> None:
     white, truth = _readings(0.6, "white")
     adaptive, constant = MAKERS["madgwick_adaptive"], MAKERS["madgwick"]
     assert _rms_deg(adaptive(), white, truth) < _rms_deg(constant(), white, truth)
@@ -179,7 +180,7 @@ def test_adaptive_beta_is_calmer_in_fast_motion_and_still_holds_a_swaying_hand()
 
 @pytest.mark.parametrize("condition", [VERTICAL, MOVING])
 @pytest.mark.parametrize("t_m", [0.33, 1.08, 11.6, 100.0])
-def test_learned_is_ten_times_better_than_the_papers_estimators(
+def test_learned_is_ten_times_as_accurate_as_the_papers_estimators(
     t_m: float, condition: Condition
 ) -> None:
     readings, truth = _readings(t_m, "both", condition, seed=3)
@@ -188,7 +189,7 @@ def test_learned_is_ten_times_better_than_the_papers_estimators(
     assert ours < 0.1 * min(others)
 
 
-def test_learned_finds_the_offsets_that_were_added() -> None:
+def test_learned_estimates_the_added_offsets() -> None:
     readings, _ = _readings(5.0, "none")
     gyro, accel = np.array([0.08, -0.06]), np.array([0.3 - 0.5j, -0.4 + 0.2j])
     estimator = MAKERS["learned"]()
@@ -197,8 +198,8 @@ def test_learned_finds_the_offsets_that_were_added() -> None:
     np.testing.assert_allclose(estimator.accel_offset, accel, atol=0.02)
 
 
-def test_learned_believes_its_own_spread() -> None:
-    """Normalised squared errors at the end of many runs average near one."""
+def test_the_covariance_of_learned_is_consistent() -> None:
+    """Normalised squared errors at the end of many runs average to about one."""
     squares = []
     for seed in range(40):
         readings, truth = _readings(2.0, "both", seed=seed)
@@ -208,8 +209,8 @@ def test_learned_believes_its_own_spread() -> None:
     assert 0.1 < np.mean(squares) < 2.0
 
 
-def test_learned_takes_angles_that_vision_knows() -> None:
-    """Wrong start, no static phase: corrections make angle and offset right."""
+def test_learned_uses_angles_measured_by_vision() -> None:
+    """Wrong start, no static phase: corrections converge to the true angle and offset."""
     unsure = LearnedParams(static_start=0.0, start_sd=0.5)
     estimator = Learned(DT, FINGER.levers, unsure, (0.0, 0.0))
     offset = np.array([0.08, -0.05])
@@ -225,7 +226,7 @@ def test_learned_takes_angles_that_vision_knows() -> None:
 
 
 @pytest.mark.parametrize("name", ["switching", "learned"])
-def test_turning_the_planes_axes_changes_nothing_but_the_axes(name: str) -> None:
+def test_rotating_the_planes_axes_changes_only_the_axes(name: str) -> None:
     readings, _ = _readings(1.0, "both", seed=2)
     fixed, turning = MAKERS[name](), MAKERS[name]()
     angle = 0.0
@@ -236,5 +237,5 @@ def test_turning_the_planes_axes_changes_nothing_but_the_axes(name: str) -> None
         turning.turn(step)
         expected = fixed.update(gyro, accel, root)
         got = turning.update(gyro, accel, root * np.exp(-1j * angle))
-        if abs(angle) < 1.0:  # beyond, gravity's branch is another for `switching`
+        if abs(angle) < 1.0:  # beyond it, gravity has another branch for `switching`
             np.testing.assert_allclose(got + angle, expected, atol=1e-9)

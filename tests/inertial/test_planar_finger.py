@@ -29,7 +29,7 @@ FINGER = Finger()
 
 
 def _motion(t: Array) -> tuple[Array, Array, Array]:
-    """θ (n, 3) and its derivatives, a different smooth swing per phalanx."""
+    """θ (n, 3) and its derivatives, a different smooth motion per phalanx."""
     w, a = np.array([7.0, 11.0, 5.0]), np.array([0.6, 0.9, 1.1])
     s = np.multiply.outer(t, w)
     return a * np.sin(s), a * w * np.cos(s), -a * w**2 * np.sin(s)
@@ -53,13 +53,13 @@ def test_sensor_accelerations_are_second_derivatives_of_positions() -> None:
     )
 
 
-def test_compiled_kinematics_equal_the_arrays_form() -> None:
+def test_compiled_kinematics_equal_the_array_form() -> None:
     theta, omega, alpha = (level[0] for level in _motion(np.array([0.37])))
     expected = sensor_accelerations(FINGER, theta, omega, alpha)
     np.testing.assert_allclose(kinematic(FINGER.levers, theta, omega, alpha), expected, rtol=1e-13)
 
 
-def test_a_sensor_at_rest_reads_upwards_with_one_g() -> None:
+def test_a_sensor_at_rest_measures_one_g_upwards() -> None:
     root = np.array([-1j * GRAVITY])  # palm down: up is against the palm
     theta = np.array([[0.0, np.pi / 2, np.pi]])
     still = np.zeros((1, 3))
@@ -78,7 +78,7 @@ def test_straight_finger_points_along_x_and_a_flexed_one_to_the_palm() -> None:
 
 def test_joint_angles_invert_phalanx_angles_under_the_coupling() -> None:
     phi = np.array([0.3, 0.8, 0.8])
-    theta = phalanx_angles(phi + np.array([0.2, 0, 0]))  # the metacarpus stands at 0.2
+    theta = phalanx_angles(phi + np.array([0.2, 0, 0]))  # the metacarpus is at 0.2
     np.testing.assert_allclose(joint_angles(theta[:2], 0.2), phi)
 
 

@@ -1,4 +1,4 @@
-"""The batched orientation filter: laws, known motions, offsets, and its own restored state."""
+"""The batched orientation filter: invariants, known motions, offsets, and restored states."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 def _tumbling(n: int, seed: int = 0, speed: float = 2.0) -> tuple[Array, Array, Array]:
-    """Ideal gyro, accel (n, 3) of an IMU that turns in place, and its R_GB (n, 3, 3).
+    """Ideal gyro, accel (n, 3) of an IMU that rotates in place, and its R_GB (n, 3, 3).
 
     The rates are constant over each sample, so that the truth is a product of exact rotations.
     """
@@ -42,7 +42,7 @@ def _several(n: int, count: int) -> tuple[Array, Array]:
     return np.stack([g for g, _ in each], axis=1), np.stack([a for _, a in each], axis=1)
 
 
-def test_turning_in_place_is_followed_with_heading() -> None:
+def test_rotation_in_place_is_tracked_with_heading() -> None:
     gyro, accel, R = _tumbling(3000)
     q = SegmentFilters(1, DT).run(gyro[:, None], accel[:, None])[:, 0]
     assert _tilt_deg(q, R).max() < 0.05
@@ -51,7 +51,7 @@ def test_turning_in_place_is_followed_with_heading() -> None:
     assert np.rad2deg((relative.inv() * found).magnitude()) < 0.1
 
 
-def test_each_imu_is_filtered_as_if_alone_and_updates_equal_run() -> None:
+def test_each_imu_is_filtered_independently_and_updates_equal_run() -> None:
     gyro, accel = _several(300, 3)
     together = SegmentFilters(3, DT)
     for g, a in zip(gyro, accel, strict=True):
@@ -61,7 +61,7 @@ def test_each_imu_is_filtered_as_if_alone_and_updates_equal_run() -> None:
         np.testing.assert_array_equal(together.q_GB[i], alone[-1, 0])
 
 
-def test_a_restored_state_goes_on_identically() -> None:
+def test_a_restored_state_resumes_identically() -> None:
     gyro, accel = _several(400, 2)
     first, second = SegmentFilters(2, DT), SegmentFilters(2, DT)
     first.run(gyro[:150], accel[:150])
@@ -70,7 +70,7 @@ def test_a_restored_state_goes_on_identically() -> None:
     np.testing.assert_array_equal(second.run(gyro[150:], accel[150:]), rest)
 
 
-def test_a_rest_shows_the_gyroscopes_offset() -> None:
+def test_a_rest_reveals_the_gyroscopes_offset() -> None:
     rng = np.random.default_rng(1)
     offset = np.deg2rad([[5.0, -5.0, 3.0]])
     filters = SegmentFilters(1, DT)
@@ -81,7 +81,7 @@ def test_a_rest_shows_the_gyroscopes_offset() -> None:
     np.testing.assert_allclose(filters.gyro_offset, offset, atol=np.deg2rad(0.1))
 
 
-def test_motion_shows_the_gyroscopes_offset_too() -> None:
+def test_motion_reveals_the_gyroscopes_offset_too() -> None:
     gyro, accel, _ = _tumbling(40000, speed=0.5)
     offset = np.deg2rad([1.0, -0.5, 0.7])
     filters = SegmentFilters(1, DT)
@@ -90,7 +90,7 @@ def test_motion_shows_the_gyroscopes_offset_too() -> None:
     assert np.linalg.norm(filters.gyro_offset[0] - offset) < 0.25 * np.linalg.norm(offset)
 
 
-def test_shaking_by_hand_is_averaged_out() -> None:
+def test_manual_shaking_is_averaged_out() -> None:
     """±2.5 m/s² at 2 Hz is a tilt of 14° for an accelerometer alone."""
     t = np.arange(3000) * DT
     accel = np.tile(GRAVITY * UP, (len(t), 1))
@@ -100,7 +100,7 @@ def test_shaking_by_hand_is_averaged_out() -> None:
     assert _tilt_deg(q, still)[1500:].max() < 0.1
 
 
-def test_an_imu_that_does_not_answer_keeps_its_orientation_and_others_go_on() -> None:
+def test_an_invalid_imu_keeps_its_orientation_and_others_continue() -> None:
     gyro, accel = _several(100, 2)
     filters = SegmentFilters(2, DT)
     filters.run(gyro[:50], accel[:50])

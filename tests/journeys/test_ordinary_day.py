@@ -1,7 +1,7 @@
-"""An ordinary day: what the application recorded, through every command of the command line.
+"""An ordinary day: recordings of the application, with every command of the command line.
 
-Recordings begin in the middle of tracking (`tests.live_recordings`), so each one holds a start
-state of whatever the engine knew at that instant.
+Recordings start in the middle of tracking (`tests.live_recordings`), so each one contains the
+engine's state at that time.
 """
 
 import json
@@ -44,19 +44,19 @@ def run(*words: str | Path) -> None:
 
 
 def assert_identical(a: Path, b: Path) -> None:
-    """Both files have the same estimates at the same instants, to the last bit."""
+    """Both files have bit-identical estimates at the same times."""
     found = compare(a, b)
     assert found["identical"], found
 
 
 def sides(path: Path) -> tuple[str, ...]:
-    """Of a session of both hands; of one hand its name for the reader."""
+    """For a session of both hands; for one hand its name for the reader."""
     with SessionReader(path) as reader:
         return reader.sides or (reader.info.side,)
 
 
 def estimates(path: Path, side: str | None = None) -> dict[float, np.ndarray]:
-    """Keypoints (K, 3) m at the instants of the estimates."""
+    """Keypoints (K, 3) m at the times of the estimates."""
     with SessionReader(path, side=side) as reader:
         return {m.t: m.keypoints for m in reader.messages((Estimate,)) if isinstance(m, Estimate)}
 
@@ -65,7 +65,7 @@ def n_estimates(path: Path) -> int:
     return len(estimates(path))
 
 
-def test_a_recording_is_whole_and_tracked_again_bit_for_bit(
+def test_a_recording_is_complete_and_tracked_again_bit_for_bit(
     recording: Path, tmp_path: Path
 ) -> None:
     run("info", recording)
@@ -85,8 +85,8 @@ def test_a_part_of_a_recording_is_tracked_again(recording: Path, tmp_path: Path)
     assert_identical(part, tmp_path / "again.mcap")
 
 
-def test_what_is_left_of_a_recording_is_tracked_again(recording: Path, tmp_path: Path) -> None:
-    """Of the last instants estimates may be lost where packets are not, or images."""
+def test_a_recovered_part_of_a_recording_is_tracked_again(recording: Path, tmp_path: Path) -> None:
+    """Estimates of the last moments may be lost where packets are not, or images."""
     cut, whole = tmp_path / "cut.mcap", tmp_path / "whole.mcap"
     data = recording.read_bytes()
     cut.write_bytes(data[: len(data) * 6 // 10])
@@ -111,7 +111,7 @@ def test_it_is_smoothed(one_hand: Path, tmp_path: Path) -> None:
     assert n_estimates(tmp_path / "smooth.mcap") > 20
 
 
-def test_its_colours_and_its_light_are_told(one_hand: Path) -> None:
+def test_its_colours_and_its_light_are_reported(one_hand: Path) -> None:
     run("colours", "check", one_hand)
     run("light", one_hand)
 
@@ -129,7 +129,7 @@ def test_both_hands_are_exported(live_recordings: LiveRecordings, tmp_path: Path
     assert len(list(tmp_path.glob("*.csv"))) == 2
 
 
-def test_it_is_reported_and_judged(
+def test_it_is_reported_and_evaluated(
     recording: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     run("report", recording, "-o", tmp_path / "report.html")

@@ -1,4 +1,4 @@
-"""Two gloves that each have the other one's files are noticed."""
+"""Two gloves with exchanged files are detected."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 
 
 @pytest.mark.parametrize("exchanged", [True, False])
-def test_exchanged_gloves_are_said_once(exchanged: bool) -> None:
+def test_exchanged_gloves_are_reported_once(exchanged: bool) -> None:
     dressed = {side: GlovedHand(*library.load(name, "")) for side, name in GLOVES.items()}
     sim = TwoHandsSimulation(dressed, 1, 4.5, 15.0)
     make = {side: partial(Pipeline, *dressed[side], sim.rig) for side in SIDES}

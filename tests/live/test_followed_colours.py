@@ -1,4 +1,4 @@
-"""Colours learned beside live tracking: given to the search, told and recorded; the user wins."""
+"""Colours learned during live tracking: applied, reported and recorded; the user has priority."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ USED = (
 
 
 class Scripted:
-    """A follower that has learned ``answer`` when it is asked."""
+    """A follower that returns ``answer`` on request."""
 
     def __init__(self, answer: ColourProfile | None) -> None:
         self.profile, self.answer = FACTORY, answer
@@ -51,7 +51,7 @@ def made(answer: ColourProfile | None) -> tuple[FollowedColours, Any, Scripted, 
     return FollowedColours(follower, vision, journal), vision, follower, journal  # type: ignore[arg-type]
 
 
-def test_what_was_learned_is_searched_with_and_recorded() -> None:
+def test_learned_colours_are_applied_and_recorded() -> None:
     colours, vision, _, journal = made(WARM)
     colours.used.put(USED)
     colours.step()
@@ -61,7 +61,7 @@ def test_what_was_learned_is_searched_with_and_recorded() -> None:
     assert parse_profile(str(event.data["colours"])).hues == WARM.hues
 
 
-def test_the_user_has_the_last_word() -> None:
+def test_the_users_colours_have_priority() -> None:
     colours, vision, follower, journal = made(WARM)
 
     def change() -> None:
@@ -79,7 +79,7 @@ def test_the_user_has_the_last_word() -> None:
 
 
 class StoringRecorder:
-    """A recorder that keeps what it is given."""
+    """A recorder that stores what it receives."""
 
     def __init__(self) -> None:
         self.messages: list[Any] = []
@@ -97,8 +97,8 @@ def used_at(t: float) -> Any:
     return dataclasses.replace(USED[0], t=t), *USED[1:]
 
 
-def test_colours_that_someone_sets_are_recorded_once_they_stand() -> None:
-    """A slider moves through many; the log, which its user reads, has none of them."""
+def test_colours_set_by_a_user_are_recorded_once_they_are_final() -> None:
+    """A slider passes through many values; none of them is written to the user's log."""
     colours, vision, _, journal = made(None)
     recorder = StoringRecorder()
     journal.open(recorder)
@@ -124,7 +124,7 @@ def test_colours_that_someone_sets_are_recorded_once_they_stand() -> None:
     assert KIND not in [journalled.kind for journalled in journal.drain_events()]
 
 
-def test_it_ends_when_images_do() -> None:
+def test_it_stops_without_images() -> None:
     colours, *_ = made(None)
     colours.used.close()
     with pytest.raises(Closed):

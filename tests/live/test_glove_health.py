@@ -1,4 +1,4 @@
-"""What a glove tells of itself reaches the status."""
+"""Status messages contain the health data sent by a glove."""
 
 from tests.live.test_runner import Glove, live, profile, sim
 from tracker.sensors.glove_link import LinkFigures
@@ -12,7 +12,7 @@ class HealthyGlove(Glove):
     figures = FIGURES
 
 
-def test_battery_and_temperature_reach_the_status_of_a_glove_that_tells_them(sim, profile):
+def test_battery_and_temperature_are_in_the_status(sim, profile):
     silent, _ = live(sim, profile, None)
     assert "battery_v" not in silent.hand("right").status().values
     silent.stop()

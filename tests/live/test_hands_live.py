@@ -1,4 +1,4 @@
-"""Two hands in one live loop, without threads: tracked, recorded, and one that comes and goes."""
+"""Two hands in one live loop, without threads: tracked, recorded, with one that disconnects."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ FILES = {
     "left": ("reference-left", "vist-small-left"),
     "right": ("reference-right", "vist-small"),
 }
-START = 100.0  # s of the clock at the simulation's beginning
+START = 100.0  # s of the clock at the start of the simulation
 
 
 class Live:
-    """A loop on a simulation, driven message by message."""
+    """A loop with a simulation, driven message by message."""
 
     def __init__(self, sim: TwoHandsSimulation) -> None:
         self.sim, self.now = sim, 0.0
@@ -78,7 +78,7 @@ def sim() -> TwoHandsSimulation:
     return simulated(3, 3.0)
 
 
-def test_a_live_recording_of_both_is_tracked_again_to_the_same_bits(tmp_path, sim) -> None:
+def test_a_live_recording_of_both_is_tracked_again_bit_for_bit(tmp_path, sim) -> None:
     live, path = Live(sim), tmp_path / "live.mcap"
     for message in sim.messages():
         if live.now >= 1.0 and not live.journal.recording:
@@ -114,11 +114,11 @@ def test_images_are_searched_around_the_markers_of_both_hands(sim) -> None:
 
 
 def without(side: str, begin: float, end: float, message: Simulated) -> bool:
-    """Whether a message is there while that glove is unplugged from ``begin`` to ``end`` (s)."""
+    """Whether a message is sent while that glove is unplugged from ``begin`` to ``end`` (s)."""
     return not (message.side == side and begin <= message.message.t_arrival < end)
 
 
-def test_one_glove_comes_and_goes_and_the_other_hand_does_not_care(sim) -> None:
+def test_unplugging_one_glove_does_not_affect_the_other_hand(sim) -> None:
     live = Live(sim)
     present = partial(without, "left", 1.5, 2.2)
     for message in sim.messages():
@@ -135,7 +135,7 @@ def test_one_glove_comes_and_goes_and_the_other_hand_does_not_care(sim) -> None:
     assert live.loop.status("right").values["imu_lost"] == 0
 
 
-def test_a_glove_that_never_comes_leaves_the_other_hand_to_be_searched_for_alone(sim) -> None:
+def test_a_missing_glove_does_not_delay_the_search_for_the_other_hand(sim) -> None:
     live = Live(sim)
     for message in sim.messages():
         if message.side != "left":

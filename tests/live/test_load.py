@@ -1,4 +1,4 @@
-"""What is left out of a computer that is too slow: lags in, one decision out."""
+"""Load shedding on an overloaded computer: lags in, one decision out."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def fed(watch: LoadWatch, start: float, seconds: float, lag: float) -> list[tupl
     return out
 
 
-def test_a_computer_that_keeps_up_leaves_nothing_out() -> None:
+def test_a_computer_that_keeps_up_sheds_nothing() -> None:
     watch = LoadWatch()
     for k in range(600):
         watch.packet(0.01 * k, 0.02)
@@ -29,14 +29,14 @@ def test_a_computer_that_keeps_up_leaves_nothing_out() -> None:
     assert watch.level == Shed.NOTHING and watch.notices.drain() == []
 
 
-def test_one_hitch_is_not_load() -> None:
+def test_one_delay_is_not_load() -> None:
     watch = LoadWatch()
     fed(watch, 0.0, 2.0, 0.01)
     fed(watch, 2.3, 0.02, 0.3)
     assert {level for _, level in fed(watch, 2.32, 3.0, 0.01)} == {Shed.NOTHING}
 
 
-def test_each_lag_sheds_in_the_order_and_says_so() -> None:
+def test_levels_are_shed_in_order_and_reported() -> None:
     feeds = {
         "packets": lambda watch, t: watch.packet(t, 2 * P.packet_lag),
         "images": lambda watch, t: watch.image(t, 2 * P.image_lag, 0),
@@ -53,7 +53,7 @@ def test_each_lag_sheds_in_the_order_and_says_so() -> None:
         assert np.all(np.diff(firsts) >= P.begin - 1e-9), name
 
 
-def test_it_is_taken_up_again_late_and_in_the_reverse_order() -> None:
+def test_levels_are_restored_late_and_in_reverse_order() -> None:
     watch = LoadWatch()
     fed(watch, 0.0, 3.0, 0.2)
     watch.notices.drain()
@@ -64,19 +64,19 @@ def test_it_is_taken_up_again_late_and_in_the_reverse_order() -> None:
     assert min(held) >= 100 * P.end - 1
 
 
-def test_a_lag_about_the_limit_does_not_flicker() -> None:
-    """Between what is little and what is too much it stays as it is."""
+def test_a_lag_near_the_limit_does_not_oscillate() -> None:
+    """Between the lower and the upper limit the level is unchanged."""
     watch, rng = LoadWatch(), np.random.default_rng(1)
     fed(watch, 0.0, 1.2, 0.2)
     levels = []
     for k in range(2000):
         watch.packet(1.2 + 0.01 * k, P.packet_lag * float(rng.uniform(0.6, 1.0)))
         levels.append(watch.level)
-    settled = levels[300:]  # once the load before is forgotten
+    settled = levels[300:]  # once the earlier load has expired
     assert set(settled) == {settled[0]} and settled[0] > Shed.NOTHING
 
 
-def test_silence_and_another_clock_are_no_load() -> None:
+def test_missing_data_and_another_clock_are_not_load() -> None:
     watch = LoadWatch()
     fed(watch, 0.0, 1.2, 0.2)
     assert watch.strain(1.2) > 1
@@ -86,14 +86,14 @@ def test_silence_and_another_clock_are_no_load() -> None:
     assert other.level == Shed.NOTHING
 
 
-def test_images_are_thinned_step_by_step_and_come_back_so() -> None:
+def test_the_image_rate_is_reduced_and_restored_in_steps() -> None:
     watch = LoadWatch()
     assert watch.image_interval == 0.0 and watch.figures()["images_missed"] == 0.0
     fed(watch, 0.0, 2.3, 1.0)  # four steps of half a second
     assert watch.level == Shed.IMAGES and watch.image_interval == IMAGE_INTERVALS[0]
     fed(watch, 2.3, 5.0, 1.0)
     assert watch.image_interval == IMAGE_INTERVALS[-1]
-    assert len(watch.notices.drain()) == len(BEGINS)  # thinner still is nothing new to say
+    assert len(watch.notices.drain()) == len(BEGINS)  # a further reduction is not reported
     seen = []
     for k in range(600):
         watch.packet(7.3 + 0.05 * k, 0.001)
@@ -103,7 +103,7 @@ def test_images_are_thinned_step_by_step_and_come_back_so() -> None:
     assert watch.level == Shed.NOTHING
 
 
-def test_the_share_of_images_missed_is_of_the_last_moments() -> None:
+def test_the_share_of_missed_images_is_a_recent_one() -> None:
     watch = LoadWatch()
     for k in range(60):
         watch.image(k / 30, 0.01, 1)  # every second one

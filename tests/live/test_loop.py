@@ -1,4 +1,4 @@
-"""The live loop without threads: what is recorded tells the order in which the engine was fed."""
+"""The live loop without threads: recordings determine the order in which the engine was fed."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ IN_TIME = 0.5  # s, far more than beginning a recording takes that nothing holds
 
 
 class Clock:
-    """Time as told by the messages."""
+    """Time according to the messages."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -45,7 +45,7 @@ class Clock:
 
 
 class RecordingBegunBetween(ArrivalOrder):
-    """Once ``begin`` is set, has another thread run it as soon as the next message is stamped."""
+    """Once ``begin`` is set, makes another thread run it as soon as the next message is stamped."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -60,7 +60,7 @@ class RecordingBegunBetween(ArrivalOrder):
     def _interrupted(self, message):
         if self.begin is not None and self.begin.ident is None:
             self.begin.start()
-            self.begin.join(IN_TIME)  # in vain where stamp and feeding are under one lock
+            self.begin.join(IN_TIME)  # impossible if stamp and feeding are under one lock
         return message
 
 
@@ -88,7 +88,7 @@ def feed(loop: LiveLoop, clock: Clock, messages: list[ImuSample | BlobFrame]) ->
 
 
 def tracked_again(sim: Simulation, messages: list[Message]) -> list[Estimate]:
-    """As from a file: from the recorded state on, in the order of the stamps."""
+    """As from a file: from the recorded state on, in the order of timestamps."""
     began = messages[0]
     assert isinstance(began, EngineState)
     pipeline, estimates = Pipeline(sim.hand, sim.glove, sim.rig), []
@@ -105,7 +105,7 @@ def tracked_again(sim: Simulation, messages: list[Message]) -> list[Estimate]:
 
 
 @pytest.mark.parametrize("kind", [ImuSample, BlobFrame])
-def test_a_recording_begun_between_a_stamp_and_its_feeding_is_tracked_again_alike(sim, kind):
+def test_a_recording_started_between_stamp_and_feeding_is_tracked_again_alike(sim, kind):
     order, tape = RecordingBegunBetween(), Tape()
     loop, clock = loop_on(sim, order)
     messages = messages_of(sim)
@@ -124,12 +124,12 @@ def test_a_recording_begun_between_a_stamp_and_its_feeding_is_tracked_again_alik
 
 
 def unplugged(messages: list, start: float, stop: float) -> list:
-    """Without the packets between two instants (s)."""
+    """Without the packets between two times (s)."""
     return [m for m in messages if not (isinstance(m, ImuSample) and start < m.t < stop)]
 
 
 @pytest.mark.parametrize("begun", [0.5, 1.25])
-def test_what_is_shown_without_packets_is_what_the_recording_contains(sim, begun):
+def test_the_output_without_packets_is_recorded(sim, begun):
     tape, shown = Tape(), []
     loop, clock = loop_on(sim)
     messages = unplugged(messages_of(sim), 1.2, 1.7)
@@ -158,7 +158,7 @@ def test_what_is_shown_without_packets_is_what_the_recording_contains(sim, begun
         np.testing.assert_array_equal(a.keypoint_state, b.keypoint_state)
 
 
-def test_time_never_goes_back_where_images_or_packets_are_late(sim):
+def test_time_is_monotonic_with_late_images_or_packets(sim):
     """Stalls of the computer: images are fed long after their exposure, packets in bursts."""
     loop, clock = loop_on(sim)
     shown: list[Estimate] = []
@@ -166,7 +166,7 @@ def test_time_never_goes_back_where_images_or_packets_are_late(sim):
     rng = np.random.default_rng(3)
     late = {}
     for m in messages_of(sim):
-        stall = np.floor(m.t / 0.4)  # all of 0.4 s may come late, images and packets by their own
+        stall = np.floor(m.t / 0.4)  # all of 0.4 s may be late, images and packets independently
         key = stall, isinstance(m, ImuSample)
         late.setdefault(key, rng.uniform(0.0, 0.36) * (rng.random() < 0.7))
         arrival = max(m.t_arrival, stall * 0.4 + late[key])
@@ -181,7 +181,7 @@ def arrival_of(message: ImuSample | BlobFrame) -> float:
     return message.t_arrival
 
 
-def test_one_thread_is_enough_to_track_a_hand(sim):
+def test_one_thread_is_sufficient_to_track_a_hand(sim):
     loop, clock = loop_on(sim)
     messages = messages_of(sim)
     feed(loop, clock, messages)
@@ -194,8 +194,8 @@ def test_one_thread_is_enough_to_track_a_hand(sim):
     assert loop.status("right").values["stereo_points"] > 0
 
 
-def test_without_a_packet_no_hand_is_looked_for(sim):
-    """A camera alone finds none; once the glove sends, that is said as ever."""
+def test_without_packets_no_hand_is_searched_for(sim):
+    """A camera alone finds none; once the glove sends, a missing hand is reported as usual."""
     loop, clock = loop_on(sim)
     messages = messages_of(sim)
     feed(loop, clock, [m for m in messages if isinstance(m, BlobFrame)][:20])
@@ -207,7 +207,7 @@ def test_without_a_packet_no_hand_is_looked_for(sim):
     assert codes[:2] == ["tracking.searching", "tracking.tracked"]
 
 
-def test_stamps_tell_the_order_of_feeding_where_devices_tell_another(sim):
+def test_timestamps_determine_the_order_of_feeding(sim):
     order, messages = ArrivalOrder(), messages_of(sim)
     sample = next(m for m in messages if isinstance(m, ImuSample))
     image = next(m for m in messages if isinstance(m, BlobFrame))
@@ -219,7 +219,7 @@ def test_stamps_tell_the_order_of_feeding_where_devices_tell_another(sim):
     assert order.imu(sample).t_arrival > later.t_arrival
 
 
-def test_a_reference_that_does_not_exist_leaves_the_one_that_runs(sim):
+def test_an_unknown_reference_leaves_the_running_one(sim):
     loop, clock = loop_on(sim)
     loop.set_reference("madgwick")
     with pytest.raises(ConfigError):
@@ -229,7 +229,7 @@ def test_a_reference_that_does_not_exist_leaves_the_one_that_runs(sim):
     assert loop.reference_estimate("right") is None
 
 
-def test_images_wait_three_at_a_time_and_packets_all(sim):
+def test_the_queue_is_limited_for_images_and_not_for_packets(sim):
     inbox, messages = Inbox(), messages_of(sim)
     for message in messages[:40]:
         waiting = item(message)
@@ -247,7 +247,7 @@ def test_images_wait_three_at_a_time_and_packets_all(sim):
     assert isinstance(inbox.get(0.0), DetectedFrame), "there is room again"
 
 
-def test_what_paints_has_to_wait_while_a_message_is_worked_on(sim) -> None:
+def test_rendering_waits_while_a_message_is_processed(sim) -> None:
     loop, _clock = loop_on(sim)
     taken: list[bool] = []
     loop.seen["right"].followers = (lambda *_: taken.append(loop.priority.is_taken),)

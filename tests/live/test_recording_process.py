@@ -1,4 +1,4 @@
-"""Live tracking recorded by another process, from the middle on, tracked again."""
+"""Live tracking recorded by another process from the middle on, tracked again."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def until(t: float, tracker: LiveTracker, stream: Stream) -> None:
         time.sleep(0.01)
 
 
-def test_the_same_bits_of_a_recording_begun_in_the_middle(
+def test_a_recording_started_in_the_middle_is_bit_identical(
     tmp_path, sim: Simulation, profile: ColourProfile
 ) -> None:
     stream, recorded, again = Stream(sim), tmp_path / "a.mcap", tmp_path / "b.mcap"
@@ -60,7 +60,9 @@ def test_the_same_bits_of_a_recording_begun_in_the_middle(
         clock=lambda: 2.0,
     )
     processes = RecorderProcesses()
-    recorder = processes.record(recorded, about(sim, tracker))  # the stream waits for no process
+    recorder = processes.record(
+        recorded, about(sim, tracker)
+    )  # the stream does not wait for a process
     tracker.start()
     try:
         until(0.8, tracker, stream)

@@ -1,4 +1,4 @@
-"""A second engine beside the first one sees the same and says what it says alone."""
+"""A second engine next to the first one gets the same input and gives the result it gives alone."""
 
 import time
 
@@ -26,7 +26,7 @@ def wait_until(condition, limit: float = 30.0) -> bool:
     return False
 
 
-def test_a_reference_is_the_engine_alone(sim):
+def test_a_reference_equals_the_engine_alone(sim):
     messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
     settings = Settings(engine="switching")
     alone = Pipeline(sim.hand, sim.glove, sim.rig, settings)
@@ -48,7 +48,7 @@ def test_a_reference_is_the_engine_alone(sim):
     reference.close()
 
 
-def test_a_live_tracker_starts_changes_and_ends_its_reference(sim, profile):
+def test_a_live_tracker_starts_changes_and_stops_its_reference(sim, profile):
     tracker, _ = live(sim, profile, None)
     with pytest.raises(ConfigError):
         tracker.set_reference("none such")
@@ -63,7 +63,7 @@ def test_a_live_tracker_starts_changes_and_ends_its_reference(sim, profile):
     assert tracker.hand("right").reference_estimate() is None
 
 
-def test_a_command_is_obeyed_in_the_engines_thread_and_its_errors_are_told(sim, profile):
+def test_a_command_runs_in_the_engines_thread_and_its_errors_are_reported(sim, profile):
     tracker, _ = live(sim, profile, None)
     seen = []
 

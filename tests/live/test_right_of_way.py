@@ -1,14 +1,14 @@
-"""Hurried work goes before work that asks whether it may go on."""
+"""Urgent work has priority over work that requests permission."""
 
 import threading
 import time
 
 from tracker.live.right_of_way import PATIENCE, RightOfWay
 
-PLENTY = 20.0  # s that no computer takes
+PLENTY = 20.0  # s, longer than any computer needs
 
 
-def test_who_gives_way_waits_until_all_hurried_work_is_over():
+def test_low_priority_work_waits_until_all_urgent_work_is_done():
     way, order = RightOfWay(patience=PLENTY), list[str]()
 
     def paint() -> None:
@@ -19,14 +19,14 @@ def test_who_gives_way_waits_until_all_hurried_work_is_over():
     with way:
         with way:
             painter.start()
-        painter.join(0.05)  # it would be through long before
+        painter.join(0.05)  # it would be finished long before
         order.append("worked")
     painter.join(PLENTY)
     assert order == ["worked", "painted"]
-    assert time.monotonic() - began < PLENTY / 2  # woken, not out of patience
+    assert time.monotonic() - began < PLENTY / 2  # woken, not timed out
 
 
-def test_nobody_waits_where_nothing_hurries():
+def test_without_urgent_work_there_is_no_wait():
     way = RightOfWay(patience=PLENTY)
     with way:
         assert way.is_taken
@@ -36,8 +36,8 @@ def test_nobody_waits_where_nothing_hurries():
     assert time.monotonic() - began < PLENTY / 2
 
 
-def test_a_painter_who_has_waited_in_vain_gets_on():
-    """An engine that never rests must not stop the window: half of the time is the window's."""
+def test_low_priority_work_proceeds_after_a_timeout():
+    """A busy engine must not block the window: half of the time is the window's."""
     clock = [0.0]
     way = RightOfWay(clock=lambda: clock[0])
     with way:

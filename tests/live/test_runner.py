@@ -1,4 +1,4 @@
-"""The live tracker on a simulated glove and camera handed over by hand."""
+"""The live tracker with a simulated glove and camera as direct objects."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from tracker.vision.detector import Detector
 
 
 class Stream:
-    """Hands out simulated messages as fast as they are asked for, in their order."""
+    """Delivers simulated messages as fast as requested, in their order."""
 
     def __init__(self, sim: Simulation) -> None:
         self._lock = threading.Condition()
@@ -147,14 +147,12 @@ def run_to_the_end(tracker: LiveTracker, stream: Stream) -> None:
     while not stream.done and time.monotonic() < deadline:
         time.sleep(0.01)
     last = -1
-    while last != len(tracker.hand("right").recent_imu()):  # until the inbox has run dry
+    while last != len(tracker.hand("right").recent_imu()):  # until the inbox is empty
         last = len(tracker.hand("right").recent_imu())
         time.sleep(0.2)
 
 
-def test_what_was_recorded_gives_the_same_states_again(
-    sim: Simulation, profile: ColourProfile
-) -> None:
+def test_a_recording_gives_the_same_states_again(sim: Simulation, profile: ColourProfile) -> None:
     tape = Tape()
     tracker, stream = live(sim, profile, tape)
     run_to_the_end(tracker, stream)
@@ -180,7 +178,7 @@ def test_what_was_recorded_gives_the_same_states_again(
         assert np.array_equal(a.keypoints, b.keypoints, equal_nan=True)
 
 
-def test_a_full_disk_ends_the_recording_and_not_the_tracking(
+def test_a_full_disk_stops_the_recording_but_not_tracking(
     sim: Simulation, profile: ColourProfile
 ) -> None:
     tape = Tape(limit=50)
@@ -194,7 +192,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_tracking(
 
 
 class SlowTape(Tape):
-    """Its end takes until it is let go."""
+    """Closing it blocks until released."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -205,26 +203,22 @@ class SlowTape(Tape):
         super().close()
 
 
-def test_the_end_of_a_recording_is_not_waited_for_long(
-    sim: Simulation, profile: ColourProfile
-) -> None:
+def test_closing_a_recording_has_a_timeout(sim: Simulation, profile: ColourProfile) -> None:
     slow = SlowTape()
     tracker, stream = live(sim, profile, slow)
     run_to_the_end(tracker, stream)
     began = time.monotonic()
     tracker.set_recorder(None)
-    assert time.monotonic() - began < PATIENCE + 2.0  # not the 30 s that its end would take
+    assert time.monotonic() - began < PATIENCE + 2.0  # not the 30 s that closing would take
     assert not slow.closed
     slow.let_go.set()
-    tracker.stop()  # waits to the end
+    tracker.stop()  # waits for the end
     assert slow.closed
     codes = [e.code for e in tracker.drain_events() if e.kind == "recording"]
     assert codes[-1] == "recording.finished"
 
 
-def test_devices_are_free_though_the_disk_is_behind(
-    sim: Simulation, profile: ColourProfile
-) -> None:
+def test_devices_are_not_blocked_by_a_slow_disk(sim: Simulation, profile: ColourProfile) -> None:
     freed: list[bool] = []
 
     class Freed(Camera):
@@ -239,11 +233,11 @@ def test_devices_are_free_though_the_disk_is_behind(
     assert time.monotonic() - began < PATIENCE + 2.0
     assert freed and not slow.closed
     slow.let_go.set()
-    tracker.stop()  # waits to the end
+    tracker.stop()  # waits for the end
     assert slow.closed
 
 
-def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:
+def test_a_failing_device_is_reported(sim: Simulation, profile: ColourProfile) -> None:
     tracker, _ = live(sim, profile, None, camera=BrokenCamera)
     tracker.start()
     reported, deadline = list(tracker.drain_events()), time.monotonic() + 30
@@ -254,7 +248,7 @@ def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: Colo
     tracker.stop()
 
 
-def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: ColourProfile) -> None:
+def test_the_engine_can_be_changed_while_running(sim: Simulation, profile: ColourProfile) -> None:
     tracker, stream = live(sim, profile, None)
     tracker.start()
     deadline = time.monotonic() + 60
@@ -271,7 +265,7 @@ def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: Colou
     assert estimate is not None and estimate.t > 1.5
 
 
-def test_a_recording_begun_while_tracking_holds_what_the_engine_knew(
+def test_a_recording_started_while_tracking_contains_the_engines_state(
     sim: Simulation, profile: ColourProfile
 ) -> None:
     tape = Tape()

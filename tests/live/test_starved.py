@@ -1,7 +1,7 @@
-"""The live tracker's real threads on a computer that seldom lets them run.
+"""The live tracker's real threads on a computer that rarely schedules them.
 
-A scheduler holds every thread before each step and lets one at a time go, at instants of a clock of
-its own: what is tested does not depend on how busy the computer is that runs the test.
+A scheduler blocks every thread before each step and releases one at a time, at times of a simulated
+clock: the result does not depend on the load of the test computer.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ STALL = (3.5, 4.7)  # s in which no thread runs at all
 
 
 class Scheduler:
-    """Time, and who may run: one step of one thread after another."""
+    """The clock and the scheduler: one step of one thread at a time."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -52,7 +52,7 @@ class Scheduler:
         self._free = False
 
     def turn(self, name: str) -> None:
-        """In a thread: wait until it may run."""
+        """Called by a thread: wait until it may run."""
         with self._changed:
             self._waiting.add(name)
             self._changed.notify_all()
@@ -72,7 +72,7 @@ class Scheduler:
             assert done, f"{name} does not come back"
 
     def free(self) -> None:
-        """Let all run, to their end."""
+        """Let all threads run to their end."""
         with self._changed:
             self._free = True
             self._changed.notify_all()
@@ -82,7 +82,7 @@ class Scheduler:
 
 
 class Devices:
-    """Simulated packets and images; a device gives what there is at the scheduler's time."""
+    """Simulated packets and images; a device delivers those due at the scheduler's time."""
 
     def __init__(self, sim: Simulation, scheduler: Scheduler) -> None:
         self._scheduler = scheduler
@@ -115,7 +115,7 @@ class Devices:
 
 
 def wakes(seed: int) -> Iterator[tuple[float, str]]:
-    """(s, thread) in order: every 4 ms while calm, up to 0.3 s apart while starved."""
+    """(s, thread) in order: every 4 ms normally, up to 0.3 s apart while starved."""
     rng, out = np.random.default_rng(seed), []
     for name in ("glove", "camera", "vision", "engine"):
         t = 0.0
@@ -129,7 +129,7 @@ def wakes(seed: int) -> Iterator[tuple[float, str]]:
 
 
 class Run:
-    """A tracker with its threads, driven to the end of the simulated time."""
+    """A tracker with its threads, run until the end of the simulated time."""
 
     def __init__(self, sim: Simulation, seed: int) -> None:
         self.scheduler, self.tape = Scheduler(), Tape()
@@ -158,7 +158,7 @@ class Run:
         self.events = [m for m in self.tape.messages if isinstance(m, Event)]
 
     def _wake(self, name: str) -> None:
-        """A thread does all that there is for it to do."""
+        """A thread processes everything that is due."""
         grant = self.scheduler.grant
         if name == "glove":
             grant(name)
@@ -195,10 +195,10 @@ def test_no_packet_is_lost(run: tuple[Run, Simulation]) -> None:
     assert done.status.values["imu_lost"] == done.status.values["imu_overflow"] == 0
 
 
-def test_what_is_claimed_is_true(run: tuple[Run, Simulation]) -> None:
+def test_claimed_standard_deviations_are_valid(run: tuple[Run, Simulation]) -> None:
     """Error within 3 sd, and never 50 mm measured for 0.1 s.
 
-    Three sd hold in 99 % of instants over many wearers. What is wrong of one wearer's end joint
+    Three sd are valid in 99 % of the time over many wearers. An error of one wearer's end joint
     lasts as long as a posture: of four keypoints in four postures one may be off.
     """
     done, sim = run
@@ -211,13 +211,17 @@ def test_what_is_claimed_is_true(run: tuple[Run, Simulation]) -> None:
     assert shown.mean() > 0.5
     honest = error[shown] <= 3 * sd[shown]
     assert honest.mean() >= 15 / 16
-    assert np.mean((error[shown] / sd[shown]) ** 2) / 3 < 1.5  # NEES, as for a computer at ease
+    assert np.mean((error[shown] / sd[shown]) ** 2) / 3 < 1.5  # NEES, as for an idle computer
     assert longest(measured & (error > 0.05), t) <= 0.1
 
 
-def test_the_hand_is_back_two_images_after_data_come_in_order(run: tuple[Run, Simulation]) -> None:
+def test_the_hand_recovers_two_images_after_data_arrive_in_order(
+    run: tuple[Run, Simulation],
+) -> None:
     done, sim = run
-    images = [b for b in done.taped(BlobFrame) if b.t > CALM + 0.3]  # the last wake of starvation
+    images = [
+        b for b in done.taped(BlobFrame) if b.t > CALM + 0.3
+    ]  # the last wake-up of starvation
     estimates = [e for e in done.taped(Estimate) if e.t >= images[1].t + 0.02]
     assert estimates[0].tracking == Tracking.TRACKING
     true = next(iter(sim.truths(np.array([estimates[0].t])))).keypoints
@@ -225,12 +229,12 @@ def test_the_hand_is_back_two_images_after_data_come_in_order(run: tuple[Run, Si
     assert np.linalg.norm(estimates[0].keypoints[keys] - true[keys], axis=1).mean() < 0.03
 
 
-def test_load_is_shed_in_its_order_and_taken_up_again(run: tuple[Run, Simulation]) -> None:
+def test_load_is_shed_in_order_and_restored(run: tuple[Run, Simulation]) -> None:
     done, _ = run
     before = [level for t, level in done.levels if t < STARVED[0]]
     assert set(before) == {0}
     during = [level for t, level in done.levels if t < STARVED[1]]
-    assert sorted(during) == during  # one after another, none back
+    assert sorted(during) == during  # one after another, none restored
     assert set(during) >= {Shed.NOTHING, Shed.VIEW_RATE, Shed.OVERLAYS, Shed.WHOLE_SEARCHES}
     reported = [e.notice for e in done.events if e.kind == "load"]
     last = max(level for _, level in done.levels)
@@ -239,13 +243,13 @@ def test_load_is_shed_in_its_order_and_taken_up_again(run: tuple[Run, Simulation
     assert max(s.values["load_shed"] for s in done.taped(Status)) == last
 
 
-def test_a_camera_that_stands_still_is_not_reported_as_moved(run: tuple[Run, Simulation]) -> None:
+def test_a_static_camera_is_not_reported_as_moved(run: tuple[Run, Simulation]) -> None:
     done, _ = run
     assert not {"camera.moved", "camera.lens_knocked"} & {e.code for e in done.events}
     assert max(s.values["camera_jumps"] for s in done.taped(Status)) == 0
 
 
-def test_what_was_shed_does_not_change_what_is_tracked_again(
+def test_load_shedding_does_not_change_the_result_of_tracking_again(
     run: tuple[Run, Simulation],
 ) -> None:
     done, sim = run

@@ -7,7 +7,7 @@ from tracker.live.telemetry import KEPT, WINDOW, Telemetry
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 100, KEPT, 2 * KEPT])
-def test_medians_and_percentiles_are_numpys_own(count):
+def test_medians_and_percentiles_equal_numpys(count):
     telemetry, took = Telemetry(), np.random.default_rng(count).exponential(0.01, count)
     for duration in took:
         telemetry.took("filter", float(duration))
@@ -17,7 +17,7 @@ def test_medians_and_percentiles_are_numpys_own(count):
     assert values["latency_filter_p99_ms"] == pytest.approx(np.percentile(recent, 99))
 
 
-def test_a_rate_is_of_the_last_seconds_and_ends_with_what_it_counts():
+def test_a_rate_covers_the_last_seconds_and_decays_to_zero():
     telemetry = Telemetry()
     for i in range(1000):
         telemetry.tick("imu", i / 100)

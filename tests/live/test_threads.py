@@ -1,4 +1,4 @@
-"""Threads that fail or hang: reported, logged, and never waited for without a limit."""
+"""Threads that fail or hang: reported, logged, and never waited for without a timeout."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_a_thread_that_fails_is_reported_and_leaves_its_traceback(
     assert caplog.records[-1].exc_info is not None, "the traceback is in the log"
 
 
-def test_what_hangs_is_left_behind_and_freed_when_it_ends() -> None:
+def test_a_hanging_thread_is_abandoned_and_freed_when_it_ends() -> None:
     go_on, hangs, freed = threading.Event(), threading.Event(), threading.Event()
 
     def step() -> None:
@@ -58,7 +58,7 @@ def test_what_hangs_is_left_behind_and_freed_when_it_ends() -> None:
     assert freed.wait(LIMIT)
 
 
-def test_a_device_that_hangs_at_its_end_does_not_hold_up_others() -> None:
+def test_a_device_that_hangs_while_closing_does_not_delay_others() -> None:
     go_on, closed = threading.Event(), threading.Event()
     group = ThreadGroup(lambda kind, what: None)
     late = group.join({"camera": lambda: bool(go_on.wait(LIMIT)), "glove": closed.set}, 0.3)
@@ -67,7 +67,7 @@ def test_a_device_that_hangs_at_its_end_does_not_hold_up_others() -> None:
 
 
 class Broken:
-    """A recorder with a bug: no error that anybody foresaw."""
+    """A recorder with a bug: an unexpected exception."""
 
     def __init__(self) -> None:
         self.closed = False
@@ -81,7 +81,7 @@ class Broken:
         self.closed = True
 
 
-def test_a_recorder_that_fails_in_any_way_closes_its_file_and_is_reported() -> None:
+def test_a_failing_recorder_closes_its_file_and_is_reported() -> None:
     reports: list[tuple[str, str]] = []
     recorder = Broken()
     thread = RecordingThread(recorder, lambda kind, what: reports.append((kind, what.code)))

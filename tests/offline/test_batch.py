@@ -1,4 +1,4 @@
-"""Folders and many files: every session by its own, failures in words, one table."""
+"""Folders and several files: sessions are processed independently, failures reported, one table."""
 
 import json
 from pathlib import Path
@@ -20,7 +20,7 @@ from tracker.session.reader import SessionReader
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two sessions, one of them further down, and one that is no session."""
+    """Two sessions, one of them in a subfolder, and another file."""
     path = tmp_path_factory.mktemp("many")
     (path / "monday").mkdir()
     simulate(path / "a.mcap", SimulateOptions(seed=1, duration=2.0, fps=30, images=False))
@@ -33,21 +33,21 @@ def names(jobs: list[Job], out: Path) -> list[str]:
     return [j.out.relative_to(out).as_posix() for j in jobs]
 
 
-def test_one_file_goes_to_a_file_or_into_a_folder(folder: Path, tmp_path: Path) -> None:
+def test_one_file_is_written_to_a_file_or_into_a_folder(folder: Path, tmp_path: Path) -> None:
     assert plan([folder / "a.mcap"], tmp_path / "x.mcap")[0].out == tmp_path / "x.mcap"
     assert plan([folder / "a.mcap"], tmp_path)[0].out == tmp_path / "a.mcap"
 
 
-def test_a_folder_keeps_its_shape(folder: Path, tmp_path: Path) -> None:
+def test_a_folder_keeps_its_structure(folder: Path, tmp_path: Path) -> None:
     assert names(plan([folder], tmp_path), tmp_path) == ["a.mcap", "c.mcap", "monday/b.mcap"]
 
 
-def test_equal_names_are_told_apart(folder: Path, tmp_path: Path) -> None:
+def test_equal_names_are_made_unique(folder: Path, tmp_path: Path) -> None:
     jobs = plan([folder / "a.mcap", folder / "a.mcap"], tmp_path)
     assert names(jobs, tmp_path) == ["a.mcap", "a_2.mcap"]
 
 
-def test_what_was_tracked_before_is_not_tracked_again(folder: Path, tmp_path: Path) -> None:
+def test_tracked_sessions_are_not_tracked_again(folder: Path, tmp_path: Path) -> None:
     out = tmp_path / "tracked"
     out.mkdir()
     (out / "old.mcap").write_bytes(b"")
@@ -55,14 +55,14 @@ def test_what_was_tracked_before_is_not_tracked_again(folder: Path, tmp_path: Pa
     assert names(plan([tmp_path], out), out) == ["new.mcap"]
 
 
-def test_impossible_plans_are_refused_in_words(folder: Path, tmp_path: Path) -> None:
+def test_impossible_arguments_are_rejected(folder: Path, tmp_path: Path) -> None:
     with raises(FileError, "session.none_in"):
         plan([tmp_path], tmp_path / "out")
     with pytest.raises(ConfigError, match="name a folder"):
         plan([folder], folder / "a.mcap")
 
 
-def test_processes_give_what_one_run_gives(
+def test_parallel_processes_give_identical_results(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out, report = tmp_path / "out", tmp_path / "report.json"
@@ -91,7 +91,7 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     assert precious.read_text() == "precious"
 
 
-def test_a_cluster_does_the_same_work(folder: Path, tmp_path: Path) -> None:
+def test_a_cluster_gives_identical_results(folder: Path, tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
     jobs = plan([folder], tmp_path)
     shares: list[float] = []
@@ -106,14 +106,16 @@ def test_a_cluster_does_the_same_work(folder: Path, tmp_path: Path) -> None:
         assert len(list(reader.messages((Estimate,)))) > 150
 
 
-def test_a_cluster_that_is_not_there_is_told_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unreachable_cluster_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")
     monkeypatch.setattr("tracker.base.workers.DASK_PATIENCE", 0.5)
     with pytest.raises(DeviceError, match="No Dask scheduler"), dask_workers("127.0.0.1:9"):
         pass
 
 
-def test_a_folder_is_verified_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_folder_is_verified_with_one_command(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["verify", str(folder), "--json", "-"]) == 1
     found = json.loads(capsys.readouterr().out)
     ok = {Path(name).name: output["ok"] for name, output in found["files"].items()}

@@ -1,4 +1,4 @@
-"""Sessions of both hands tracked again with all that can be asked of those of one."""
+"""Sessions of both hands tracked again with all options for one hand."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def plain(session: Path, tmp_path_factory) -> Plain:
 
 
 def angles(path: Path, side: str) -> np.ndarray:
-    """(n, J) of the estimates of a tracked hand."""
+    """(n, J) angles of the estimates of a tracked hand."""
     with SessionReader(path, side=side) as reader:
         found = [e.angles for e in reader.messages((Estimate,)) if isinstance(e, Estimate)]
     return np.array([a for a in found if np.isfinite(a).all()])
@@ -70,11 +70,11 @@ def test_both_hands_are_smoothed(session: Path, plain: Plain, tmp_path: Path) ->
         assert jerk(out, side) < 0.5 * jerk(plain.path, side)
     again = tmp_path / "again.mcap"
     track(out, again, TrackOptions())
-    for side in SIDES:  # what was copied is what was recorded
+    for side in SIDES:  # the copied part equals the recorded one
         assert np.array_equal(angles(again, side), angles(plain.path, side))
 
 
-def test_profiles_are_of_the_hand_that_they_were_learned_of(
+def test_profiles_are_applied_to_their_own_hand(
     session: Path, plain: Plain, tmp_path: Path
 ) -> None:
     first, (left, right) = plain.report, (plain.profiles[side] for side in SIDES)
@@ -95,7 +95,7 @@ def test_profiles_are_of_the_hand_that_they_were_learned_of(
         track(session, tmp_path / "d.mcap", TrackOptions(wearer=str(other)))
 
 
-def test_replaced_files_are_of_the_side_that_they_say(session: Path, tmp_path: Path) -> None:
+def test_replaced_files_are_applied_to_the_given_side(session: Path, tmp_path: Path) -> None:
     longer = tmp_path / "longer.toml"
     text = (folder("hands") / "reference-left.toml").read_text("utf-8")
     longer.write_text(text.replace("length = 0.183", "length = 0.184", 1))
@@ -112,13 +112,13 @@ def test_replaced_files_are_of_the_side_that_they_say(session: Path, tmp_path: P
         track(session, tmp_path / "x.mcap", TrackOptions(glove=str(nameless)))
 
 
-def test_a_rulers_length_is_of_both(session: Path, plain: Plain, tmp_path: Path) -> None:
+def test_a_measured_length_applies_to_both(session: Path, plain: Plain, tmp_path: Path) -> None:
     measured = track(session, tmp_path / "b.mcap", TrackOptions(hand_length=0.19))
     for side in SIDES:
         assert measured.hands[side].error_mm != plain.report.hands[side].error_mm
 
 
-def test_a_session_of_one_hand_takes_one_file(tmp_path: Path) -> None:
+def test_a_session_of_one_hand_accepts_one_file(tmp_path: Path) -> None:
     path = tmp_path / "one.mcap"
     simulate(path, SimulateOptions(seed=5, duration=1.0, fps=30, images=False))
     with pytest.raises(ConfigError, match="the session is of one hand"):

@@ -1,4 +1,4 @@
-"""A session of a camera that moves and tells no pose, only what its own IMU measures."""
+"""A session of a moving camera without poses, with only its own IMU's samples."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def session(tmp_path_factory):
     return path
 
 
-def test_the_samples_are_read_back_to_the_last_bit(session):
+def test_the_samples_are_read_back_bit_for_bit(session):
     sim, _ = build(OPTIONS)
     fed = [m for m in sim.messages() if isinstance(m, CameraImuSample) and m.t <= 2.5]
     with SessionReader(session) as reader:
@@ -34,19 +34,19 @@ def test_the_samples_are_read_back_to_the_last_bit(session):
         np.testing.assert_array_equal(one.accel, other.accel)
 
 
-def test_others_read_them_as_an_imu(session):
+def test_other_programs_read_them_as_an_imu(session):
     with AnyReader([session]) as reader:
         (topic,) = [c for c in reader.connections if c.topic == "/camera/imu/data_raw"]
         _, _, data = next(reader.messages([topic]))
         message = reader.deserialize(data, topic.msgtype)
     assert topic.msgtype == "sensor_msgs/msg/Imu"
     assert message.header.frame_id == "camera_left"
-    assert message.orientation_covariance[0] == -1  # it has no orientation
+    assert message.orientation_covariance[0] == -1  # without an orientation
     force = message.linear_acceleration
     assert np.linalg.norm([force.x, force.y, force.z]) == pytest.approx(9.8, abs=0.4)
 
 
-def test_tracking_again_is_the_live_run_and_tells_the_same_twice(session, tmp_path):
+def test_tracking_again_equals_the_live_run_and_is_reproducible(session, tmp_path):
     out, again = tmp_path / "out.mcap", tmp_path / "again.mcap"
     track(session, out, TrackOptions(with_sensors=True))
     track(out, again)
@@ -58,7 +58,7 @@ def test_tracking_again_is_the_live_run_and_tells_the_same_twice(session, tmp_pa
         np.testing.assert_array_equal(live, [e.keypoints for e in estimates(path)])
 
 
-def test_smoothing_takes_the_same_poses(session, tmp_path):
+def test_smoothing_uses_the_same_poses(session, tmp_path):
     live, smooth = tmp_path / "live.mcap", tmp_path / "smooth.mcap"
     track(session, live, TrackOptions())
     track(session, smooth, TrackOptions(smooth=True))
@@ -84,7 +84,7 @@ def estimates(path):
         return list(reader.messages((Estimate,)))
 
 
-def test_a_pipeline_saved_between_goes_on_identically():
+def test_a_saved_pipeline_resumes_identically():
     sim, info = build(OPTIONS)
     one, other = (Pipeline(info.hand, info.glove, sim.rig) for _ in range(2))
     messages = [m for m in sim.messages() if m.t < 1.6]
@@ -99,6 +99,6 @@ def test_a_pipeline_saved_between_goes_on_identically():
     np.testing.assert_array_equal(one.camera_pose(1.5).R_GC, other.camera_pose(1.5).R_GC)
 
 
-def test_an_unknown_camera_is_refused():
+def test_an_unknown_camera_is_rejected():
     with pytest.raises(ConfigError, match="tripod"):
         build(SimulateOptions(camera="tripod"))

@@ -1,4 +1,4 @@
-"""A tracked file says all that its estimates need, seen through rosbags."""
+"""A tracked file is self-contained, checked with rosbags."""
 
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from tracker.session.reader import SessionReader
 
 @pytest.fixture(scope="module", params=["head", "head-imu"])
 def head(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Three seconds with a camera that moves; its pose is told, or what its own IMU measures."""
+    """Three seconds with a moving camera, which reports its pose, or the samples of its own IMU."""
     path = tmp_path_factory.mktemp("head") / f"{request.param}.mcap"
     simulate(path, SimulateOptions(images=False, duration=3.0, fps=30.0, camera=request.param))
     return path
@@ -61,7 +61,7 @@ def test_a_moving_camera_has_a_transform_per_frame(
         assert compare(out, again)["identical"]
 
 
-def test_status_is_told_every_second(head: Path, tmp_path: Path) -> None:
+def test_status_is_written_every_second(head: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.mcap"
     track(head, out)
     with SessionReader(head) as reader:

@@ -1,4 +1,4 @@
-"""A part of a session is a session: whole, of its own length, tracked again to the same bits."""
+"""A part of a session is a complete session, tracked again to the same bits."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def read(path, *kinds):
         return list(reader.messages(kinds))
 
 
-def test_a_part_is_whole_and_as_long_as_it_was_cut(part):
+def test_a_part_is_complete_and_has_the_requested_length(part):
     assert is_ok(verify(part))
     found = session_summary(part)
     assert found["duration_s"] == pytest.approx(STOP - START, abs=0.03)
@@ -52,7 +52,7 @@ def test_a_part_is_whole_and_as_long_as_it_was_cut(part):
         assert reader.anchor.wall_ns <= reader.span_ns[0] < reader.anchor.wall_ns + 5e7
 
 
-def test_what_was_measured_in_it_is_there_untouched(part, tracked):
+def test_sensor_data_are_copied_unchanged(part, tracked):
     with SessionReader(tracked) as reader:
         begin = reader.anchor.monotonic(reader.span_ns[0])
     for kind in (ImuSample, BlobFrame):
@@ -65,7 +65,7 @@ def test_what_was_measured_in_it_is_there_untouched(part, tracked):
 
 
 def test_a_part_is_tracked_again_to_the_same_bits(part, tracked, tmp_path):
-    """The filter goes on from what it knew: no searching, no other wearer."""
+    """The filter continues from its state: no searching, no other wearer."""
     again = tmp_path / "again.mcap"
     track(part, again)
     ours = {m.t: m for m in read(again, Estimate)}
@@ -76,7 +76,7 @@ def test_a_part_is_tracked_again_to_the_same_bits(part, tracked, tmp_path):
             assert np.array_equal(getattr(m, name), getattr(ours[m.t], name), equal_nan=True)
 
 
-def test_a_part_of_a_part_is_one_too(part, tracked, tmp_path):
+def test_a_part_of_a_part_is_valid_too(part, tracked, tmp_path):
     smaller, again = tmp_path / "smaller.mcap", tmp_path / "again.mcap"
     crop(part, smaller, 0.5, 1.0)
     track(smaller, again)
@@ -86,7 +86,7 @@ def test_a_part_of_a_part_is_one_too(part, tracked, tmp_path):
     assert all(np.array_equal(m.keypoints, theirs[m.t].keypoints, equal_nan=True) for m in ours)
 
 
-def test_what_is_no_part_is_refused_in_words(tracked, tmp_path):
+def test_invalid_intervals_are_rejected(tracked, tmp_path):
     for start, stop in ((2.0, 1.0), (-1.0, 1.0), (9.0, None), (9.0, 10.0), (float("nan"), 1.0)):
         with pytest.raises(ConfigError, match="begins before it ends, within the"):
             crop(tracked, tmp_path / "x.mcap", start, stop)
@@ -95,11 +95,11 @@ def test_what_is_no_part_is_refused_in_words(tracked, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_the_command_crops_and_replaces_nothing_unasked(tracked, tmp_path, capsys):
+def test_the_command_crops_and_overwrites_only_with_force(tracked, tmp_path, capsys):
     out = tmp_path / "part.mcap"
     words = ["crop", str(tracked), "-o", str(out), "--start", "1", "--stop", "2"]
     assert main(words) == 0
-    output = capsys.readouterr().out  # the last message stands a little before the end
+    output = capsys.readouterr().out  # the last message is slightly before the end
     length = float(output.removeprefix(f"{out}: ").removesuffix(" s of tracked.mcap\n"))
     assert length == pytest.approx(1.0, abs=0.04)
     assert main(words) == 1

@@ -1,4 +1,5 @@
-"""Images searched ahead of the engine: the same blobs in the same order, whatever the threads."""
+"""Images searched ahead of the engine: the same blobs in the same order for any number of
+threads."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -29,7 +30,7 @@ def same(a: Blobs | None, b: Blobs | None) -> bool:
     return np.array_equal(a.uv, b.uv) and np.array_equal(a.hue, b.hue)
 
 
-def test_threads_change_nothing(session: Path) -> None:
+def test_the_number_of_threads_has_no_effect(session: Path) -> None:
     with SessionReader(session) as reader:
         detector = make_detector(profile_of(reader.info), reader.info)
         plain = [
@@ -48,7 +49,7 @@ def test_threads_change_nothing(session: Path) -> None:
         assert same(a.left, b.left) and same(a.right, b.right)
 
 
-def test_no_more_than_a_few_images_wait(session: Path) -> None:
+def test_the_queue_of_images_is_limited(session: Path) -> None:
     read = 0
 
     def counted(messages: Iterator[Decoded]) -> Iterator[Decoded]:
@@ -66,8 +67,8 @@ def test_no_more_than_a_few_images_wait(session: Path) -> None:
             assert read - given <= AHEAD + 1
 
 
-def test_damaged_images_are_left_out_and_counted(session: Path) -> None:
-    """Those whose damage shows only in decoding: every third right one, and one pair."""
+def test_damaged_images_are_skipped_and_counted(session: Path) -> None:
+    """Those whose damage is found only in decoding: every third right one, and one pair."""
     spoilt = 0
 
     def spoil(messages: Iterator[Decoded]) -> Iterator[Decoded]:

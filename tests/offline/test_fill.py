@@ -1,4 +1,4 @@
-"""Gaps of a session are listed, filled in a new file, and called interpolated everywhere."""
+"""Gaps of a session are listed, filled in a new file, and marked as interpolated everywhere."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ SIGNED = Signature("Ada", "2026-01-02T03:04:05+00:00")
 
 
 def without_estimates(source: Path, out: Path, cuts: tuple[tuple[float, float], ...]) -> Path:
-    """A copy that lacks the hand's messages of some seconds."""
+    """A copy without the hand's messages in some intervals."""
     with SessionReader(source) as reader:
         made = McapOutput(out, sync=False)
         copy_extras(reader, made)
@@ -80,7 +80,7 @@ def series(path: Path) -> EstimateSeries:
 
 
 def in_gaps(path: Path, filled: Path) -> np.ndarray:
-    """(N,) which estimates of ``path`` are between the ends of filled gaps."""
+    """(N,) which estimates of ``path`` are within filled gaps."""
     with SessionReader(filled) as reader:
         (edit,) = reader.edits
     stamps = series(path).stamp_ns
@@ -95,16 +95,16 @@ def test_holes_are_listed_with_their_limits(cut: Path) -> None:
         assert gap.start == pytest.approx(start, abs=0.011)
         assert gap.stop == pytest.approx(stop, abs=0.021)
         assert gap.fillable
-        assert gap.cause == "not computed"  # packets and images are there
+        assert gap.cause == "not computed"  # packets and images exist
 
 
-def test_fingertips_without_a_sensor_say_so(cut: Path) -> None:
+def test_fingertips_without_a_sensor_are_listed_as_such(cut: Path) -> None:
     unsensed = [gap for gap in session_gaps(cut) if gap.cause == "no sensor"]
     assert {"index_tip", "ring_tip", "little_tip"} <= {k for gap in unsensed for k in gap.keypoints}
     assert not any(gap.fillable for gap in unsensed)
 
 
-def test_the_new_file_is_whole_and_differs_in_the_gaps_alone(cut: Path, filled: Path) -> None:
+def test_the_new_file_is_complete_and_differs_only_in_the_gaps(cut: Path, filled: Path) -> None:
     assert is_ok(verify(filled))
     before, after = series(cut), series(filled)
     outside = after.rows(np.flatnonzero(~in_gaps(filled, filled)))
@@ -115,7 +115,7 @@ def test_the_new_file_is_whole_and_differs_in_the_gaps_alone(cut: Path, filled: 
     assert not [gap for gap in session_gaps(filled) if gap.kind == HOLE]
 
 
-def test_the_source_is_never_changed(cut: Path, filled: Path, tmp_path: Path) -> None:
+def test_the_source_is_never_modified(cut: Path, filled: Path, tmp_path: Path) -> None:
     with SessionReader(filled) as reader:
         (edit,) = reader.edits
     assert edit.source_sha256 == sha256(cut)
@@ -128,14 +128,16 @@ def test_the_source_is_never_changed(cut: Path, filled: Path, tmp_path: Path) ->
     assert out.read_bytes() == b"mine"
 
 
-def test_what_was_filled_is_inferred_and_near_what_was_cut_out(whole: Path, filled: Path) -> None:
+def test_filled_estimates_are_inferred_and_close_to_the_removed_ones(
+    whole: Path, filled: Path
+) -> None:
     made, truth = series(filled), series(whole)
     rows = np.flatnonzero(in_gaps(filled, filled))
     assert (made.state[rows] == Validity.INFERRED).all()
     assert (made.angle_state[rows] == Validity.INFERRED).all()
     at = np.array([np.abs(truth.stamp_ns - s).argmin() for s in made.stamp_ns[rows]])
     away = np.linalg.norm(made.keypoints[rows] - truth.keypoints[at], axis=2)
-    assert away.mean() < 0.01  # m; the hand moves by some 5 cm in the longest one
+    assert away.mean() < 0.01  # m; the hand moves by about 5 cm in the longest one
     z = away / np.sqrt(3) / made.sd[rows]
     assert np.sqrt((z**2).mean()) < 1.5
 
@@ -160,7 +162,7 @@ def test_uncertainty_grows_towards_the_middle(filled: Path) -> None:
     assert set(inside) == {Tracking.COASTING}, "an interpolated hand does not count as tracked"
 
 
-def test_each_export_calls_it_interpolated(filled: Path, tmp_path: Path) -> None:
+def test_each_export_marks_it_as_interpolated(filled: Path, tmp_path: Path) -> None:
     count = int(in_gaps(filled, filled).sum())
     for name in ("csv", "c3d"):
         assert (
@@ -184,7 +186,7 @@ def test_each_export_calls_it_interpolated(filled: Path, tmp_path: Path) -> None
     assert (residual == 0).sum() == pytest.approx(inferred, abs=2)
 
 
-def test_measures_count_it_among_what_is_inferred(filled: Path) -> None:
+def test_measures_count_it_as_inferred(filled: Path) -> None:
     with SessionReader(filled) as reader:
         found = measures(read_take(reader), [])[0]
     assert 0.05 < found.interpolated <= found.inferred
@@ -202,7 +204,7 @@ def test_info_verify_and_report_name_the_edit(
     assert "Ada" not in page
 
 
-def test_tracking_it_again_drops_the_edit_and_says_so(
+def test_tracking_again_drops_the_edit_and_reports_it(
     filled: Path, whole: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     out = tmp_path / "again.mcap"
@@ -214,7 +216,7 @@ def test_tracking_it_again_drops_the_edit_and_says_so(
         assert reader.edits == ()
 
 
-def test_sensors_fill_a_gap_more_closely_than_a_line(
+def test_sensors_fill_a_gap_more_accurately_than_a_line(
     whole: Path, cut: Path, tmp_path: Path
 ) -> None:
     truth, errors = series(whole), {}
@@ -229,7 +231,7 @@ def test_sensors_fill_a_gap_more_closely_than_a_line(
     assert errors["smooth"] < errors["linear"]
 
 
-def test_a_second_edit_joins_the_first(cut: Path, tmp_path: Path) -> None:
+def test_a_second_edit_is_added_to_the_first(cut: Path, tmp_path: Path) -> None:
     short, both = tmp_path / "short.mcap", tmp_path / "both.mcap"
     assert len(fill(cut, short, FillOptions(max_gap=0.2), SIGNED).filled) == 2
     fill(short, both, FillOptions("cubic", max_gap=0.5), SIGNED)
@@ -237,7 +239,7 @@ def test_a_second_edit_joins_the_first(cut: Path, tmp_path: Path) -> None:
         assert [(e.method, len(e.filled)) for e in reader.edits] == [("linear", 2), ("cubic", 1)]
 
 
-def test_listed_gaps_alone_are_filled(cut: Path, tmp_path: Path) -> None:
+def test_only_listed_gaps_are_filled(cut: Path, tmp_path: Path) -> None:
     listed, out = tmp_path / "gaps.json", tmp_path / "one.mcap"
     assert main(["gaps", str(cut), "--json", str(listed)]) == 0
     data = json.loads(listed.read_text())["gaps"]
@@ -271,7 +273,7 @@ def test_commands_of_the_guide_fill_gaps(
         assert first.stop_ns < second.start_ns
 
 
-def test_what_cannot_be_filled_is_refused_in_words(cut: Path, whole: Path, tmp_path: Path) -> None:
+def test_impossible_fills_are_rejected(cut: Path, whole: Path, tmp_path: Path) -> None:
     out = tmp_path / "none.mcap"
     with pytest.raises(FileError, match=r"longer than 0\.05 s"):
         fill(cut, out, FillOptions(max_gap=0.05), SIGNED)
@@ -286,6 +288,6 @@ def test_what_cannot_be_filled_is_refused_in_words(cut: Path, whole: Path, tmp_p
 @pytest.mark.parametrize(
     "text", ["", "[]", '{"schema": 2, "edits": []}', '{"schema": 1}', "[" * 9999]
 )
-def test_a_record_of_edits_that_is_none_is_refused_in_words(text: str) -> None:
+def test_an_invalid_record_of_edits_is_rejected(text: str) -> None:
     with raises(FileError, "edits.invalid", "edits.schema"):
         parse_edits(text, "edits.json")

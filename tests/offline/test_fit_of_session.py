@@ -1,4 +1,4 @@
-"""Colours that fit themselves to photographs of a desk, against the truth about them."""
+"""Automatic colour fits on photographs of a desk, compared with ground truth."""
 
 from dataclasses import replace
 from functools import lru_cache
@@ -34,7 +34,7 @@ needs_data = pytest.mark.skipif(SCENES is None, reason="needs the photographs of
 FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
 
 
-def test_what_was_learned_comes_back_from_its_file() -> None:
+def test_learned_colours_are_read_back_from_their_file() -> None:
     classes = np.random.default_rng(0).integers(0, 5, LEARNED_CELLS).astype(np.uint8)
     profile = ColourProfile("x", FACTORY.hues, learned=LearnedColours.of(classes, 0.25))
     back = parse_profile(profile_to_toml(profile))
@@ -44,7 +44,7 @@ def test_what_was_learned_comes_back_from_its_file() -> None:
 
 
 @needs_data
-def test_colours_fitted_to_lamp_light_find_the_markers_and_little_else(tmp_path: Path) -> None:
+def test_colours_fitted_to_lamp_light_find_the_markers_and_few_false_blobs(tmp_path: Path) -> None:
     assert SCENES is not None
     out = tmp_path / "lamp.toml"
     fit = fit_session(SCENES / "lamp" / "in.mcap", out)
@@ -75,7 +75,7 @@ LAMP = np.array([0.75, 1.0, 1.15])  # of blue, green and red
 
 @lru_cache(maxsize=1)
 def under_a_lamp() -> tuple[WatchedGlove, tuple[ImuSample | StereoFrame, ...]]:
-    """A simulated hand for a second, in light that the factory's colours are not made for."""
+    """A simulated hand for a second, in light for which the factory colours are unsuitable."""
     hand, glove = library.load()
     sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=0.9), 2, fps=8)
     messages: list[ImuSample | StereoFrame] = []
@@ -90,7 +90,7 @@ def under_a_lamp() -> tuple[WatchedGlove, tuple[ImuSample | StereoFrame, ...]]:
 
 
 def seen_by(cameras: str) -> tuple[WatchedGlove, list[Sensed]]:
-    """The same with the left camera alone, or beside one without colours."""
+    """The same with the left camera alone, or next to a monochrome one."""
     worn, messages = under_a_lamp()
     out: list[Sensed] = []
     for m in messages:
@@ -103,9 +103,9 @@ def seen_by(cameras: str) -> tuple[WatchedGlove, list[Sensed]]:
 
 
 @pytest.mark.parametrize("cameras", ["one", "infrared"])
-def test_one_camera_is_enough_to_fit_to(cameras: str) -> None:
-    """And markers that it shows count, as those do that two cameras show: some that the factory's
-    colours miss are found."""
+def test_one_camera_is_sufficient_for_a_fit(cameras: str) -> None:
+    """Markers seen by it count like those seen by two cameras: some missed by the factory colours
+    are found."""
     worn, messages = seen_by(cameras)
     fit = fit_messages(messages, worn, FACTORY)
     assert fit.after.sure > 15
@@ -114,8 +114,8 @@ def test_one_camera_is_enough_to_fit_to(cameras: str) -> None:
 
 
 def test_nothing_is_learned_from_a_glove_of_the_other_hand() -> None:
-    """A left glove on right files: no colours are to blame, and none are learned from a hand that
-    is found among mirrored patches by mistake."""
+    """A left glove with right files: the colours are not the cause, and none are learned from a
+    hand found among mirrored patches by mistake."""
     hand, glove = library.load("vist-small-left", "reference-left")
     sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=0.9), 2, fps=10)
     messages: list[Sensed] = [

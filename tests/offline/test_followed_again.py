@@ -1,4 +1,4 @@
-"""Colours that follow a session's light: the same ones each time, and so the same estimates."""
+"""Colours adapted to a session's light are reproducible, and so are the estimates."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tracker.session.reader import SessionReader
 from tracker.simulation.render import Image, Renderer
 
 WARM = np.array([0.45, 1.0, 1.3])  # of blue, green and red, in the end
-BEGIN, END = 0.8, 1.6  # s between which the lamp is turned up
+BEGIN, END = 0.8, 1.6  # s, start and end of the lamp's change
 
 
 def lit(image: Image, t: float) -> Image:
@@ -30,10 +30,10 @@ def keypoints(path: Path, side: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("hands", "smooth"), [("right", True), ("both", False)])
-def test_followed_colours_are_the_same_again(
+def test_adapted_colours_are_reproducible(
     hands: str, smooth: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """However many threads search the images."""
+    """For any number of threads that search the images."""
     drawn = Renderer.images
     monkeypatch.setattr(
         Renderer, "images", lambda self, t: tuple(lit(x, t) for x in drawn(self, t))

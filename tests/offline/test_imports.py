@@ -1,4 +1,4 @@
-"""Raw IMUs of other programs become sessions that hold what the files said, and can be tracked."""
+"""Raw IMU data of other programs become sessions with the files' contents, which can be tracked."""
 
 import os
 import time
@@ -35,7 +35,7 @@ def raw(path: Path) -> RawImu:
 
 
 def x_imu3(folder: Path, name: str, t_us: np.ndarray, rows: np.ndarray) -> Path:
-    """A device's folder as x-IMU3's program writes it."""
+    """A device's folder as written by the x-IMU3 program."""
     path = folder / name / "Inertial.csv"
     path.parent.mkdir(parents=True)
     lines = [f"{t}," + ",".join(f"{v:.6f}" for v in row) for t, row in zip(t_us, rows, strict=True)]
@@ -44,7 +44,7 @@ def x_imu3(folder: Path, name: str, t_us: np.ndarray, rows: np.ndarray) -> Path:
 
 
 def test_folders_of_x_imu3_become_one_session(tmp_path: Path) -> None:
-    """Two devices on one clock, out of step; units and time of day as the files tell."""
+    """Two devices on one clock, not synchronised; units and time of day as in the files."""
     began = 1_700_000_000_000_000
     t = np.arange(0, 2_000_000, 10_000)
     wave = np.sin(t / 3e5)[:, None]
@@ -77,11 +77,11 @@ def test_seconds_of_newer_files_and_a_file_for_the_only_imu(tmp_path: Path) -> N
     found = raw(tmp_path / "a.mcap")
     assert report["imus"] == {"dorsum": "wrist"} and len(found) == 60
     assert np.allclose(found.gyro[:, 0, 2], np.pi)
-    # no time of day is told: the file's last change was its end
+    # no time of day is given: the file's last modification was its end
     assert found.stamp_ns[-1] == pytest.approx(1_700_000_059 * 10**9, abs=10**6)
 
 
-def test_what_we_export_comes_back_to_the_last_digit(tmp_path: Path) -> None:
+def test_our_exports_are_imported_without_loss(tmp_path: Path) -> None:
     """All sensors and all three clocks."""
     simulate(tmp_path / "in.mcap", SimulateOptions(images=False, duration=2.0))
     export(tmp_path / "in.mcap", "imu.csv", tmp_path / "a.csv")
@@ -119,7 +119,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("case", BROKEN)
-def test_what_is_no_recording_is_refused_in_words(tmp_path: Path, case: str) -> None:
+def test_other_files_are_rejected(tmp_path: Path, case: str) -> None:
     path = tmp_path / "a.csv"
     path.write_text(BROKEN[case])
     with pytest.raises((FileError, ConfigError), match=r"\.$"):
@@ -128,7 +128,7 @@ def test_what_is_no_recording_is_refused_in_words(tmp_path: Path, case: str) -> 
 
 
 @pytest.mark.parametrize("damage", ["1e300", "-1e300", "1e9", "nan", ""])
-def test_a_damaged_time_costs_its_sample(tmp_path: Path, damage: str) -> None:
+def test_a_damaged_time_affects_only_its_sample(tmp_path: Path, damage: str) -> None:
     times = [f"{k / 100:.2f}" for k in range(50)]
     times[20] = damage
     path = tmp_path / "a.csv"
@@ -138,8 +138,8 @@ def test_a_damaged_time_costs_its_sample(tmp_path: Path, damage: str) -> None:
     assert report["duration_s"] == pytest.approx(0.49)
 
 
-def test_a_time_of_another_clock_costs_its_sample(tmp_path: Path) -> None:
-    """Whole nanoseconds, among them zero and more than 64 bits hold."""
+def test_a_time_of_another_clock_affects_only_its_sample(tmp_path: Path) -> None:
+    """Integer nanoseconds, among them zero and more than 64 bits."""
     began = 1_700_000_000_000_000_000
     times = [began + 10_000_000 * k for k in range(40)]
     times[7], times[9], times[11] = 0, 2**63 - 1, 10**24
@@ -149,7 +149,7 @@ def test_a_time_of_another_clock_costs_its_sample(tmp_path: Path) -> None:
     assert raw(tmp_path / "out.mcap").stamp_ns[[0, -1]].tolist() == [began, began + 390_000_000]
 
 
-def test_huge_and_endless_files_take_little_memory(tmp_path: Path) -> None:
+def test_huge_and_endless_files_need_little_memory(tmp_path: Path) -> None:
     """Zeros without a line end, a device in place of a file, and a file that swells."""
     for name in ("huge.csv", "huge.mat"):
         with (tmp_path / name).open("wb") as file:
@@ -167,7 +167,7 @@ def test_huge_and_endless_files_take_little_memory(tmp_path: Path) -> None:
     assert peak < 50_000_000 and time.process_time() - started < 10.0
 
 
-def test_a_row_of_many_imus_counts_as_what_it_becomes(tmp_path: Path, monkeypatch) -> None:
+def test_a_row_of_many_imus_is_limited_by_its_decoded_size(tmp_path: Path, monkeypatch) -> None:
     """A header may name a thousand IMUs of one axis each."""
     monkeypatch.setattr("tracker.offline.imports.table._MOST_NUMBERS", 6_000_000)
     header = ",".join(f"imu{k} acc x (g)" for k in range(1000))
@@ -177,7 +177,7 @@ def test_a_row_of_many_imus_counts_as_what_it_becomes(tmp_path: Path, monkeypatc
         import_imus([path], tmp_path / "out.mcap")
 
 
-def test_a_damaged_matlab_file_is_refused_in_words(tmp_path: Path) -> None:
+def test_a_damaged_matlab_file_is_rejected(tmp_path: Path) -> None:
     path, rng = tmp_path / "a.mat", np.random.default_rng(2)
     one = {"imu_acc": np.ones((50, 3)), "imu_gyr": np.ones((50, 3)), "sampling_rate": 100.0}
     savemat(path, one, do_compression=True)
@@ -193,15 +193,15 @@ def test_a_damaged_matlab_file_is_refused_in_words(tmp_path: Path) -> None:
             continue
 
 
-def test_numbers_of_another_unit_are_doubted(tmp_path: Path) -> None:
+def test_implausible_units_are_reported(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
-    header = XIMU3.replace("(g)", "(m/s^2)")  # a lie: they are g
+    header = XIMU3.replace("(g)", "(m/s^2)")  # wrong: they are g
     path.write_text(f"Time (s),{header}\n" + "".join(f"{k},0,0,0,0,0,1\n" for k in range(9)))
     report = import_imus([path], tmp_path / "out.mcap")
     assert report["doubts"][0].startswith("a feels 1 m/s²")
 
 
-def test_which_imu_is_which_has_to_be_told(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+def test_the_assignment_of_imus_is_required(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     for name in ("left", "right"):
         x_imu3(tmp_path, name, np.arange(0, 50) * 10_000, np.ones((50, 6)))
     words = ["import", str(tmp_path), "-o", str(tmp_path / "a.mcap")]
@@ -219,9 +219,7 @@ def data() -> Path:
     return folder
 
 
-def test_a_recording_of_a_real_imu_is_tracked_as_its_cameras_saw_it(
-    data: Path, tmp_path: Path
-) -> None:
+def test_a_recording_of_a_real_imu_agrees_with_its_cameras(data: Path, tmp_path: Path) -> None:
     """BROAD's 286 Hz, averaged to 100: inclination within 2° of the optical reference."""
     whole = loadmat(data / "broad_imu" / "02_undisturbed_slow_rotation_B.mat", squeeze_me=True)
     rate, first = float(whole["sampling_rate"]), 285 * START_S
@@ -244,7 +242,7 @@ def test_a_recording_of_a_real_imu_is_tracked_as_its_cameras_saw_it(
     assert np.degrees(np.sqrt(np.mean(off**2))) < 2.0
 
 
-def test_imus_of_a_whole_body_are_chosen_by_name(data: Path, tmp_path: Path) -> None:
+def test_imus_of_a_whole_body_are_selected_by_name(data: Path, tmp_path: Path) -> None:
     path = data / "qmt_fullbody_imu" / "full_body_example_data.mat"
     with pytest.raises(ConfigError, match="hand_right"):
         import_imus([path], tmp_path / "a.mcap")

@@ -54,7 +54,7 @@ def test_each_imu_has_its_own_noise() -> None:
 
 def test_only_the_rest_of_a_recording_counts() -> None:
     gyro, accel = noise(12_000, 1)
-    gyro[:2500] += np.sin(np.arange(2500) / 20)[:, None, None]  # carried to the table
+    gyro[:2500] += np.sin(np.arange(2500) / 20)[:, None, None]  # while it is carried to the table
     gyro[-700:] += 0.5 * np.sin(np.arange(700) / 20)[:, None, None]
     report = imu_noise(raw(gyro, accel))
     assert report.start_s == pytest.approx(25, abs=1.01)
@@ -71,7 +71,7 @@ def test_a_few_lost_samples_do_not_matter_and_many_are_an_error() -> None:
         imu_noise(raw(gyro, accel))
 
 
-def test_a_short_rest_is_refused_with_what_to_do() -> None:
+def test_a_short_rest_is_rejected_with_instructions() -> None:
     with pytest.raises(FileError, match="on a table"):
         imu_noise(raw(*noise(3000, 1)))
 

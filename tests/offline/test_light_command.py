@@ -15,7 +15,7 @@ def light(*words: str) -> argparse.Namespace:
     return build_parser(line).parse_args(line)
 
 
-def test_a_dim_room_is_told(tmp_path, capsys):
+def test_a_dim_room_is_reported(tmp_path, capsys):
     path = tmp_path / "dim.mcap"
     simulate(path, SimulateOptions(scene="desk", light="dim", seed=2, duration=1.5, fps=5))
     args = light(str(path), "--json", str(tmp_path / "light.json"))
@@ -28,7 +28,7 @@ def test_a_dim_room_is_told(tmp_path, capsys):
     assert "The image is noisy" in capsys.readouterr().out
 
 
-def test_a_session_without_images_has_no_light(tmp_path):
+def test_a_session_without_images_is_reported(tmp_path):
     path = tmp_path / "blobs.mcap"
     simulate(path, SimulateOptions(images=False, duration=1.0, fps=10))
     args = light(str(path))

@@ -1,4 +1,4 @@
-"""Simulate, track, track again: through files."""
+"""Simulate, track, and track again, through files."""
 
 import json
 from pathlib import Path
@@ -68,7 +68,7 @@ def test_another_engine_by_command_line(
     assert report["error_mm"]["dorsum"] < 5 and report["frames"] > 170
 
 
-def test_images_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
+def test_images_are_searched_if_there_are_no_blobs(tmp_path: Path) -> None:
     path = tmp_path / "images.mcap"
     simulate(path, SimulateOptions(seed=2, duration=2.0, fps=15))
     options = TrackOptions(colours="fabric-default", with_sensors=True)
@@ -88,7 +88,7 @@ def test_images_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
         (["--colours", "fabric-default"], "no images"),
     ],
 )
-def test_what_cannot_be_done_is_said_in_words(
+def test_impossible_arguments_are_reported(
     session: Path,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],

@@ -25,7 +25,7 @@ OLD = "[chain.constraint]\nthumb_abduction = 0.3\n[warp]\nspeed = 9\n"
 
 
 def recorded(path: Path, settings: str, version: str = __version__, state: bool = False) -> Path:
-    """A session that says it was recorded with these settings by that version."""
+    """A session recorded with these settings by that version."""
     sim, info = build(SimulateOptions(seed=5, duration=2.0, fps=30, images=False))
     info = replace(info, settings_text=settings, version=version)
     pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
@@ -47,7 +47,7 @@ def recorded(path: Path, settings: str, version: str = __version__, state: bool 
     return path
 
 
-def test_settings_that_are_gone_are_named_and_the_others_used(tmp_path: Path) -> None:
+def test_obsolete_settings_are_named_and_the_others_used(tmp_path: Path) -> None:
     changed = to_toml(replace(Settings(), engine="vist")) + OLD.replace("[chain.", "[old.")
     old = recorded(tmp_path / "old.mcap", changed)
     now = recorded(tmp_path / "now.mcap", to_toml(replace(Settings(), engine="vist")))
@@ -80,7 +80,7 @@ def test_recorded_streams_have_no_effect(tmp_path: Path) -> None:
         track(old, tmp_path / "d.mcap", TrackOptions(settings=str(tmp_path / "wrong.toml")))
 
 
-def test_the_command_line_tracks_them_and_takes_other_settings(tmp_path: Path, capsys) -> None:
+def test_the_command_line_tracks_them_and_accepts_other_settings(tmp_path: Path, capsys) -> None:
     old = recorded(tmp_path / "old.mcap", OLD)
     assert main(["track", str(old), "-o", str(tmp_path / "a.mcap")]) == 0
     assert "chain.constraint.thumb_abduction, warp" in capsys.readouterr().out
@@ -105,13 +105,13 @@ def test_the_command_line_tracks_them_and_takes_other_settings(tmp_path: Path, c
      ('engine = "vist"\nlenses = 3\n', "lenses"),
      ("".join(f"gone{k} = 1\n" for k in range(50)), "gone7 and 42 more")],
 )  # fmt: skip
-def test_whatever_the_settings_are(tmp_path: Path, settings: str, named: str) -> None:
+def test_for_any_settings(tmp_path: Path, settings: str, named: str) -> None:
     old = recorded(tmp_path / "old.mcap", settings)
     report = track(old, tmp_path / "a.mcap")
     assert report.estimates > 50 and f"{named}. They were ignored" in report.words[0]
 
 
-def test_settings_that_are_not_toml_are_refused_with_the_remedy(tmp_path: Path) -> None:
+def test_settings_that_are_not_toml_are_rejected_with_the_remedy(tmp_path: Path) -> None:
     old = recorded(tmp_path / "old.mcap", "engine = \n")
     with pytest.raises(ConfigError, match="--settings default"):
         track(old, tmp_path / "a.mcap")
@@ -147,7 +147,7 @@ def test_a_session_without_a_camera_is_tracked_by_inertial(tmp_path: Path, lense
     assert report.error_deg is not None and 0.5 < report.error_deg < 15
 
 
-def test_angles_are_judged_wherever_the_truth_is_known(tmp_path: Path, capsys) -> None:
+def test_angles_are_evaluated_wherever_the_truth_is_known(tmp_path: Path, capsys) -> None:
     simulate(tmp_path / "in.mcap", SimulateOptions(seed=2, duration=3.0, fps=30, images=False))
     done = tmp_path / "a.json"
     words = ["track", str(tmp_path / "in.mcap"), "-o", str(tmp_path / "a.mcap")]
@@ -157,7 +157,7 @@ def test_angles_are_judged_wherever_the_truth_is_known(tmp_path: Path, capsys) -
     assert "joint angle error" in capsys.readouterr().out
 
 
-def test_the_help_names_every_engine_and_what_becomes_of_settings(capsys) -> None:
+def test_the_help_names_every_engine_and_the_use_of_settings(capsys) -> None:
     with pytest.raises(SystemExit):
         main(["track", "--help"])
     output = capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""Colours of a session that is tracked again: fitted where they show no hand, and told of."""
+"""Colours of a session tracked again: fitted if they show no hand, and reported."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def colours(hand: HandModel, glove: GloveModel) -> OwnColours:
 
 
 def look(own: OwnColours, images: int, tracking: Tracking, start: float = 10.0) -> list[str]:
-    """Codes of what is reported over so many images with this tracking."""
+    """Codes of the notices over a number of images with this tracking."""
     for k in range(images):
         t = start + 1.01 * APART * k
         own._packed.append(PackedFrame(t, t, {"left": BLACK}, None, k))
@@ -49,7 +49,7 @@ def look(own: OwnColours, images: int, tracking: Tracking, start: float = 10.0) 
 def test_images_without_a_hand_fit_the_colours_once(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What was searched ahead with the old colours is not held against the new ones."""
+    """Images searched ahead with the old colours do not count against the new ones."""
     fits = []
 
     def fit(messages: list[StereoFrame], *_: object) -> SimpleNamespace:
@@ -65,7 +65,7 @@ def test_images_without_a_hand_fit_the_colours_once(
     assert own.detector.profile is FITTED
 
 
-def test_a_refused_fit_is_said_once_and_not_tried_forever(
+def test_a_rejected_fit_is_reported_once_and_retried_rarely(
     hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     tried = []
@@ -82,17 +82,17 @@ def test_a_refused_fit_is_said_once_and_not_tried_forever(
     assert own.detector.profile is FACTORY
 
 
-def test_a_tracked_hand_is_left_alone(hand: HandModel, glove: GloveModel) -> None:
+def test_a_tracked_hand_is_not_changed(hand: HandModel, glove: GloveModel) -> None:
     own = colours(hand, glove)
     assert look(own, 3 * IMAGES, Tracking.TRACKING) == []
 
 
 @pytest.mark.parametrize(("hands", "smooth"), [("right", True), ("both", False)])
-def test_colours_fit_themselves_where_a_session_is_smoothed_or_of_both_hands(
+def test_colours_are_fitted_for_smoothing_and_for_both_hands(
     hands: str, smooth: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With the names of the hues exchanged no hand is found before; that the fit is good is tested
-    elsewhere. It is asked for after few images here, for the sake of time."""
+    """With exchanged hue names no hand is found before; the quality of the fit is tested elsewhere.
+    It is triggered after few images here, to save time."""
     names = FACTORY.hue_names[1:] + FACTORY.hue_names[:1]
     hues = tuple(replace(h, name=n) for h, n in zip(FACTORY.hues, names, strict=True))
     wrong = tmp_path / "wrong.toml"

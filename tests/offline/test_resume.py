@@ -30,7 +30,7 @@ BEGIN, CHANGE = 1.0, 1.8  # s
 
 @pytest.fixture(scope="module")
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Tracked since 0 s, recorded since 1.0 s, with another engine from 1.8 s on."""
+    """Tracked from 0 s, recorded from 1.0 s, with another engine from 1.8 s on."""
     path = tmp_path_factory.mktemp("middle") / "in.mcap"
     sim, info = build(SimulateOptions(seed=5, duration=2.5, fps=30, images=False))
     info = replace(info, settings_text=to_toml(Settings()))
@@ -65,7 +65,7 @@ def test_the_same_bits_from_the_first_packet_on(recorded: Path, tmp_path: Path) 
     with SessionReader(recorded) as reader:
         first = next(m for m in reader.messages((Estimate,)) if isinstance(m, Estimate))
     assert np.isfinite(first.keypoints).all(), "tracked from its first instant"
-    track(tmp_path / "a.mcap", tmp_path / "b.mcap")  # what is copied is enough again
+    track(tmp_path / "a.mcap", tmp_path / "b.mcap")  # the copied part is again sufficient
     assert compare(recorded, tmp_path / "b.mcap")["identical"]
 
 
@@ -79,7 +79,7 @@ def test_a_recovered_recording_has_its_state(recorded: Path, tmp_path: Path) -> 
     assert found["mean_mm"] == 0 and found["compared"] > 50
 
 
-def test_with_other_settings_it_begins_anew(recorded: Path, tmp_path: Path) -> None:
+def test_with_other_settings_it_starts_without_the_state(recorded: Path, tmp_path: Path) -> None:
     report = track(recorded, tmp_path / "a.mcap", TrackOptions(engine="madgwick"))
     assert report.estimates > 140
     assert not compare(recorded, tmp_path / "a.mcap")["identical"]
@@ -95,7 +95,7 @@ def with_state(info: SessionInfo, path: Path, data: bytes) -> Path:
     return path
 
 
-def test_a_damaged_state_is_told_in_words(recorded: Path, tmp_path: Path) -> None:
+def test_a_damaged_state_is_reported(recorded: Path, tmp_path: Path) -> None:
     with SessionReader(recorded) as reader:
         assert NAME not in reader.attachments
         path = with_state(reader.info, tmp_path / "bad.mcap", b"GTES and nothing more")
@@ -111,7 +111,7 @@ def moved(info: SessionInfo, by: float) -> StereoRig:
 
 
 def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
-    """Half way it is calibrated anew, 5 cm to the side: nothing else than the rig says so."""
+    """It is calibrated again halfway, 5 cm to the side: only the rig shows that."""
     sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, images=False))
     lateral = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
     changed, silent = tmp_path / "told.mcap", tmp_path / "silent.mcap"
@@ -140,7 +140,7 @@ def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def unsearched(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Recorded by a computer that had no time to search one image."""
+    """Recorded by a computer that was too loaded to search one image."""
     path = tmp_path_factory.mktemp("unsearched") / "in.mcap"
     sim, info = build(SimulateOptions(seed=5, duration=1.5, fps=10, scene="plain"))
     info = replace(info, settings_text=to_toml(Settings()))

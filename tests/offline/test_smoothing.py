@@ -1,4 +1,4 @@
-"""Fixed-interval smoothing: the law it follows, and what it is worth on a simulated wearer."""
+"""Fixed-interval smoothing: its equations, and its benefit for a simulated wearer."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -21,18 +21,18 @@ from tracker.simulation.scenario import Simulation
 Messages = list[ImuSample | BlobFrame]
 
 
-def test_going_back_gives_the_least_squares_answer() -> None:
-    """A random linear system: three steps and four measurements, solved at once and by λ."""
+def test_smoothing_equals_the_least_squares_solution() -> None:
+    """A random linear system: three steps and four measurements, solved jointly and by λ."""
     rng = np.random.default_rng(3)
     n, D, m = 5, 3, 2
     P0 = np.diag(rng.uniform(0.5, 2, n))
-    A = np.eye(n)  # the first D rows move, the rest stay
+    A = np.eye(n)  # the first D rows are dynamic
     A[:D] += rng.normal(0, 0.3, (D, n))
     Q = np.diag(rng.uniform(0.1, 0.3, n))
     R = 0.2 * np.eye(m)
     measured = [(rng.normal(size=(m, n)), rng.normal(size=m)) for _ in range(4)]
 
-    # 1. All at once: x = (x0, w1, w2, w3), z_k = H_k x_k + noise.
+    # 1. Jointly: x = (x0, w1, w2, w3), z_k = H_k x_k + noise.
     to_x = [np.hstack([np.eye(n), np.zeros((n, 3 * n))])]
     for k in range(3):
         noise = np.zeros((n, 4 * n))
@@ -46,7 +46,7 @@ def test_going_back_gives_the_least_squares_answer() -> None:
     every = prior @ H_all.T @ np.linalg.solve(S, z_all)
     wanted = [T @ every for T in to_x]
 
-    # 2. A filter that leaves a tape, and the way back.
+    # 2. A filter that records a tape, and the backward pass.
     x, P, tape, states = np.zeros(n), P0, [], []
     for k, (H, z) in enumerate(measured):
         if k:
@@ -65,7 +65,7 @@ def test_going_back_gives_the_least_squares_answer() -> None:
             adjoint = tape.pop().back(adjoint)
 
 
-def test_what_was_set_anew_says_nothing_of_the_past() -> None:
+def test_reset_states_are_independent_of_the_past() -> None:
     assert np.array_equal(Forgotten(2).back(np.arange(1.0, 5)), [0, 0, 3, 4])
 
 
@@ -85,7 +85,7 @@ def smoothed(info: SessionInfo, messages: Messages) -> list[Estimate]:
     return [e for _, e in found if e is not None]
 
 
-def test_the_size_of_the_blocks_changes_nothing(
+def test_the_block_size_has_no_effect(
     simulated: tuple[Simulation, SessionInfo, Messages], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     _, info, messages = simulated
@@ -109,11 +109,11 @@ def live(info: SessionInfo, messages: Messages) -> list[Estimate]:
     return out
 
 
-def test_it_is_nearer_to_the_truth_than_live_and_without_steps(
+def test_it_is_more_accurate_than_live_and_continuous(
     simulated: tuple[Simulation, SessionInfo, Messages],
 ) -> None:
     sim, info, messages = simulated
-    blind = (5.0, 5.8)  # s in which no image comes
+    blind = (5.0, 5.8)  # s without images
     messages = [m for m in messages if isinstance(m, ImuSample) or not blind[0] < m.t < blind[1]]
     before, after = live(info, messages), smoothed(info, messages)
     t = np.array([e.t for e in before])
@@ -136,7 +136,7 @@ def test_it_is_nearer_to_the_truth_than_live_and_without_steps(
     assert steps(after) < 0.5 * steps(before)
 
 
-def test_only_the_chain_can_be_smoothed(
+def test_only_chain_can_be_smoothed(
     tmp_path: Path, record_short: Callable[[Path], Path], capsys: pytest.CaptureFixture[str]
 ) -> None:
     source, out = record_short(tmp_path / "in.mcap"), tmp_path / "out.mcap"

@@ -25,7 +25,7 @@ STALL, DURATION = 0.5, 6.0  # s
 
 
 def stalled(messages: list[ImuSample | BlobFrame], seed: int) -> list[ImuSample | BlobFrame]:
-    """All of `STALL` s may come late, the images and the packets each by their own delay."""
+    """All of `STALL` s may arrive late, images and packets independently."""
     rng, late = np.random.default_rng(seed), {}
     out = []
     for m in messages:
@@ -51,7 +51,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for k in range(first, len(messages), 7):
         feed(loop, clock, messages[k : k + 7])
         earlier = Event(clock.now - 0.3, "note", "what happened earlier")
-        loop.journal.record(earlier)  # as of an image: chunks of the file overlap
+        loop.journal.record(earlier)  # like that of an image: chunks of the file overlap
     loop.set_recorder(None)
     with SessionReader(path) as reader:
         stamps = [e.t for e in reader.messages() if type(e).__name__ == "Estimate"]
@@ -79,8 +79,8 @@ def test_its_parts_are_tracked_again_bit_for_bit(
     assert found["identical"], found
 
 
-def test_the_last_value_before_an_instant_is_found_whatever_spans_it_is_in(recorded: Path) -> None:
-    """Chunks overlap where messages are late; every message is a valid answer for some instant."""
+def test_the_last_value_before_a_time_is_found_across_chunks(recorded: Path) -> None:
+    """Chunks overlap where messages are late; every message is a valid answer for some time."""
     with SessionReader(recorded) as reader:
         topic = topics.hand(reader.info.side, "keypoints")
         wanted = frozenset([topic])

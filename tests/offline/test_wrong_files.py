@@ -1,4 +1,4 @@
-"""A file of the command line that is wrong is named in the message, with the line."""
+"""An invalid file on the command line is named in the message, with the line."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ SHIPPED = {
 
 
 @pytest.mark.parametrize(("words", "option"), CASES)
-def test_a_wrong_file_is_named_with_its_line(
+def test_an_invalid_file_is_named_with_its_line(
     words: list[str],
     option: str,
     session: Path,

@@ -1,4 +1,4 @@
-"""A camera that sways and tilts, known from its own IMU alone."""
+"""A camera that sways and tilts, measured by its own IMU alone."""
 
 import copy
 from itertools import pairwise
@@ -21,13 +21,13 @@ NO_ERRORS = CameraImuParams(
 
 
 def tilted(degrees: float) -> CameraPose:
-    """The camera as it was calibrated, and then bent forward."""
+    """The calibrated camera, then tilted forward."""
     stand = ideal_rig().pose
     return CameraPose(stand.R_GC @ so3.rx(np.deg2rad(degrees)), stand.p_GC)
 
 
 def tilt_error(pose: CameraPose, truth: CameraPose) -> float:
-    """Degrees between the two camera's notions of up."""
+    """Degrees between the two camera's up directions."""
     cosine = np.clip((pose.R_GC.T @ UP) @ (truth.R_GC.T @ UP), -1, 1)
     return float(np.rad2deg(np.arccos(cosine)))
 
@@ -38,7 +38,7 @@ def swaying(params: CameraImuParams, end: float = 20.0) -> tuple[Head, list[Came
 
 
 def test_the_simulated_imu_measures_the_heads_motion():
-    """Integrating it twice gives the way back; at rest it feels gravity alone."""
+    """Double integration reproduces the path; at rest it measures gravity alone."""
     head, samples = swaying(NO_ERRORS, 3.0)
     R, p = head.pose(0.0).R_GC, head.pose(0.0).p_GC
     v = (head.pose(1e-4).p_GC - head.pose(-1e-4).p_GC) / 2e-4
@@ -57,7 +57,7 @@ def test_the_simulated_imu_measures_the_heads_motion():
 
 
 def test_tilt_follows_the_head_within_a_degree():
-    """The file says that the camera is 20° elsewhere; 10 mg of bias alone are 0.6°."""
+    """The pose in the file is 20° off; 10 mg of bias alone are 0.6°."""
     head, samples = swaying(CameraImuParams())
     tilt = CameraTilt(ideal_rig().pose)
     errors = []
@@ -68,8 +68,8 @@ def test_tilt_follows_the_head_within_a_degree():
     assert np.mean(errors[-2000:]) < 1.0
 
 
-def test_heading_starts_where_the_file_says_and_turns_with_the_head():
-    """What differs at first, the sway at that instant, differs at the end."""
+def test_heading_starts_as_in_the_file_and_rotates_with_the_head():
+    """The initial difference, the sway at that time, remains to the end."""
     head, samples = swaying(NO_ERRORS)
     tilt = CameraTilt(tilted(20.0))
     tilt.feed(samples[0])
@@ -81,7 +81,7 @@ def test_heading_starts_where_the_file_says_and_turns_with_the_head():
     np.testing.assert_allclose(last @ UP, UP, atol=0.003)
 
 
-def test_a_image_of_the_past_gets_the_pose_of_its_own_instant():
+def test_a_past_image_gets_the_pose_of_its_own_time():
     head, samples = swaying(NO_ERRORS, 3.0)
     tilt = CameraTilt(tilted(20.0))
     for s in samples:
@@ -99,7 +99,7 @@ def test_gaps_bad_values_and_late_samples():
     tilt.feed(CameraImuSample(0.0, 0.0, np.full(3, np.nan), np.zeros(3)))
     assert tilt.pose(0.0) is None
     for s in samples:
-        if not 2.0 < s.t < 5.0:  # silent for three seconds
+        if not 2.0 < s.t < 5.0:  # no samples for three seconds
             tilt.feed(s)
     before = tilt.pose(s.t)
     tilt.feed(samples[0])
@@ -107,14 +107,14 @@ def test_gaps_bad_values_and_late_samples():
     assert tilt_error(before, head.pose(s.t)) < 1.5
 
 
-def test_a_camera_hung_upside_down_is_found_so():
+def test_an_upside_down_camera_is_detected():
     pose = tilted(180.0)
     tilt = CameraTilt(tilted(0.0))
     tilt.feed(CameraImuSample(0.0, 0.0, np.zeros(3), pose.R_GC.T @ UP * GRAVITY))
     assert tilt_error(tilt.pose(0.0), pose) == pytest.approx(0, abs=1e-4)
 
 
-def test_a_saved_filter_goes_on_identically():
+def test_a_saved_filter_resumes_identically():
     _, samples = swaying(CameraImuParams(), 4.0)
     one = CameraTilt(ideal_rig().pose)
     for s in samples[:400]:

@@ -1,4 +1,4 @@
-"""When the log blames the colours, and when it takes that back."""
+"""When the log reports unsuitable colours, and when it withdraws that."""
 
 import numpy as np
 
@@ -27,19 +27,19 @@ def reported(
     return watch.notices.drain()
 
 
-def test_many_patches_without_a_hand_are_said_once() -> None:
+def test_many_patches_without_a_hand_are_reported_once() -> None:
     unfit = warning("colours.unfit", patches=400)
     assert reported(400, Tracking.SEARCHING) == [unfit]
     assert reported(400, Tracking.LOST) == [unfit]
 
 
-def test_nothing_is_said_of_a_tracked_hand_a_clean_room_or_a_moment() -> None:
+def test_a_tracked_hand_an_empty_scene_or_a_moment_are_not_reported() -> None:
     assert reported(400, Tracking.TRACKING) == []
     assert reported(MARKERS, Tracking.SEARCHING) == []
     assert reported(400, Tracking.SEARCHING, PATIENCE - 0.2) == []
 
 
-def test_it_is_taken_back_when_the_hand_is_found() -> None:
+def test_it_is_withdrawn_when_the_hand_is_found() -> None:
     watch = ColourWatch(MARKERS)
     for k in range(90):
         watch.look(blobs(10 + k / 30, 400), Tracking.LOST)
@@ -51,7 +51,7 @@ def test_it_is_taken_back_when_the_hand_is_found() -> None:
     assert watch.notices.drain() == []
 
 
-def test_seconds_without_images_do_not_count() -> None:
+def test_time_without_images_does_not_count() -> None:
     watch = ColourWatch(MARKERS)
     watch.look(blobs(10.0, 400), Tracking.LOST)
     watch.look(blobs(14.0, 400), Tracking.LOST)

@@ -1,4 +1,4 @@
-"""Two cameras that run freely: how late the right one is, measured and taken off."""
+"""Two free-running cameras: the delay of the right one is measured and compensated."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ MARKERS = 10
 
 
 def frames(late: float, seconds: float, skip_at: float = np.inf) -> list[BlobFrame]:
-    """Markers that sway before two cameras; from ``skip_at`` on the right one is 33 ms later."""
+    """Markers that sway in front of two cameras; from ``skip_at`` on the right one is 33 ms
+    late."""
     rig, rng = ideal_rig(), np.random.default_rng(4)
     rest = rng.uniform([-0.05, -0.05, 0.38], [0.05, 0.05, 0.42], (MARKERS, 3))
     hue, out = np.zeros(MARKERS, np.int64), []
@@ -59,20 +60,20 @@ def test_a_known_offset_is_found_to_a_millisecond(late: float) -> None:
     pair = fed(PairOffset(ideal_rig()), frames(late, 6.0))
     assert pair.estimate.value == pytest.approx(late, abs=0.001)
     assert pair.estimate.sd < 0.001
-    assert pair.applied == (pair.estimate.value if late else 0.0)  # in step: left as it is
+    assert pair.applied == (pair.estimate.value if late else 0.0)  # synchronised: unchanged
 
 
-def test_a_camera_that_skips_an_image_is_noticed_within_four_seconds() -> None:
+def test_a_camera_that_skips_an_image_is_detected_within_four_seconds() -> None:
     pair = fed(PairOffset(ideal_rig()), frames(0.005, 14.0, skip_at=10.0))
     assert pair.estimate.value == pytest.approx(0.005 + 1 / 30, abs=0.002)
 
 
-def test_markers_are_moved_back_to_where_they_were() -> None:
+def test_markers_are_moved_back_to_their_positions() -> None:
     rig, pair = ideal_rig(), PairOffset(ideal_rig())
     p_C = np.array([[0.0, 0.0, 0.4], [0.05, 0.02, 0.42]])
     pose = rig.pose
     then = p_C @ pose.R_GC.T + pose.p_GC
-    late = then + np.array([0.012, -0.006, 0.004])  # 15 ms at a metre a second
+    late = then + np.array([0.012, -0.006, 0.004])  # 15 ms at 1 m/s
     uv = rig.project((late - pose.p_GC) @ pose.R_GC, right=True)
     far = np.array([[1200.0, 700.0]])
     blobs = Blobs(np.vstack([uv, far]), np.full((3, 2), 9.0), np.zeros(3, np.int64), np.ones(3))
@@ -83,7 +84,7 @@ def test_markers_are_moved_back_to_where_they_were() -> None:
     assert np.array_equal(moved.right.uv[2:], far)
 
 
-def test_a_saved_state_goes_on_identically() -> None:
+def test_a_saved_state_resumes_identically() -> None:
     images = frames(0.01, 5.0)
     whole, first = fed(PairOffset(ideal_rig()), images), fed(PairOffset(ideal_rig()), images[:70])
     second = PairOffset(ideal_rig())
@@ -98,7 +99,7 @@ def test_one_camera_has_no_offset() -> None:
 
 
 def mean_error(sim: Simulation, in_step: bool) -> tuple[Pipeline, float]:
-    """m, of all keypoints in the second half; whether the offset may be taken off."""
+    """m, of all keypoints in the second half; whether the offset may be compensated."""
     pipeline, errors = Pipeline(sim.hand, sim.glove, sim.rig), []
     for message in sim.feed():
         if isinstance(message, BlobFrame):
@@ -113,7 +114,7 @@ def mean_error(sim: Simulation, in_step: bool) -> tuple[Pipeline, float]:
     return pipeline, float(np.mean(errors))
 
 
-def test_two_free_cameras_track_nearly_as_well_as_two_in_step(
+def test_two_free_running_cameras_track_nearly_as_well_as_synchronised_ones(
     hand: HandModel, glove: GloveModel
 ) -> None:
     motion = RandomPostures(hand, 4, 1.5, duration=10.0)
@@ -125,7 +126,7 @@ def test_two_free_cameras_track_nearly_as_well_as_two_in_step(
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_markers_of_three_images_are_those_in_each(seed: int) -> None:
+def test_markers_of_three_images_are_the_common_ones(seed: int) -> None:
     rng = np.random.default_rng(seed)
     images = [np.flatnonzero(rng.random(12) < rng.random()) for _ in range(3)]
     common = reduce(np.intersect1d, images)

@@ -1,4 +1,4 @@
-"""A stereo camera that is not the calibrated one, seen in simulated blobs."""
+"""A stereo camera that does not match its calibration, detected in simulated blobs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Shift = tuple[float, float]
 
 
 def shifted(frame: BlobFrame, left: Shift = (0, 0), right: Shift = (0, 0)) -> BlobFrame:
-    """All blobs of a side moved by (u, v) px."""
+    """All blobs of a side shifted by (u, v) px."""
 
     def moved(blobs: Blobs | None, by: Shift) -> Blobs | None:
         return replace(blobs, uv=blobs.uv + np.array(by)) if blobs else None
@@ -44,7 +44,7 @@ def frames(hand: HandModel, glove: GloveModel) -> list[BlobFrame]:
 
 @pytest.fixture(scope="module")
 def crowded(hand: HandModel, glove: GloveModel) -> list[BlobFrame]:
-    """With sixty coloured balls in the room."""
+    """With sixty coloured balls in the background."""
     motion = RandomPostures(hand, 6, duration=4.0)
     sim = Simulation(hand, glove, motion, 6, fps=15, extras=(Distractors(6),))
     return list(sim.frames())  # type: ignore[arg-type]
@@ -52,7 +52,7 @@ def crowded(hand: HandModel, glove: GloveModel) -> list[BlobFrame]:
 
 def test_votes_of_three_blobs() -> None:
     left = np.array([[300.0, 100.0], [320.0, 120.0], [340.0, 140.0]])
-    right = left - [100.0, 2.25]  # as seen by a lens 2.25 px lower
+    right = left - [100.0, 2.25]  # as seen by a camera 2.25 px lower
     hue = np.zeros(3, np.int64)
     counts, means = row_votes(left, hue, right, hue, (45.0, 270.0), 1.5)
     best = int(np.argmax(counts[0]))
@@ -65,7 +65,7 @@ def test_votes_of_three_blobs() -> None:
     assert counts.sum() == 0
 
 
-def test_a_calibrated_camera_is_left_alone(frames, crowded) -> None:
+def test_a_calibrated_camera_is_accepted(frames, crowded) -> None:
     for stream in (frames, crowded):
         watch = RigWatch(ideal_rig())
         assert all(watch.usable(f) for f in stream)
@@ -74,7 +74,7 @@ def test_a_calibrated_camera_is_left_alone(frames, crowded) -> None:
         assert not watch.state.moved and not watch.state.swapped
 
 
-def test_swapped_pictures_are_refused_and_told(frames, crowded) -> None:
+def test_swapped_images_are_rejected_and_reported(frames, crowded) -> None:
     for stream in (frames, crowded):
         watch = RigWatch(ideal_rig())
         usable = [watch.usable(swapped(f)) for f in stream[:30]]
@@ -86,7 +86,7 @@ def test_swapped_pictures_are_refused_and_told(frames, crowded) -> None:
 
 
 @pytest.mark.parametrize("rows", [LENS_5_MM_PX, -LENS_5_MM_PX, 2.0])
-def test_a_lens_that_moved_up_or_down(frames, rows: float) -> None:
+def test_a_camera_that_moved_up_or_down(frames, rows: float) -> None:
     watch = RigWatch(ideal_rig())
     assert all(watch.usable(shifted(f, right=(0, rows))) for f in frames[:40])
     assert watch.state.moved
@@ -126,7 +126,7 @@ def run(sim: Simulation, left: Shift, right: Shift) -> Iterator[RigWatch]:
         ((LENS_5_MM_PX, 0), (LENS_5_MM_PX, 0), "camera.moved"),
     ],
 )
-def test_a_jump_is_told_once(hand, glove, left: Shift, right: Shift, code: str) -> None:
+def test_a_jump_is_reported_once(hand, glove, left: Shift, right: Shift, code: str) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, 7, duration=5.0), 7, fps=30)
     stages = run(sim, left, right)
     assert next(stages).state.jumps == 0
@@ -137,7 +137,7 @@ def test_a_jump_is_told_once(hand, glove, left: Shift, right: Shift, code: str) 
 
 
 def result(t: float, off_px: float, at: Shift = (0.0, 0.0)) -> FrameResult:
-    """All markers expected ``at`` a place (px), and seen so far off it."""
+    """All markers predicted ``at`` a position (px), and measured with this offset."""
     expected = np.tile(np.array(at, float), (MARKERS, 1))
     nothing = FrameResult.nothing(t, Tracking.TRACKING, MARKERS)
     return replace(
@@ -154,14 +154,14 @@ def packets(watch: RigWatch, begin: float, end: float) -> None:
 
 
 def agree(watch: RigWatch, begin: float, end: float) -> None:
-    """Packets up to ``end`` from two seconds before, and images that agree from ``begin`` on."""
+    """Packets up to ``end`` from two seconds before, and consistent images from ``begin`` on."""
     packets(watch, end - 2.0, end + 0.04)
     for t in np.arange(begin, end, 0.033):
         watch.check(result(t, 0.1))
 
 
 def see(watch: RigWatch, off_px: Sequence[float], begin: float = 4.02) -> None:
-    """An image every 33 ms, so far off what was expected, which stays as it was."""
+    """An image every 33 ms, with this constant offset from the prediction."""
     for k, off in enumerate(off_px):
         t = begin + 0.033 * k
         packets(watch, t, t + 0.033)
@@ -169,8 +169,8 @@ def see(watch: RigWatch, off_px: Sequence[float], begin: float = 4.02) -> None:
 
 
 @pytest.mark.parametrize(("seen", "jumps"), [(0.5, 1), (0.1, 0)])
-def test_a_hand_that_has_just_come_back_explains_a_jump(seen: float, jumps: int) -> None:
-    """How fast it moves is hardly known after one image or two."""
+def test_a_hand_that_has_just_returned_explains_a_jump(seen: float, jumps: int) -> None:
+    """Its velocity is hardly known after one image or two."""
     watch = RigWatch(ideal_rig())
     agree(watch, 4.0 - seen, 4.0)
     see(watch, [9.0] * 5)
@@ -188,15 +188,16 @@ def test_a_hand_that_has_just_come_back_explains_a_jump(seen: float, jumps: int)
         ([9.0, 9.0, 9.0, 1.0, 9.0, 9.0], 0),
     ],
 )
-def test_a_jump_is_reported_once_the_images_that_follow_show_it(off_px, jumps: int) -> None:
+def test_a_jump_is_reported_once_the_following_images_confirm_it(off_px, jumps: int) -> None:
     watch = RigWatch(ideal_rig())
     agree(watch, 3.0, 4.0)
     see(watch, off_px)
     assert watch.state.jumps == jumps
 
 
-def test_a_filter_that_goes_along_with_a_jump_does_not_hide_it() -> None:
-    """It expects the markers where it saw them last: what is seen stays off the course before."""
+def test_a_filter_that_follows_a_jump_does_not_hide_it() -> None:
+    """It predicts the markers at their last positions: the measurements remain off the earlier
+    path."""
     watch = RigWatch(ideal_rig())
     agree(watch, 3.0, 4.0)
     for k, (off, at) in enumerate([(9.0, 0.0), (2.0, 7.0), (0.5, 8.5), (0.1, 8.9)]):
@@ -210,8 +211,8 @@ def test_a_filter_that_goes_along_with_a_jump_does_not_hide_it() -> None:
     ("packet_late", "image_late", "uneven", "jumps"),
     [(0.0, 0.0, 0.0, 1), (0.2, 0.0, 0.0, 0), (0.0, 0.2, 0.0, 0), (0.0, 0.0, 0.03, 0)],
 )
-def test_stamps_in_doubt_explain_a_jump(packet_late, image_late, uneven, jumps: int) -> None:
-    """Once in the last second a packet or an image was late, or two images came as a pair."""
+def test_unreliable_timestamps_explain_a_jump(packet_late, image_late, uneven, jumps: int) -> None:
+    """Once in the last second a packet or an image was late, or two images arrived as a pair."""
     watch = RigWatch(ideal_rig())
     for k in range(400):
         t = k / 100
@@ -227,7 +228,7 @@ def test_stamps_in_doubt_explain_a_jump(packet_late, image_late, uneven, jumps: 
 
 
 @pytest.mark.parametrize(("late", "jumps"), [(0.01, 1), (0.03, 0)])
-def test_packets_that_are_not_there_yet_explain_a_jump(late: float, jumps: int) -> None:
+def test_missing_packets_explain_a_jump(late: float, jumps: int) -> None:
     watch = RigWatch(ideal_rig())
     agree(watch, 3.0, 4.0)
     watch.check(result(4.03 + late, 9.0))
@@ -239,7 +240,7 @@ def test_packets_that_are_not_there_yet_explain_a_jump(late: float, jumps: int) 
 
 
 @pytest.mark.parametrize(("silence", "jumps"), [(0.0, 1), (0.1, 0)])
-def test_a_silent_glove_explains_a_jump(silence: float, jumps: int) -> None:
+def test_a_glove_without_data_explains_a_jump(silence: float, jumps: int) -> None:
     watch = RigWatch(ideal_rig())
     agree(watch, 3.0, 4.0)
     packets(watch, 4.04 + silence, 4.06 + silence)
@@ -250,8 +251,9 @@ def test_a_silent_glove_explains_a_jump(silence: float, jumps: int) -> None:
 @pytest.mark.parametrize(
     ("velocity", "jumps"), [((200, 200), 0), ((-200, -200), 0), ((200, -200), 1), ((20, 20), 1)]
 )
-def test_an_image_of_another_instant_explains_a_jump(velocity: Shift, jumps: int) -> None:
-    """By 9 px both ways a hand goes on in 45 ms, but not across its way, and not a slow one."""
+def test_an_image_of_another_time_explains_a_jump(velocity: Shift, jumps: int) -> None:
+    """A hand moves by 9 px in either direction in 45 ms, but not across its path, and not a slow
+    one."""
 
     watch = RigWatch(ideal_rig())
     packets(watch, 2.0, 4.3)
@@ -263,7 +265,7 @@ def test_an_image_of_another_instant_explains_a_jump(velocity: Shift, jumps: int
 
 def overloaded(sim: Simulation, seed: int) -> list[ImuSample | BlobFrame]:
     """The messages of a computer at load 20: stalls in which nothing is read, packets in bursts,
-    images left out, and stamped when they were taken and not when they were exposed."""
+    images dropped, and stamped on arrival rather than at exposure."""
     rng = np.random.default_rng(seed)
     stalls = [(t, t + rng.exponential(0.12)) for t in np.cumsum(rng.exponential(0.6, 40))]
 
@@ -284,7 +286,7 @@ def overloaded(sim: Simulation, seed: int) -> list[ImuSample | BlobFrame]:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_an_overloaded_computer_is_no_camera_that_was_moved(hand, glove, seed: int) -> None:
+def test_an_overloaded_computer_is_not_a_moved_camera(hand, glove, seed: int) -> None:
     sim = Simulation(hand, glove, RandomPostures(hand, seed, duration=12.0), seed, fps=30)
     pipeline, tracked = Pipeline(sim.hand, sim.glove, sim.rig), 0
     for message in overloaded(sim, seed):
@@ -298,29 +300,29 @@ def test_an_overloaded_computer_is_no_camera_that_was_moved(hand, glove, seed: i
     assert not {"camera.moved", "camera.lens_knocked"} & {n.code for n in pipeline.drain_notices()}
 
 
-def test_no_jump_where_nothing_agreed_before() -> None:
+def test_no_jump_without_earlier_agreement() -> None:
     watch = RigWatch(ideal_rig())
     packets(watch, 0.0, 3.0)
     see(watch, [9.0] * 5, begin=3.0)
     assert watch.state.jumps == 0
 
 
-def test_one_dark_side_says_nothing(frames) -> None:
+def test_one_missing_side_gives_no_result(frames) -> None:
     watch = RigWatch(ideal_rig())
     assert all(watch.usable(replace(f, right=None)) for f in frames)
     assert np.isnan(watch.state.row_shift_px) and watch.notices.drain() == []
 
 
 @pytest.mark.parametrize("rows", [-SHIFTS, SHIFTS])
-def test_images_as_far_apart_as_is_looked_for(frames, rows: float) -> None:
-    """The most frequent shift may be the first or the last there is."""
+def test_images_with_the_largest_tested_offset(frames, rows: float) -> None:
+    """The most frequent shift may be the first or the last tested."""
     watch = RigWatch(ideal_rig())
     for frame in frames[:20]:
         assert watch.usable(shifted(frame, right=(0, rows)))
 
 
-def test_leaders_of_a_vote() -> None:
-    """The first of equals leads; its neighbours within three rows are no rivals."""
+def test_maxima_of_a_vote() -> None:
+    """The first of equals is the maximum; its neighbours within three rows are no competitors."""
     rng = np.random.default_rng(3)
     for _ in range(50):
         counts, means = (

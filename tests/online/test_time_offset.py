@@ -1,4 +1,4 @@
-"""The camera's offset in time, from simulated motion with a known one."""
+"""The camera's time offset, from simulated motion with a known one."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def simulation(hand: HandModel, glove: GloveModel, seed: int, duration: float) -
 
 
 def images(sim: Simulation) -> list[Seen]:
-    """Markers as blobs with 0.3 px of noise, and whose they are."""
+    """Markers as blobs with 0.3 px of noise, and their ids."""
     rng, n = np.random.default_rng(1), len(sim.glove.markers)
     out = []
     for index, t, arrival in sim.exposures():
@@ -57,7 +57,7 @@ def recording(hand: HandModel, glove: GloveModel) -> tuple[Simulation, list[ImuS
 
 
 def measured(recording, late: float, keep: int | None = None) -> TimeOffset:
-    """Feeds all in order; after ``keep`` messages it goes on in another object."""
+    """Feeds all in order; after ``keep`` messages continues in another object."""
     sim, packets, seen = recording
     offset = TimeOffset(sim.hand, sim.glove, sim.rig)
     messages = sorted([*packets, *seen], key=lambda m: m[0].t if isinstance(m, tuple) else m.t)
@@ -83,7 +83,7 @@ def test_known_offsets_are_found_to_3_ms(recording, late: float) -> None:
 
 @pytest.mark.parametrize("late", [-0.015, 0.030])
 @pytest.mark.parametrize("blind", ["left", "right"])
-def test_one_camera_tells_it_too(recording, late: float, blind: str) -> None:
+def test_one_camera_measures_it_too(recording, late: float, blind: str) -> None:
     sim, packets, seen = recording
     alone = [(replace(frame, **{blind: None}), result) for frame, result in seen]
     found = measured((sim, packets, alone), late).estimate
@@ -91,12 +91,12 @@ def test_one_camera_tells_it_too(recording, late: float, blind: str) -> None:
     assert abs(found.value - late) < 3 * found.sd < 0.015
 
 
-def test_a_saved_state_goes_on_identically(recording) -> None:
+def test_a_saved_state_resumes_identically(recording) -> None:
     whole, parts = measured(recording, 0.01), measured(recording, 0.01, keep=1111)
     assert whole.estimate == parts.estimate
 
 
-def test_nothing_is_known_of_a_still_hand(recording) -> None:
+def test_a_still_hand_gives_no_result(recording) -> None:
     sim, packets, seen = recording
     offset = TimeOffset(sim.hand, sim.glove, sim.rig)
     assert offset.estimate.sd == np.inf
@@ -114,7 +114,7 @@ def test_nothing_is_known_of_a_still_hand(recording) -> None:
 
 
 class Known(TimeOffset):
-    """An offset that is what the test says."""
+    """An offset set by the test."""
 
     value = Offset()
 
@@ -123,7 +123,7 @@ class Known(TimeOffset):
         return self.value
 
 
-def test_what_is_worth_it_is_taken_off_step_by_step(recording) -> None:
+def test_significant_offsets_are_compensated_step_by_step(recording) -> None:
     sim, _, seen = recording
     offset = Known(sim.hand, sim.glove, sim.rig)
     timing = FrameTiming(offset, TimingParams())
@@ -168,8 +168,8 @@ def test_the_pipeline_corrects_its_camera(hand: HandModel, glove: GloveModel) ->
     assert pipeline.timing.applied == pytest.approx(offset.value, abs=0.001)
 
 
-def test_a_point_of_the_line_is_the_plain_one() -> None:
-    """Two views of which five markers are common, as the formulas read."""
+def test_a_point_of_the_line_equals_the_plain_one() -> None:
+    """Two views with five common markers, as in the formulas."""
     rng = np.random.default_rng(4)
     nominal, R_GB = rng.normal(0, 0.03, (9, 3)), so3.exp(rng.normal(size=3))
     gyro = so3.exp(rng.normal(0, 0.2, (2, 3)))

@@ -1,6 +1,6 @@
-"""A package index on this machine: the program's wheel and stand-ins for what it requires.
+"""A package index on this computer: the program's wheel and stand-ins for its requirements.
 
-A stand-in has the name and version of an installed package and nothing in it. One of them adds the
+A stand-in has the name and version of an installed package and no content. One of them adds the
 test environment's folder to the import path, so that a program installed from the index runs
 without a download of its dependencies, 0.7 GB.
 """
@@ -31,7 +31,7 @@ WITH_PATH = "numpy"
 
 
 def build(hook: str, source: Path, out: Path) -> Path:
-    """What the build backend makes of a project's folder."""
+    """The result of the build backend for a project's folder."""
     out.mkdir(parents=True, exist_ok=True)
     command = [sys.executable, "-c", f"{BACKEND}backend.{hook}(sys.argv[1])", str(out)]
     done = subprocess.run(command, cwd=source, capture_output=True, text=True)
@@ -80,7 +80,8 @@ def served(folder: Path) -> Iterator[str]:
 
 
 def user_environment(home: Path, index: str) -> dict[str, str]:
-    """A new user's without a screen, whose tools know only ``index``; kernels are kept as usual."""
+    """The environment of a new user without a screen, with only ``index``; kernels are cached as
+    usual."""
     ours = ("PIP_", "PIPX_", "UV_", "PYTHON", "XDG_", "QT_", "DISPLAY", "WAYLAND", "VIRTUAL_ENV")
     cache = os.environ.get("XDG_CACHE_HOME", str(Path.home() / ".cache"))
     return {name: text for name, text in os.environ.items() if not name.startswith(ours)} | {

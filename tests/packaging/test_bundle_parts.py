@@ -1,4 +1,4 @@
-"""What a bundle may hold: parts under licences that allow it."""
+"""Permitted contents of a bundle: parts with suitable licences."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ licences = SimpleNamespace(**runpy.run_path(str(PACKAGING / "licences.py")))
         ("", False),
     ],
 )
-def test_copyleft_is_told_from_the_rest(licence: str, allowed: bool) -> None:
+def test_copyleft_is_distinguished(licence: str, allowed: bool) -> None:
     assert licences.is_allowed(licence) == allowed
 
 
-def test_a_library_that_nobody_knows_is_refused(tmp_path: Path) -> None:
+def test_an_unknown_library_is_rejected(tmp_path: Path) -> None:
     for name in ("libxcb-cursor.so.0", "libreadline.so.8", "libsecret.so.1"):
         (tmp_path / name).touch()
     known = {"libx": "GPL-2.0-only", "libxcb": "MIT", "libreadline": "GPL-3.0-or-later"}
@@ -43,8 +43,8 @@ def test_a_library_that_nobody_knows_is_refused(tmp_path: Path) -> None:
     ]
 
 
-def test_libraries_within_wheels_are_asked_too(tmp_path: Path) -> None:
-    """FFmpeg tells by itself whether it was built with its GPL parts."""
+def test_libraries_within_wheels_are_checked_too(tmp_path: Path) -> None:
+    """FFmpeg reports whether it was built with its GPL parts."""
     wheel = tmp_path / "opencv.libs"
     wheel.mkdir()
     (wheel / "libaom-1a.so").touch()
@@ -56,7 +56,7 @@ def test_libraries_within_wheels_are_asked_too(tmp_path: Path) -> None:
 
 
 def test_parts_are_found_by_the_files_they_own(tmp_path: Path) -> None:
-    """The lists as PyInstaller leaves them: a file of numpy's and one of nobody's."""
+    """The lists as written by PyInstaller: a file of numpy's and an unknown one."""
     import numpy as np
 
     own, other = Path(np.__file__), tmp_path / "other.py"

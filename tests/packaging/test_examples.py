@@ -1,4 +1,4 @@
-"""Plug-ins of the documentation, installed beside a wheel of the program, not beside the tree."""
+"""Plug-ins of the documentation, installed with a wheel of the program, not in the source tree."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(site: Path, code: str, **more: str) -> str:
-    """What a program prints beside the installed wheel, without the tree."""
+    """The output of a program with the installed wheel, without the tree."""
     done = subprocess.run(
         [sys.executable, "-P", "-c", ALONE.format(tree=str(ROOT)) + code],
         cwd=site.parent,
@@ -148,7 +148,7 @@ if __name__ == "__main__":
     assert stamps == sorted(set(stamps))
 
 
-def test_a_stream_without_its_package_costs_itself_alone(site: Path) -> None:
+def test_a_stream_without_its_package_affects_no_others(site: Path) -> None:
     """As after `pip uninstall`, and with an extension's folder removed."""
     code = """
 import sys

@@ -1,4 +1,4 @@
-"""The user guide: its commands run, its links lead somewhere, its words are the window's."""
+"""The user guide: commands run, links are valid, and its terms are those of the window."""
 
 from __future__ import annotations
 
@@ -51,13 +51,13 @@ ELSEWHERE = {
     "glovetrack pinches tracked.mcap": ("tests/packaging/test_examples.py", "pinches"),
     "sudo usermod -aG dialout $USER": ("packaging/debian_smoke.sh", "usermod -aG dialout"),
 }
-"""Commands that need a minute, longer recordings, gaps or their own system, and who runs them."""
+"""Commands that need a minute, longer recordings, gaps or their own system, and their tests."""
 HEAD = "Timestamp (us),Gyroscope X (deg/s),Gyroscope Y (deg/s),Gyroscope Z (deg/s),"
 HEAD += "Accelerometer X (g),Accelerometer Y (g),Accelerometer Z (g)"
 
 
 def commands(page: Path) -> list[str]:
-    """Lines of the page's blocks without what is told beside them."""
+    """Lines of the page's code blocks without comments."""
     blocks = (a or b for a, b in BLOCK.findall(page.read_text("utf-8")))
     lines = [re.split(r"\s{3,}", line.strip())[0] for b in blocks for line in b.split("\n")]
     return [line for line in lines if re.match(r"(glovetrack|sudo|pip|pipx|apt|make)\b", line)]
@@ -102,7 +102,7 @@ def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
 def ran(
     sessions: Sessions, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[[str], None]]:
-    """Runs a line in an empty folder, with what a reader of the page has there."""
+    """Runs a line in an empty folder, with the files a reader of the page has."""
     monkeypatch.chdir(tmp_path)
 
     def run_it(line: str) -> None:
@@ -112,7 +112,7 @@ def ran(
             _write_firmware(line, monkeypatch)
         else:
             _provide(line, sessions)
-            allowed = {0, 1} if " conformance " in line else {0}  # 1: a rule is not kept
+            allowed = {0, 1} if " conformance " in line else {0}  # 1: a rule is violated
             assert run(line) in allowed, line
             made = re.findall(r"(?:-o|--figure) (\S+)", line)
             assert [name for name in made if not Path(name).exists()] == []
@@ -121,7 +121,7 @@ def ran(
 
 
 def _provide(line: str, sessions: Sessions) -> None:
-    """Takes of the reader's own that this line reads."""
+    """The reader's own takes that this line reads."""
     outputs = re.findall(r"-o (\S+)", line)
     for word in shlex.split(line)[2:]:
         if word.endswith(".mcap") and word not in outputs and not Path(word).exists():
@@ -134,7 +134,7 @@ def _provide(line: str, sessions: Sessions) -> None:
 
 
 def _write_firmware(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """By the real avrdude, into a bootloader that is simulated."""
+    """With the real avrdude and a simulated bootloader."""
     if shutil.which("avrdude") is None:
         return
     monkeypatch.setattr("tracker.firmware.versions.greeting", lambda _port: None)
@@ -186,7 +186,7 @@ def test_every_option_that_the_text_names_exists(capsys: pytest.CaptureFixture[s
 
 @pytest.fixture
 def own_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Settings, logs and recordings that nobody else uses, here and in a process of its own."""
+    """Separate settings, logs and recordings, here and in a subprocess."""
     for kind in ("CONFIG", "STATE", "DATA", "CACHE"):
         monkeypatch.setenv(f"XDG_{kind}_HOME", str(tmp_path / kind))
     for name, value in (("HOME", tmp_path), ("PYTHONPATH", ROOT)):
@@ -199,7 +199,8 @@ def own_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_the_commands_that_open_a_window_or_talk_to_it(
     own_home: Path, sessions: Sessions, qapp: object, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The demo is opened, told to record, and then shows a session that a second start names."""
+    """The demo is opened, instructed to record, and then shows a session opened by a second
+    start."""
     lines = {line for page in PAGES for line in commands(page) if needs_a_window(line)}
     remote = ["start", 'note "the cup is taken"', "stop"]
     opened = {"glovetrack demo", "glovetrack session.mcap"}
@@ -226,13 +227,13 @@ def test_the_commands_that_open_a_window_or_talk_to_it(
 
 
 def _runs(capsys: pytest.CaptureFixture[str]) -> bool:
-    """Whether the demo has begun, as the window says."""
+    """Whether the demo has started, according to the window."""
     assert run("glovetrack remote status") == 0
     return "Nothing is running" not in capsys.readouterr().out
 
 
 def _answered(line: str, capsys: pytest.CaptureFixture[str]) -> bool:
-    """Whether it was heard: a window that is starting, on a busy computer, answers too late."""
+    """Whether it was received: a window that is starting on a loaded computer answers late."""
     return run(line) == 0 or "No window is open" not in capsys.readouterr().err
 
 
@@ -244,7 +245,7 @@ def _wait(done: Callable[[], bool], window: subprocess.Popen[bytes], timeout: fl
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.stem)
-def test_links_and_images_are_there(page: Path) -> None:
+def test_links_and_images_exist(page: Path) -> None:
     targets = LINK.findall(page.read_text("utf-8"))
     assert targets
     assert [t for t in targets if not (page.parent / t).exists()] == []
@@ -278,7 +279,7 @@ def test_the_plug_in_of_the_tutorial_is_the_example() -> None:
 
 
 def test_shortcuts_are_the_windows() -> None:
-    """Each key that the guide names is one that the window knows."""
+    """Each key named in the guide exists in the window."""
     root = ROOT / "app"
     files = (
         *("window/window_commands.py", "panels/library/session_page.py"),
@@ -298,7 +299,7 @@ def test_shortcuts_are_the_windows() -> None:
     assert documented <= known
 
 
-def test_export_formats_are_all_told() -> None:
+def test_all_export_formats_are_documented() -> None:
     from tracker.session.export.formats import FORMATS
 
     text = (GUIDE / "exporting.md").read_text("utf-8")

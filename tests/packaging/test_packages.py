@@ -23,7 +23,7 @@ def desktop_entry() -> configparser.SectionProxy:
     return parser["Desktop Entry"]
 
 
-def test_the_desktop_opens_the_type_that_is_declared() -> None:
+def test_the_desktop_opens_the_declared_type() -> None:
     declared = ET.parse(DEBIAN / "glovetrack.xml").find("{*}mime-type")
     assert declared is not None
     assert desktop_entry()["MimeType"] == f"{declared.get('type')};"
@@ -45,8 +45,8 @@ def test_the_script_fills_every_field_of_control() -> None:
     assert fields == set(re.findall(r"s/(@\w+@)/", (PACKAGING / "debian.sh").read_text("utf-8")))
 
 
-def test_the_package_depends_on_what_the_program_needs_of_the_system() -> None:
-    """The bundle brings all other libraries along, but never the drivers of OpenGL."""
+def test_the_package_depends_on_the_required_system_libraries() -> None:
+    """The bundle includes all other libraries, but never the drivers of OpenGL."""
     script = (PACKAGING / "system_libraries.sh").read_text("utf-8")
     drivers = set(re.findall(r"\s(lib(?:egl|gl)\S*)\s+essential", script))
     depends = re.search(r"^Depends: (.*)$", (DEBIAN / "control").read_text("utf-8"), re.MULTILINE)

@@ -1,4 +1,4 @@
-"""What is published: metadata that agree, and an installation from an index by users' tools."""
+"""Published metadata are consistent, and users' tools can install from an index."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def project() -> dict[str, Any]:
     return tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 
 
-def test_addresses_version_and_words_agree() -> None:
+def test_addresses_version_and_descriptions_agree() -> None:
     site = (ROOT / "mkdocs.yml").read_text("utf-8")
     citation = (ROOT / "CITATION.cff").read_text("utf-8")
     project_data, declared = project(), project()["urls"]
@@ -42,7 +42,7 @@ def test_addresses_version_and_words_agree() -> None:
 
 @pytest.fixture(scope="module")
 def index(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """The address of an index that has this program's wheel, with the kernels compiled here."""
+    """The address of an index with this program's wheel, including the kernels compiled here."""
     simple = tmp_path_factory.mktemp("index") / "simple"
     simple.mkdir()
     build("build_wheel", ROOT, simple / "glovetrack")

@@ -1,4 +1,4 @@
-"""The script that compares two builds says what differs, and nothing where nothing does."""
+"""The script that compares two builds reports differences, and nothing if there are none."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def compare(a: Path, b: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([SCRIPT, a, b], capture_output=True, text=True, check=False)
 
 
-def test_folders_that_differ_are_told_by_their_files(tmp_path: Path) -> None:
+def test_different_folders_are_reported_by_their_files(tmp_path: Path) -> None:
     for name, text in (("a", "one"), ("b", "another")):
         (tmp_path / name / "inside").mkdir(parents=True)
         (tmp_path / name / "same.txt").write_text("same")
@@ -27,7 +27,7 @@ def test_folders_that_differ_are_told_by_their_files(tmp_path: Path) -> None:
     assert result.stdout.splitlines() == ["./alone.txt", "./inside/other file.txt"]
 
 
-def test_equal_folders_and_files_are_told_so(tmp_path: Path) -> None:
+def test_equal_folders_and_files_are_reported_as_such(tmp_path: Path) -> None:
     for name in ("a", "b"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "file").write_bytes(b"same")

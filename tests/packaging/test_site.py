@@ -1,4 +1,4 @@
-"""The documentation's site: every page is in its menu, every link and anchor leads somewhere."""
+"""The documentation's site: every page is in its menu, every link and anchor is valid."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is taken out of an environment is nothing that the window loads."""
+"""Nothing is removed from an environment that the window loads."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ print(*(m.__file__ for m in sys.modules.values() if getattr(m, "__file__", None)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="asks Linux what a process has loaded")
-def test_nothing_that_the_window_loads_is_taken_out() -> None:
+def test_nothing_that_the_window_loads_is_removed() -> None:
     result = subprocess.run(
         [sys.executable, "-c", LOADED],
         cwd=ROOT,
@@ -47,7 +47,7 @@ def test_nothing_that_the_window_loads_is_taken_out() -> None:
     assert [f for f in loaded if not taken.isdisjoint((f, *f.parents))] == []
 
 
-def test_it_takes_out_folders_and_files_and_counts_them(
+def test_it_removes_folders_and_files_and_counts_them(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for name in (

@@ -27,7 +27,7 @@ ROOT = Path(__file__).parents[2]
 KINDS = (".toml", ".svg", ".png")
 """Resources that the program reads."""
 NOT_PUBLISHED = (".ci/", ".git")
-"""What git tracks and the source distribution lacks: parts of the repository's own set-up."""
+"""Files tracked by git but not in the source distribution: the repository's own set-up."""
 USE = (
     ("simulate", "-o", "made.mcap", "--duration", "1", "--blobs-only"),
     ("track", "made.mcap", "-o", "tracked.mcap"),
@@ -59,12 +59,12 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def wheel(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
-    """Built from the source distribution, as by an installer that has no wheel for its system."""
+    """Built from the source distribution, as by an installer without a wheel for its system."""
     return zipfile.ZipFile(build("build_wheel", sources, tmp_path_factory.mktemp("wheel")))
 
 
 def test_the_source_distribution_is_the_tree(sources: Path) -> None:
-    """Packagers of a system run the tests and build the documentation from it."""
+    """Distribution packagers run the tests and build the documentation from it."""
     found = {p.relative_to(sources).as_posix() for p in sources.rglob("*") if p.is_file()}
     wanted = {name for name in tracked() if not name.startswith(NOT_PUBLISHED)}
     assert {n for n in found if ".egg-info/" not in n} == wanted | {"PKG-INFO", "setup.cfg"}
@@ -88,7 +88,7 @@ def test_it_has_every_module_and_every_resource(wheel: zipfile.ZipFile) -> None:
     assert set(tracked("glovetrack")) <= set(wheel.namelist()), "the public package"
 
 
-def test_what_the_engine_reads_beside_its_modules_is_there(wheel: zipfile.ZipFile) -> None:
+def test_data_files_of_the_engine_are_included(wheel: zipfile.ZipFile) -> None:
     data = {n for n in tracked("app", "tracker") if not n.endswith((".py", ".md"))}
     assert {f"glovetrack/{n}" for n in data} <= set(wheel.namelist())
 
@@ -98,12 +98,12 @@ def test_the_openxr_layer_can_be_compiled_from_it(wheel: zipfile.ZipFile) -> Non
     assert sources and {f"glovetrack/{n}" for n in sources} <= set(wheel.namelist())
 
 
-def test_one_name_is_claimed(wheel: zipfile.ZipFile) -> None:
+def test_only_one_name_is_installed(wheel: zipfile.ZipFile) -> None:
     tops = {name.partition("/")[0] for name in wheel.namelist()}
     assert {t for t in tops if not t.endswith(".dist-info")} == {"glovetrack"}
 
 
-def test_the_command_and_the_licence_travel_along(wheel: zipfile.ZipFile) -> None:
+def test_the_command_and_the_licence_are_included(wheel: zipfile.ZipFile) -> None:
     (entries,) = (n for n in wheel.namelist() if n.endswith("/entry_points.txt"))
     assert "glovetrack = glovetrack.app.__main__:main" in wheel.read(entries).decode()
     assert any(n.endswith("/licenses/LICENSE") for n in wheel.namelist())
@@ -119,7 +119,7 @@ def test_entry_points_are_declared_by_their_installed_names(wheel: zipfile.ZipFi
 
 
 def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -> None:
-    """Beside a package of that project's own that is called app."""
+    """Next to a package of that project's own that is called app."""
     wheel.extractall(tmp_path / "site")
     (tmp_path / "app.py").write_text("OWN = True\n")
     code = (
@@ -139,7 +139,7 @@ def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -
     assert "--blobs-only" in run.stdout, "a command of the registry"
 
 
-def test_imports_are_rewritten_and_nothing_else() -> None:
+def test_only_imports_are_rewritten() -> None:
     backend = SimpleNamespace(**runpy.run_path(str(ROOT / "packaging" / "backend.py")))
     code = '''"""from tracker.x import y: prose stays."""
 from __future__ import annotations
@@ -167,8 +167,8 @@ import glovetrack.app.window.theme as theme
 
 
 def spelled(path: Path) -> list[str]:
-    """Strings that are a module's name in this tree, but what a tool of ours is called (``prog``)
-    and what stands before a package wherever it is."""
+    """Strings that are a module's name in this tree, except names of our tools (``prog``) and
+    prefixes that are the same everywhere."""
     tree = ast.parse(path.read_text("utf-8"))
     mine = [k.value for n in ast.walk(tree) if isinstance(n, ast.Call) for k in n.keywords
             if k.arg == "prog"]  # fmt: skip
@@ -188,9 +188,9 @@ def test_no_module_is_named_in_a_string() -> None:
     assert {path.name: names for path in files if (names := spelled(path))} == {}
 
 
-def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
-    """Found by their installed names, and made of the same source as these; with them a session is
-    made, tracked and exported."""
+def test_compiled_kernels_are_included(tmp_path: Path) -> None:
+    """Found by their installed names, and compiled from the same source; a session is created,
+    tracked and exported with them."""
     if not parts.built() or not are_compiled():
         pytest.skip("the library of kernels was not built here")
     build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
