@@ -36,10 +36,13 @@ ELSEWHERE = {
         *("packaging/smoke.sh", "conformance --simulate --hands both -o"),
     ),
     "glovetrack align tracked.mcap other.mcap -o aligned.json --figure aligned.png": (
-        *("tests/session/test_align.py", '"align", *map(str, takes), "-o", str(kept), "--figure"'),
+        *(
+            "tests/session/test_align.py",
+            '"align", *map(str, takes), "-o", str(alignment), "--figure"',
+        ),
     ),
     "glovetrack compare tracked.mcap other.mcap --align aligned.json": (
-        *("tests/session/test_align.py", '"--align", str(kept)'),
+        *("tests/session/test_align.py", '"--align", str(alignment)'),
     ),
     **{
         f"glovetrack {words}": ("tests/offline/test_fill.py", words)
